@@ -53,7 +53,7 @@ const held = {
   ].map(([object, property]) => ({
     object,
     property,
-    message: "Ask src/app/base/clock.ts for the time and src/app/base/chance.ts for an id.",
+    message: "Ask src/app/base/clock.ts for the time and src/app/base/random-id.ts for an id.",
   })),
   syntax: {
     selector: "NewExpression[callee.name='Date'][arguments.length=0]",
@@ -125,7 +125,7 @@ export default defineConfig([
   },
   {
     files: ["src/{app,features,shell}/**/*.{ts,tsx}"],
-    ignores: ["**/*.test.{ts,tsx}", "src/app/base/clock.ts", "src/app/base/chance.ts"],
+    ignores: ["**/*.test.{ts,tsx}", "src/app/base/clock.ts", "src/app/base/random-id.ts"],
     rules: {
       "no-restricted-properties": ["error", ...held.properties],
       "no-restricted-syntax": ["error", ...form, held.syntax],

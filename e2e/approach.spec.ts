@@ -1,4 +1,4 @@
-import { accessible } from "./pages/look.ts";
+import { expectAccessible } from "./pages/layout-checks.ts";
 import { settledBox } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
@@ -24,10 +24,10 @@ test("a milled program shows its plane; its approach is edited by prompt, by dra
   await page.mouse.up();
   await expect(editor.line("APPR LT")).not.toContainText("LEN15");
   await page.getByRole("button", { name: t.approach.otherForm }).click();
-  await accessible(page);
+  await expectAccessible(page);
   await page.getByRole("button", { name: /^APPR CT:/ }).click();
   await expect(editor.line("APPR CT")).toContainText("CCA90");
-  await accessible(page);
+  await expectAccessible(page);
 });
 
 /** Turns, mills a slot across the face with a rapid that is too low, and turns again. */
@@ -96,7 +96,7 @@ test("milled stock is drawn, and its path leads to its block", async ({ page }) 
   await page.keyboard.press("End");
   await expect(plane.getByText(t.approach.milled.drawn)).toBeVisible();
   // The plate is removed around the square; the middle of the square is untouched.
-  await accessible(page);
+  await expectAccessible(page);
 });
 
 test("a program that turns and mills switches the view by selection, finding and playback", async ({ page }) => {

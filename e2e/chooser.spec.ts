@@ -1,4 +1,4 @@
-import { looksRight, looksRightInBoth } from "./pages/look.ts";
+import { expectAccessibleAndFits, expectFineInBothThemes } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -40,7 +40,7 @@ test("on a phone the groups are folded, and a search passes axe", async ({ page 
   await expect(start.button(812, true)).toBeVisible();
   await start.search.fill("8");
   await expect(start.button(852, true)).toBeVisible();
-  await looksRightInBoth(page, "a search");
+  await expectFineInBothThemes(page, "a search");
   for (const button of await page.getByRole("group", { name: t.chooser.cycles }).getByRole("button").all())
     expect((await button.boundingBox())?.height).toBeGreaterThanOrEqual(TARGET);
 });
@@ -53,7 +53,7 @@ test("a cycle is inserted into a program with the same chooser", async ({ page }
   await editor.show("block");
   await editor.insert("cycle");
   await turnwise.start.search.fill("852");
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
   await page.keyboard.press("Enter");
   await expect(page.getByRole("form", { name: t.dialog.form })).toBeVisible();
   await expect(page.getByRole("heading", { name: t.cycles.of[852].name })).toBeVisible();
@@ -65,17 +65,17 @@ test("a cycle that acts in a program is inserted; one that is not simulated says
   const called = (number: number, name: string) => t.page.start.cycle(number, name);
   await start.search.fill("800");
   await expect(says).toHaveText(t.chooser.acts(called(800, t.cycles.of[800].name)));
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
   await editor.create();
   await editor.line("M30").click();
   await editor.show("block");
   await editor.insert("cycle");
   await start.search.fill("880");
   await expect(says).toHaveText(t.chooser.kept(called(880, t.cycles.kept[880])));
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
   await start.search.fill("800");
   await page.keyboard.press("Enter");
   await expect(dialog.question).toHaveText(dialog.promptOf(800, "Q497"));
   await expect(page.getByText(t.cycles.of[800].description[0] ?? "")).toBeVisible();
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
 });

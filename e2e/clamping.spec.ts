@@ -1,6 +1,6 @@
 import { readFile } from "node:fs/promises";
 import { provedIn } from "./pages/effect.ts";
-import { looksRight, looksRightInBoth } from "./pages/look.ts";
+import { expectAccessibleAndFits, expectFineInBothThemes } from "./pages/layout-checks.ts";
 import { pictureAt } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
@@ -37,7 +37,7 @@ test("clamping of a work: set, drawn to scale, collision at its block, corrected
   await expect(program.panel).toContainText("; CLAMPING CHUCK OUTSIDE D75 LENGTH25 FACE-75 SIZE160");
   await effect.proved();
   await expect(lathe.view).not.toContainText(t.lathe.held.note);
-  await looksRightInBoth(page, "set-up with a clamping");
+  await expectFineInBothThemes(page, "set-up with a clamping");
   // To scale: the jaws begin at Z-75, beside the bar.
   const steel = await spot(turnwise, -82, 92);
   expect(await spot(turnwise, -76, 92)).toBe(steel);
@@ -59,7 +59,7 @@ test("clamping of a work: set, drawn to scale, collision at its block, corrected
   await turnwise.show("findings");
   const contact = findings.items.filter({ hasText: CONTACT });
   await expect(contact).toContainText("block 10");
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
   await turnwise.show("prompts");
   await dialog.set("Q494", "-40");
   await effect.proved();
@@ -72,7 +72,7 @@ test("clamping of a work: set, drawn to scale, collision at its block, corrected
   await expect(sheet.preview.getByText(`${c.words.FACE} −50`, { exact: true })).toBeVisible();
   await expect(sheet.preview.getByText(`${c.words.SIZE} 160`, { exact: true })).toBeVisible();
   await expect(sheet.preview).not.toContainText(sheet.words.chuckNote);
-  await looksRightInBoth(page, "the setup sheet with a clamping");
+  await expectFineInBothThemes(page, "the setup sheet with a clamping");
 });
 
 test("the clamping of a program is a comment: written by its dialog, carried by a link, saved", async ({
@@ -88,24 +88,24 @@ test("the clamping of a program is a comment: written by its dialog, carried by 
   await expect(verdict).toHaveText(provedIn(t));
   await clamping.openDialog();
   await expect(clamping.dialog).toContainText(c.unstated);
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
   await clamping.state.click();
   await expect(clamping.field("FACE")).toHaveValue("-60");
-  await looksRightInBoth(page, "the dialog of a clamping");
+  await expectFineInBothThemes(page, "the dialog of a clamping");
   await clamping.field("FACE").fill("-45");
   await page.keyboard.press("Escape");
   await expect(editor.text).toContainText("; CLAMPING CHUCK OUTSIDE D30 LENGTH20 FACE-45 SIZE160");
   await expect(verdict).not.toHaveText(provedIn(t));
   await editor.show("findings");
   await expect(findings.items.filter({ hasText: CONTACT })).toContainText("block 10");
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
 
   await clamping.openDialog();
   await clamping.field("FACE").fill("-60");
   await page.keyboard.press("Escape");
   await expect(verdict).toHaveText(provedIn(t));
   await lathe.shows("solid");
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
   await page.reload();
   await expect(editor.text).toContainText("; CLAMPING CHUCK OUTSIDE D30 LENGTH20 FACE-60 SIZE160");
 
@@ -114,14 +114,14 @@ test("the clamping of a program is a comment: written by its dialog, carried by 
     receiver = await other.newPage();
   await receiver.goto(link);
   const received = Turnwise.at(receiver);
-  await received.handing.open();
+  await received.sharing.open();
   await expect(received.editor.text).toContainText("; CLAMPING CHUCK OUTSIDE D30 LENGTH20 FACE-60 SIZE160");
   await received.clamping.openDialog();
   await expect(received.clamping.field("D")).toHaveValue("30");
   await receiver.setViewportSize({ width: 390, height: 664 });
   await received.editor.show("text");
   await received.clamping.openDialog();
-  await looksRight(receiver);
+  await expectAccessibleAndFits(receiver);
   // The keypad is open at the bottom; the next tap still reaches its target.
   await received.clamping.field("SIZE").tap();
   await expect(receiver.getByRole("group", { name: t.dialog.keypad, exact: true })).toBeVisible();

@@ -1,6 +1,6 @@
 import { readFile } from "node:fs/promises";
 import { compare as words } from "../src/i18n/en/compare.ts";
-import { looksRightInBoth } from "./pages/look.ts";
+import { expectFineInBothThemes } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -40,7 +40,7 @@ test("a changed infeed is listed with its effect, by keyboard, and leads to its 
   await expect(rows.nth(1)).toBeFocused();
   for (const width of [1280, 768, 390]) {
     await page.setViewportSize({ width, height: 844 });
-    await looksRightInBoth(page, `the comparison at ${width}`);
+    await expectFineInBothThemes(page, `the comparison at ${width}`);
   }
   await dialog.getByRole("button", { name: words.copy, exact: true }).click();
   const copied = () => page.evaluate(() => navigator.clipboard.readText());

@@ -1,5 +1,5 @@
 import { readFileSync } from "node:fs";
-import { accessible, looksRightInBoth } from "./pages/look.ts";
+import { expectAccessible, expectFineInBothThemes } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -32,7 +32,7 @@ test("a task by keyboard: a wrong try names place and step; hints, solution, pas
   const { title, hints, learned } = taskFile("l03-first-shoulder").words.en;
   await begin(turnwise, "first-shoulder", title);
   await expect(task.goal("⌀ 48.2 ±0.03")).toBeVisible();
-  await looksRightInBoth(page, "the assignment of a task");
+  await expectFineInBothThemes(page, "the assignment of a task");
   await task.fold.press("Enter");
   await task.check.press("Enter");
   await expect(task.status).toContainText("Q493");
@@ -57,7 +57,7 @@ test("a task by keyboard: a wrong try names place and step; hints, solution, pas
     /Cut [\d.]+ mm into the part at ⌀[\d.]+, Z-[\d.]+: block \d+, (pass \d+|finishing cut)/,
   );
   await expect(lathe.mark("1")).toBeVisible();
-  await looksRightInBoth(page, "a task with a wrong try");
+  await expectFineInBothThemes(page, "a task with a wrong try");
   await task.nextMark.press("Enter");
   await expect(task.mark).toHaveAccessibleName(/^2: /);
 
@@ -74,7 +74,7 @@ test("a task by keyboard: a wrong try names place and step; hints, solution, pas
   await expect(task.status).toContainText(words.passedFor.hints);
   await expect(task.panel).toContainText(learned);
   await task.solution.press("Enter");
-  await task.panel.getByRole("button", { name: words.yesShow, exact: true }).press("Enter");
+  await task.panel.getByRole("button", { name: words.confirmShow, exact: true }).press("Enter");
   await task.panel.getByRole("button", { name: words.compare, exact: true }).press("Enter");
   await expect(page.getByRole("dialog")).toBeVisible();
   await page.keyboard.press("Escape");
@@ -103,7 +103,7 @@ test("predictions, a fault that is found and fixed, and a drawing with its score
   await expect(task.field("answer")).toHaveValue("");
   await expect(task.field("answer")).toBeFocused();
   await page.keyboard.type("2,1");
-  await looksRightInBoth(page, "a question of a task");
+  await expectFineInBothThemes(page, "a question of a task");
   await page.reload();
   await expect(task.field("answer")).toHaveValue("19");
   await task.nextQuestion.press("Enter");
@@ -135,7 +135,7 @@ test("predictions, a fault that is found and fixed, and a drawing with its score
   await expect(lathe.mark(String.raw`\?`)).toBeVisible();
   await task.run.press("Enter");
   await expect(task.panel.getByRole("listitem").first()).toContainText(
-    words.foretell.right(words.foretell.isBlock("11")),
+    words.predict.right(words.predict.isBlock("11")),
   );
   await task.check.press("Enter");
   await expect(task.mark).toContainText(/^\d?\s*Rapid traverse into material at ⌀[\d.]+, Z-[\d.]+: block 11/);
@@ -147,7 +147,7 @@ test("predictions, a fault that is found and fixed, and a drawing with its score
   const pin = taskFile("l22-pin");
   await begin(turnwise, "from-a-drawing", pin.words.en.title);
   await expect(task.assignment.getByRole("img").first()).toBeVisible();
-  await looksRightInBoth(page, "a task from a drawing");
+  await expectFineInBothThemes(page, "a task from a drawing");
   await editor.text.press("ControlOrMeta+a");
   await page.keyboard.insertText(pin.solution.join("\n"));
   await task.check.press("Enter");
@@ -172,7 +172,7 @@ test.describe("on a phone", () => {
     await stage.tap({ position: { x: 250, y: 60 } });
     await expect(task.field("x")).toHaveValue(/^[\d,]+$/);
     await expect(task.field("z")).toHaveValue(/^-[\d,]+$/);
-    await accessible(page);
+    await expectAccessible(page);
     await task.run.tap();
     await expect(task.panel.getByRole("listitem").nth(1)).toContainText("⌀");
     await task.check.tap();
@@ -186,7 +186,7 @@ test.describe("on a phone", () => {
     await task.unfold.tap();
     await expect(stage).toBeHidden();
     await task.hint(1).tap();
-    await accessible(page);
+    await expectAccessible(page);
     await task.fold.tap();
     await expect(stage).toBeVisible();
     await expect(task.status).toContainText(words.failed(2, 4));

@@ -1,5 +1,5 @@
 import { dragFinger } from "./pages/finger.ts";
-import { accessible, looksRightInBoth } from "./pages/look.ts";
+import { expectAccessible, expectFineInBothThemes } from "./pages/layout-checks.ts";
 import { settledBox } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
@@ -13,7 +13,7 @@ test("the course by keyboard: a lesson to its end, a slider moved, example and t
   await course.entrance.press("Enter");
   await expect(course.lessons).toBeVisible();
   await expect(page).toHaveTitle(`${words.title} · Turnwise`);
-  await looksRightInBoth(page, "the list of lessons");
+  await expectFineInBothThemes(page, "the list of lessons");
 
   await course.lesson(1).press("Enter");
   await expect(course.picture).toBeVisible();
@@ -30,7 +30,7 @@ test("the course by keyboard: a lesson to its end, a slider moved, example and t
   }
   expect(said.size).toBe(count);
   await expect(course.page("tasks")).toHaveAttribute("aria-current", "page");
-  await looksRightInBoth(page, "the tasks of a lesson");
+  await expectFineInBothThemes(page, "the tasks of a lesson");
   await page.keyboard.press("ArrowLeft");
   await expect(course.page(count)).toHaveAttribute("aria-current", "page");
   await page.goBack();
@@ -58,7 +58,7 @@ test("the course by keyboard: a lesson to its end, a slider moved, example and t
   await expect(passes).toHaveText("3");
   await expect(infeed).toHaveText(/^3\.000/);
   await expect(course.page(2)).toHaveAttribute("aria-current", "page");
-  await looksRightInBoth(page, "a page of a lesson");
+  await expectFineInBothThemes(page, "a page of a lesson");
   await page.reload();
   await expect(course.page(2)).toHaveAttribute("aria-current", "page");
   await expect(passes).toHaveText("4");
@@ -79,12 +79,12 @@ test("the course by keyboard: a lesson to its end, a slider moved, example and t
   await expect(course.entrance).toContainText(words.entrance.goOn("3"));
   await course.entrance.press("Enter");
   await page.getByRole("link", { name: words.toList, exact: true }).press("Enter");
-  await page.getByRole("button", { name: words.anew, exact: true }).press("Enter");
-  await expect(page.getByText(words.begunAnew)).toBeVisible();
+  await page.getByRole("button", { name: words.restart, exact: true }).press("Enter");
+  await expect(page.getByText(words.restarted)).toBeVisible();
   await expect(page.getByRole("link", { name: words.begin, exact: true })).toBeVisible();
   await turnwise.undo();
   await expect(page.getByRole("link", { name: words.begin, exact: true })).toHaveCount(0);
-  await expect(page.getByRole("button", { name: words.anew, exact: true })).toBeVisible();
+  await expect(page.getByRole("button", { name: words.restart, exact: true })).toBeVisible();
 });
 
 test.describe("on a phone", () => {
@@ -117,7 +117,7 @@ test.describe("on a phone", () => {
     await slide.scrollIntoViewIfNeeded();
     await slide.fill("9");
     await expect(course.fact(t.page.effect.passes)).toHaveText("1");
-    await accessible(page);
+    await expectAccessible(page);
     expect(await shown.evaluate((main) => main.scrollWidth - main.clientWidth)).toBeLessThanOrEqual(0);
     const stage = await page.locator(".lesson-lathe").boundingBox();
     expect(stage && stage.y >= 0 && stage.y < 300).toBe(true);

@@ -1,7 +1,7 @@
 import { readFile } from "node:fs/promises";
 import type { Locator, Page } from "@playwright/test";
 import { device as t } from "../src/i18n/en/device.ts";
-import { accessible, looksRightInBoth } from "./pages/look.ts";
+import { expectAccessible, expectFineInBothThemes } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -67,7 +67,7 @@ test("all works by keyboard: searched, renamed, duplicated, deleted and restored
     [390, 844],
   ] as const) {
     await page.setViewportSize({ width, height });
-    await looksRightInBoth(page, `all works at ${width}`);
+    await expectFineInBothThemes(page, `all works at ${width}`);
   }
   await page.reload();
   await expect(rows).toHaveCount(2);
@@ -93,7 +93,7 @@ test("a backup restores on another device and overwrites nothing there", async (
 
   const other = await browser.newContext();
   const elsewhere = await Turnwise.open(await other.newPage());
-  const dialog = elsewhere.page.getByRole("dialog", { name: t.bringIn.title(file.name) });
+  const dialog = elsewhere.page.getByRole("dialog", { name: t.restore.title(file.name) });
   const bring = async () => {
     await elsewhere.settings.open();
     const [chooser] = await Promise.all([
@@ -104,22 +104,22 @@ test("a backup restores on another device and overwrites nothing there", async (
     await expect(dialog).toBeVisible();
   };
   await bring();
-  await expect(dialog.getByText(t.bringIn.states.fresh, { exact: true })).toHaveCount(2);
-  await expect(dialog.getByText(t.bringIn.sameTable)).toBeVisible();
-  await accessible(elsewhere.page);
-  await dialog.getByRole("checkbox", { name: t.bringIn.settings }).check();
-  await button(elsewhere.page, t.bringIn.take).click();
-  await expect(dialog.getByText(t.bringIn.done(2))).toBeVisible();
+  await expect(dialog.getByText(t.restore.states.fresh, { exact: true })).toHaveCount(2);
+  await expect(dialog.getByText(t.restore.sameTable)).toBeVisible();
+  await expectAccessible(elsewhere.page);
+  await dialog.getByRole("checkbox", { name: t.restore.settings }).check();
+  await button(elsewhere.page, t.restore.take).click();
+  await expect(dialog.getByText(t.restore.done(2))).toBeVisible();
   await expect(elsewhere.page.locator("html")).toHaveAttribute("data-theme", "dark");
-  await button(elsewhere.page, t.bringIn.showAll).click();
+  await button(elsewhere.page, t.restore.showAll).click();
   await elsewhere.page.getByRole("button", { name: /^Open .*812/ }).click();
   await expect(elsewhere.dialog.line("Q493")).toContainText("51.25");
   await elsewhere.dialog.set("Q493", "49.5");
   await bring();
-  await expect(dialog.getByText(t.bringIn.states.same, { exact: true })).toHaveCount(1);
-  await expect(dialog.getByText(t.bringIn.states.beside, { exact: true })).toHaveCount(1);
-  await button(elsewhere.page, t.bringIn.take).click();
-  await button(elsewhere.page, t.bringIn.showAll).click();
+  await expect(dialog.getByText(t.restore.states.same, { exact: true })).toHaveCount(1);
+  await expect(dialog.getByText(t.restore.states.beside, { exact: true })).toHaveCount(1);
+  await button(elsewhere.page, t.restore.take).click();
+  await button(elsewhere.page, t.restore.showAll).click();
   await expect(elsewhere.page.getByText(t.works.count(3))).toBeVisible();
   await elsewhere.page.goBack();
   await expect(elsewhere.dialog.line("Q493")).toContainText("49.5");
@@ -128,7 +128,7 @@ test("a backup restores on another device and overwrites nothing there", async (
   await elsewhere.page.getByRole("link", { name: elsewhere.t.page.home }).click();
   const cut = { ...file, buffer: file.buffer.subarray(0, file.buffer.length - 30) };
   await elsewhere.page.locator(".program-ways input[type=file]:not([webkitdirectory])").setInputFiles(cut);
-  await expect(dialog.getByText(t.bringIn.problems.damaged(file.name))).toBeVisible();
+  await expect(dialog.getByText(t.restore.problems.damaged(file.name))).toBeVisible();
   await other.close();
 });
 
@@ -158,8 +158,8 @@ test("a full disk and refused storage are reported, editing continues, and unsav
   const other = await browser.newContext();
   const elsewhere = await Turnwise.open(await other.newPage());
   await elsewhere.page.locator(".program-ways input[type=file]:not([webkitdirectory])").setInputFiles(file);
-  await button(elsewhere.page, t.bringIn.take).click();
-  await button(elsewhere.page, t.bringIn.showAll).click();
+  await button(elsewhere.page, t.restore.take).click();
+  await button(elsewhere.page, t.restore.showAll).click();
   await elsewhere.page.getByRole("button", { name: /^Open .*812/ }).click();
   await expect(elsewhere.dialog.line("Q493")).toContainText("51.25");
   await other.close();
@@ -198,7 +198,7 @@ test("an error of the page keeps the work, offers an export, and stores a local 
   const text = crash.getByRole("textbox", { name: t.reports.text });
   await expect(text).toHaveValue(/planted fault/);
   await expect(text).not.toHaveValue(/BEGIN PGM/);
-  await accessible(page);
+  await expectAccessible(page);
   await crash.getByRole("checkbox", { name: t.reports.withProgram }).check();
   await button(page, t.reports.copy).click();
   await expect.poll(() => page.evaluate(() => navigator.clipboard.readText())).toMatch(/planted fault[^]*BEGIN PGM/);

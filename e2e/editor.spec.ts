@@ -1,4 +1,4 @@
-import { looksRightInBoth } from "./pages/look.ts";
+import { expectFineInBothThemes } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { provedIn } from "./pages/effect.ts";
 import { Turnwise } from "./pages/turnwise.ts";
@@ -124,7 +124,7 @@ test("a share link opens the same program, and a reload keeps what was typed", a
   const link = await editor.sharedLink();
   const other = Turnwise.at(await context.newPage());
   await other.page.goto(link);
-  await other.handing.open();
+  await other.sharing.open();
   await expect(other.editor.text).toBeVisible();
   expect(await other.editor.downloaded()).toEqual(text);
   await other.editor.line("CYCL CALL").click();
@@ -156,6 +156,6 @@ test("the parts of the program editor pass axe, and fit", async ({ page }) => {
   await expect(editor.total(t.findings.verdict.title)).not.toHaveText(t.page.effect.unknown);
   for (const section of ["text", "block", "structure", "findings"] as const) {
     await editor.show(section);
-    await looksRightInBoth(page, `the part "${section}"`);
+    await expectFineInBothThemes(page, `the part "${section}"`);
   }
 });

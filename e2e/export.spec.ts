@@ -3,7 +3,7 @@ import DxfParser from "dxf-parser";
 import type { Locator } from "@playwright/test";
 import { exported as words } from "../src/i18n/en/export.ts";
 import { dxfDefaults, readDxf, type ParsedDxf } from "../src/program/dxf/read-dxf.ts";
-import { looksRight } from "./pages/look.ts";
+import { expectAccessibleAndFits } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -40,7 +40,7 @@ test("the part is exported as bodies and drawings, from a cycle and from a progr
   await start.beginWithExample(812);
   await effect.proved();
   await open();
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
   const [blank, part] = [await save(words.body.blank, "STL"), await save(words.body.part, "STL")];
   expect([blank.name, part.name]).toEqual(["SHOULDER812_blank.stl", "SHOULDER812_part.stl"]);
   const [whole, finished] = [measured(blank.bytes), measured(part.bytes)];
@@ -83,6 +83,6 @@ test("the part is exported as bodies and drawings, from a cycle and from a progr
     [768, 1024],
   ] as const) {
     await page.setViewportSize({ width, height });
-    await looksRight(page);
+    await expectAccessibleAndFits(page);
   }
 });

@@ -1,5 +1,5 @@
 import { files as words } from "../src/i18n/en/files.ts";
-import { looksRightInBoth } from "./pages/look.ts";
+import { expectFineInBothThemes } from "./pages/layout-checks.ts";
 import { provedIn } from "./pages/effect.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
@@ -143,9 +143,9 @@ test("a link carries the files of a work and its switch", async ({ page, context
   const link = await editor.sharedLink();
   const other = await context.newPage();
   await other.goto(link);
-  const { editor: opened, handing, t } = Turnwise.at(other);
-  await expect(handing.inside("MAIN.h")).toContainText("defines.h");
-  await handing.open();
+  const { editor: opened, sharing, t } = Turnwise.at(other);
+  await expect(sharing.incoming("MAIN.h")).toContainText("defines.h");
+  await sharing.open();
   await expect(opened.file("defines.h")).toBeVisible();
   await expect(opened.leaveOut).toBeChecked();
   await expect(opened.total(t.editor.operations)).toHaveText("1");
@@ -192,7 +192,7 @@ test("from a folder with several programs, open one with the programs it calls, 
   await expect(question).toContainText(words.choose.skipped(1));
   for (const width of [1280, 390]) {
     await page.setViewportSize({ width, height: 844 });
-    await looksRightInBoth(page, `the question which program at ${width}`);
+    await expectFineInBothThemes(page, `the question which program at ${width}`);
   }
   await page.setViewportSize({ width: 1280, height: 800 });
   await question.getByRole("button", { name: words.choose.open("MAIN.h") }).click();

@@ -1,4 +1,4 @@
-import { looksRight } from "./pages/look.ts";
+import { expectAccessibleAndFits } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -70,21 +70,21 @@ test("a program that is not simulated is never called verified, and names the bl
 test("a program with errors leaves only on confirmation: copying, downloading and sharing ask first", async ({
   page,
 }) => {
-  const { editor, findings, handing, t } = await Turnwise.open(page);
+  const { editor, findings, sharing, t } = await Turnwise.open(page);
   await editor.paste(MILLING);
   await expect(editor.total(t.findings.verdict.title)).toContainText(t.findings.verdict.faults(1));
   const copy = page.getByRole("button", { name: new RegExp(`^${t.page.text.copyLong}`) });
   await page.evaluate(() => navigator.clipboard.writeText("as it was"));
   await copy.click();
   await expect(findings.question).toContainText("FUNCTION MODE TURN");
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
   await findings.answer("cancel").click();
   await expect(findings.question).toBeHidden();
   expect(await page.evaluate(() => navigator.clipboard.readText())).toBe("as it was");
-  await handing.handOn();
+  await sharing.openDialog();
   await expect(findings.question).toBeVisible();
   await page.keyboard.press("Escape");
-  await expect(handing.out).toBeHidden();
+  await expect(sharing.shareDialog).toBeHidden();
   await page.getByRole("button", { name: new RegExp(`^${t.page.text.download("FAULT.h")}`) }).click();
   const download = page.waitForEvent("download");
   await findings.answer("download").click();
@@ -149,7 +149,7 @@ test("with a missing contour the dialog does not report all prompts answered, an
   await dialog.open("Q463");
   await page.keyboard.press("End");
   await expect(dialog.question).toHaveText(t.findings.done.contour);
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
   await dialog.active.getByRole("button", { name: t.findings.done.toContour, exact: true }).click();
   await expect(contour.add).toBeVisible();
 });

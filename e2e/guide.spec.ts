@@ -1,7 +1,7 @@
 import { advice } from "../src/i18n/en/advice.ts";
 import { glossary } from "../src/i18n/en/glossary.ts";
 import { guide as t } from "../src/i18n/en/guide.ts";
-import { looksRightInBoth } from "./pages/look.ts";
+import { expectFineInBothThemes } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -28,7 +28,7 @@ test("from a prompt to its parameter page, to a term, and back; advice is marked
   await expect
     .poll(() => main.getByRole("region", { name: t.mistakes }).getByRole("listitem").count())
     .toBeGreaterThan(3);
-  await looksRightInBoth(page, "a parameter");
+  await expectFineInBothThemes(page, "a parameter");
 
   // One click applies the better value, and undo reverts it.
   const said = main.getByRole("region", { name: advice.title, exact: true });
@@ -43,7 +43,7 @@ test("from a prompt to its parameter page, to a term, and back; advice is marked
   await main.getByRole("searchbox", { name: t.glossary.search }).fill("nose r");
   await expect(main.getByText(glossary.noseRadius.name, { exact: true })).toBeVisible();
   await expect(main.getByText(glossary.pitch.name, { exact: true })).toHaveCount(0);
-  await looksRightInBoth(page, "the glossary");
+  await expectFineInBothThemes(page, "the glossary");
   await page.keyboard.press("Escape");
   await expect(dialog.question).toHaveText(dialog.promptOf(812, "Q463"));
   await expect(dialog.value).toHaveValue("7.9");
@@ -76,7 +76,7 @@ test("the numbered steps play by keys and by finger; cutting data are the shop's
   await turnwise.lathe.advance(6000);
   await expect(step("paraxial infeed").first()).not.toHaveAttribute("aria-current", "step");
   await player.getByRole("button", { name: t.steps.stop }).click();
-  await looksRightInBoth(page, "the steps of a cycle");
+  await expectFineInBothThemes(page, "the steps of a cycle");
 
   await page.getByRole("button", { name: advice.title, exact: true }).click();
   const speed = page.getByRole("textbox", { name: advice.table.cell(advice.values.roughSpeed, "C45E (1.1191)") });
@@ -87,7 +87,7 @@ test("the numbered steps play by keys and by finger; cutting data are the shop's
   await speed.press("Tab");
   await expect(speed).toHaveValue("143");
   await expect(page.getByText(advice.table.refused)).toBeVisible();
-  await looksRightInBoth(page, "cutting data");
+  await expectFineInBothThemes(page, "cutting data");
   await page.reload();
   await expect(speed).toHaveValue("143");
 

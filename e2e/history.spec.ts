@@ -1,4 +1,4 @@
-import { looksRight } from "./pages/look.ts";
+import { expectAccessibleAndFits } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -79,7 +79,7 @@ test("the address of a missing work says so", async ({ page }) => {
   await page.goto(".?clock=manual#/work/nowhere/contour");
   await expect(page.getByText(t.page.notice.workNotHere)).toBeVisible();
   await expect(start.button(812, true)).toBeVisible();
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
 });
 
 test("undo goes on after a reload, in a cycle and in a program", async ({ page }) => {

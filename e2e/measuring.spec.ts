@@ -1,6 +1,6 @@
 import { measure } from "../src/i18n/en/measure.ts";
 import { dragFinger } from "./pages/finger.ts";
-import { accessible } from "./pages/look.ts";
+import { expectAccessible } from "./pages/layout-checks.ts";
 import { pictureAt, settledBox } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
@@ -32,7 +32,7 @@ test("diameter, length, radius, angle by keys: kept, updated by a value, printed
   await expect(label(`${kinds.angle} 5.000°, contour`)).toBeVisible();
   await press("l", "n", "Enter", "p", "p", "Enter");
   await expect(label(/^Length \d+\.\d+, contour/)).toBeVisible();
-  await accessible(page);
+  await expectAccessible(page);
 
   // With another angle the cone differs; its measurements follow.
   await press("Escape");

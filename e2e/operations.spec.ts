@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { provedIn } from "./pages/effect.ts";
 import { tabTo } from "./pages/keyboard.ts";
-import { looksRight } from "./pages/look.ts";
+import { expectAccessibleAndFits } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -15,7 +15,7 @@ test("operations of the flange are duplicated, moved, skipped and restored byte 
   await expect(editor.total(t.editor.operations)).toHaveText("8");
   await editor.show("structure");
   await editor.operation(3).click();
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
 
   await editor.operationTool("down").click();
   await expect(editor.operation(4)).toHaveAttribute("aria-expanded", "true");
@@ -65,7 +65,7 @@ test("a program of three operations from nothing, by keyboard alone", async ({ p
     await keyboard.type(String(cycle));
     await keyboard.press("Enter");
     await expect(editor.inserting.getByRole("textbox", { name: t.operations.title })).toBeFocused();
-    await looksRight(page);
+    await expectAccessibleAndFits(page);
     await keyboard.press("Enter");
     await expect(editor.inserting).toHaveCount(0);
     await expect(page.getByRole("form", { name: t.dialog.form })).toBeVisible();

@@ -1,5 +1,5 @@
 import { tabTo } from "./pages/keyboard.ts";
-import { looksRight } from "./pages/look.ts";
+import { expectAccessibleAndFits } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -37,7 +37,7 @@ test("an unknown block is described, its dialog changes the text, and it is inse
   await own.kind("Q1712").selectOption("choice");
   await own.cell("Q1712", "choices").fill("0 open, 1 closed");
   await expect(own.text).toContainText("CYCL DEF 317 BAR PULLER ~");
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
   await own.back.click();
 
   await expect(dialog.question).toHaveText("PULL LENGTH");
@@ -48,7 +48,7 @@ test("an unknown block is described, its dialog changes the text, and it is inse
   await page.getByRole("button", { name: t.dialog.takeNearest("187.25") }).click();
   await dialog.open("Q1712");
   await page.keyboard.press("0");
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
   const changed = PROGRAM.replace("+31.7", "+187.25").replace("Q1712=+1", "Q1712=+0");
   expect((await editor.downloaded()).toString()).toBe(changed);
   await expect(page.getByRole("region", { name: t.editor.total })).toContainText("CYCL DEF 317 BAR PULLER");
@@ -69,7 +69,7 @@ test("an unknown block is described, its dialog changes the text, and it is inse
     .click();
   await own.group.getByRole("button", { name: t.page.own.title }).click();
   await expect(own.group).toContainText(t.own.mark);
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
   await own.group
     .getByRole("button", { name: `${t.page.start.cycle(317, "BAR PULLER")}: ${t.chooser.insert}` })
     .click();
@@ -88,13 +88,13 @@ test("by keyboard alone: from the settings, a cycle is created, kept, deleted an
   await tabTo(page, page.getByRole("dialog").getByRole("button", { name: t.page.own.title, exact: true }));
   await keyboard.press("Enter");
   await expect(page.getByText(t.own.none)).toBeVisible();
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
   await tabTo(page, own.add);
   await keyboard.press("Enter");
   await expect(own.number).toBeFocused();
   await keyboard.type("812");
   await expect(page.getByText(t.own.problems.known("812"))).toBeVisible();
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
   await keyboard.press("ControlOrMeta+a");
   await keyboard.type("731");
   await keyboard.press("Enter");

@@ -1,4 +1,4 @@
-import { looksRightInBoth } from "./pages/look.ts";
+import { expectFineInBothThemes } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -45,14 +45,14 @@ test("own cycles: the list, a description with errors and the dialog of a block 
   await page.getByRole("dialog").getByRole("button", { name: t.page.own.title, exact: true }).click();
   await own.row(812, "A VERY LONG NAME").click();
   await expect(page.getByText(t.own.problems.noParameter("R1"))).toBeVisible();
-  await looksRightInBoth(page, "a description with errors");
+  await expectFineInBothThemes(page, "a description with errors");
   await page.goto("./#/");
   await editor.openFile("A.H", Buffer.from(PROGRAM));
   await editor.line("Q1711").click();
   await editor.show("block");
   await expect(dialog.messages).toContainText("200");
-  await looksRightInBoth(page, "the dialog of a block");
+  await expectFineInBothThemes(page, "the dialog of a block");
   await dialog.open("Q1712");
   await expect(page.getByText(t.editor.ownUnproved)).toBeVisible();
-  await looksRightInBoth(page, "a choice of a block");
+  await expectFineInBothThemes(page, "a choice of a block");
 });

@@ -1,7 +1,7 @@
 import { readFile } from "node:fs/promises";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
-import { looksRight } from "./pages/look.ts";
+import { expectAccessibleAndFits } from "./pages/layout-checks.ts";
 import { output } from "../src/i18n/en/output.ts";
 
 const UNTIED =
@@ -33,7 +33,7 @@ test("the printed form of the manual is a view: copy and download give the file,
   await expect(program.fileNote).toContainText(t.page.text.manualView);
   expect(await program.copy()).toContain("CYCL DEF 812  SHOULDER, LONG. EXT. ~");
   expect(await readFile(await (await program.download()).path(), "utf8")).toContain("Q215=+0 ;MACHINING OPERATION ~");
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
   // Selecting and copying the whole program gives the file, too.
   await page.evaluate(() => navigator.clipboard.writeText(""));
   await program.blocks.first().click();
@@ -51,7 +51,7 @@ test("DIN/ISO: shown, copied and downloaded alike; reopened, it runs the same", 
   await program.chooseLayout("iso");
   await expect.poll(async () => (await program.shown()).join("\n")).toContain("G812 Q215=+0");
   await expect(program.fileNote).toContainText(t.page.text.isoUnverified);
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
   const download = await program.download();
   expect(download.suggestedFilename()).toBe("SHOULDER812.i");
   const text = await readFile(await download.path(), "utf8");
@@ -84,7 +84,7 @@ test("machine functions, line ends and name stay with the work", async ({ page }
   await dialog.getByRole("textbox", { name: output.spindleOn, exact: true }).fill("4030");
   await expect(dialog.getByText(output.functionWrong)).toBeVisible();
   await dialog.getByRole("combobox", { name: output.retract, exact: true }).selectOption("limit");
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
   await dialog.getByRole("button", { name: output.makeDefault, exact: true }).click();
   await dialog.getByRole("button", { name: t.page.close, exact: true }).click();
   const text = await program.copy();
@@ -105,7 +105,7 @@ test("a program in the printed form of the manual is reported as no NC file, and
   const { editor, program, t } = await Turnwise.open(page);
   await editor.paste(UNTIED);
   await expect(program.fileNote).toContainText(t.page.text.untied);
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
   await program.fileNote.getByRole("button", { name: t.page.text.tie, exact: true }).click();
   await expect(program.fileNote).toContainText(t.page.text.files.tnc640);
   expect(await program.copy()).toContain("CYCL DEF 811  X ~\nQ215=+0 ;A ~\nQ460=+2 ;B\n");

@@ -1,5 +1,5 @@
 import { readFile } from "node:fs/promises";
-import { looksRight } from "./pages/look.ts";
+import { expectAccessibleAndFits } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -9,7 +9,7 @@ test("a cut below the contour of a cycle asks for confirmation, and one click co
   await editor.show("findings");
   const asked = findings.panel.getByText("below the contour of the cycle in block 9").first();
   await expect(asked).toBeVisible();
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
   await page.getByRole("button", { name: t.findings.meant, exact: true }).first().click();
   await expect(asked).toBeHidden();
   await editor.show("text");
@@ -22,5 +22,5 @@ test("a part that is parted off leaves the picture, and turning it afterwards is
   await expect(editor.total(t.findings.verdict.title)).toContainText(t.findings.verdict.faults(1));
   await editor.show("findings");
   await expect(findings.panel.getByText("das in Satz 9 abgetrennt wurde").first()).toBeVisible();
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
 });

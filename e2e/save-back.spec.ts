@@ -1,7 +1,7 @@
 import type { Page } from "@playwright/test";
 import { compare as words } from "../src/i18n/en/compare.ts";
 import { files as filesWords } from "../src/i18n/en/files.ts";
-import { looksRightInBoth } from "./pages/look.ts";
+import { expectFineInBothThemes } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -68,7 +68,7 @@ test("a file is saved back byte for byte after a reload, and never over foreign 
   await save.click();
   const question = page.getByRole("alertdialog", { name: filesWords.changed.title("AWK.H"), exact: true });
   await expect(question).toBeVisible();
-  await looksRightInBoth(page, "a file that changed on the device");
+  await expectFineInBothThemes(page, "a file that changed on the device");
   await holds(others);
   await question.getByRole("button", { name: filesWords.compare, exact: true }).click();
   const comparison = page.getByRole("dialog", { name: words.title, exact: true });

@@ -1,4 +1,4 @@
-import { looksRightInBoth } from "./pages/look.ts";
+import { expectFineInBothThemes } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -8,9 +8,9 @@ test("the start, the settings and the files of a work pass axe, and fit", async 
   const turnwise = await Turnwise.open(page);
   const { editor, settings, start } = turnwise;
   await expect(start.search).toBeVisible();
-  await looksRightInBoth(page, "the start");
+  await expectFineInBothThemes(page, "the start");
   await settings.open();
-  await looksRightInBoth(page, "the settings");
+  await expectFineInBothThemes(page, "the settings");
   await page.keyboard.press("Escape");
   await editor.drop({
     "MAIN.h": "BEGIN PGM MAIN MM\nCALL PGM CUT\n/CALL PGM AWAY\nM30\n",
@@ -19,17 +19,17 @@ test("the start, the settings and the files of a work pass axe, and fit", async 
   await editor.show("text");
   await expect(editor.leaveOut).toBeVisible();
   await expect(editor.files.getByText("AWAY.H")).toBeVisible();
-  await looksRightInBoth(page, "the files of a work");
+  await expectFineInBothThemes(page, "the files of a work");
 });
 
 test("the panels of a workplace pass axe, and fit", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   await turnwise.start.beginWithExample(820);
   await turnwise.effect.proved();
-  await looksRightInBoth(page, "the workplace");
+  await expectFineInBothThemes(page, "the workplace");
   for (const section of ["setup", "contour", "findings", "program", "prompts"] as const) {
     await turnwise.show(section);
-    await looksRightInBoth(page, `the panel "${section}"`);
+    await expectFineInBothThemes(page, `the panel "${section}"`);
   }
 });
 
@@ -41,11 +41,11 @@ test("prompts pass axe, and fit", async ({ page }) => {
   await dialog.open("Q463");
   await dialog.type("nothing");
   await expect(dialog.messages).not.toBeEmpty();
-  await looksRightInBoth(page, "a value that is wrong");
+  await expectFineInBothThemes(page, "a value that is wrong");
   await dialog.type("3");
   await dialog.open("Q215");
-  await looksRightInBoth(page, "a choice");
+  await expectFineInBothThemes(page, "a choice");
   await page.keyboard.press("End");
   await expect(dialog.question).toHaveText(t.dialog.done.title);
-  await looksRightInBoth(page, "the end of the dialog");
+  await expectFineInBothThemes(page, "the end of the dialog");
 });

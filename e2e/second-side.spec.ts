@@ -1,7 +1,7 @@
 import { readFile } from "node:fs/promises";
 import { secondSide as de } from "../src/i18n/de/second-side.ts";
 import { secondSide as words } from "../src/i18n/en/second-side.ts";
-import { looksRight } from "./pages/look.ts";
+import { expectAccessibleAndFits } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -18,7 +18,7 @@ test("the finished part of a program is turned around and continues as a new pro
   await ask();
   await expect(dialog).toContainText("SHOULDER812_2");
   await expect(dialog).toContainText("⌀75 × 100 mm");
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
   await allowance.fill("-1");
   await expect(open).toBeDisabled();
   await expect(dialog).toContainText(words.allowanceWrong("100 mm"));
@@ -50,10 +50,10 @@ test("after parting off, choose bar or part to turn around; the dialog fits a ph
   await page.getByRole("button", { name: t.page.text.turnRound, exact: true }).click();
   const dialog = page.getByRole("dialog", { name: words.title, exact: true });
   await expect(dialog.getByRole("radio", { name: words.off("⌀56 × 40 mm"), exact: true })).toBeChecked();
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
   await dialog.getByRole("button", { name: words.open, exact: true }).click();
   await expect(editor.text).toContainText("BEGIN PGM BUSH_56_2 MM");
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
 });
 
 test("a program with errors leaves no part to turn around, and the dialog says why", async ({ page }) => {
@@ -66,5 +66,5 @@ test("a program with errors leaves no part to turn around, and the dialog says w
   const dialog = page.getByRole("dialog", { name: de.title, exact: true });
   await expect(dialog.getByRole("status")).toHaveText(de.lack.faults);
   await expect(dialog.getByRole("button", { name: de.open, exact: true })).toBeDisabled();
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
 });

@@ -1,6 +1,6 @@
 import { readFileSync } from "node:fs";
 import { compare } from "../src/i18n/en/compare.ts";
-import { accessible, looksRightInBoth } from "./pages/look.ts";
+import { expectAccessible, expectFineInBothThemes } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -16,7 +16,7 @@ test("the setup sheet of a program: contents, saved remarks, pages", async ({ pa
   await expect(preview).toContainText(words.scale(1, 2));
   await expect(preview.getByRole("row", { name: /GROOVE IN THE FACE.*T8.*X⌀51 Z\+2.*VC 140/ })).toBeVisible();
   await expect(preview.getByRole("row", { name: /CNMG-80-R08/ })).toContainText("M303");
-  await looksRightInBoth(page, "the setup sheet");
+  await expectFineInBothThemes(page, "the setup sheet");
 
   await sheet.remarks.fill("Soft jaws, bored to 100.2\nCheck 62 h6");
   await expect(preview).toContainText("Check 62 h6");
@@ -56,7 +56,7 @@ test("the sheet of a cycle, in German on a phone; a program with errors is marke
   await sheet.open();
   await expect(sheet.preview).toContainText(sheet.words.stamp.good);
   await page.setViewportSize({ width: 390, height: 844 });
-  await accessible(page);
+  await expectAccessible(page);
   expect(
     await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth),
   ).toBeLessThanOrEqual(0);

@@ -1,6 +1,6 @@
 import { createHash } from "node:crypto";
 import { solid as words } from "../src/i18n/en/solid.ts";
-import { looksRight } from "./pages/look.ts";
+import { expectAccessibleAndFits } from "./pages/layout-checks.ts";
 import { frames, settledBox } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
@@ -34,7 +34,7 @@ test("the turned body in 3D: rotated, cut open, at any moment; the section if th
   await lathe.section.selectOption("solid");
   await expect(picture).toHaveAccessibleName(/quarter section/);
   await expect(lathe.view.locator(".lathe-picture")).toHaveCount(0);
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
 
   let now = await changed("");
   await field.focus();
@@ -79,7 +79,7 @@ test("the turned body in 3D: rotated, cut open, at any moment; the section if th
   });
   await expect(lathe.view.getByText(words.lost)).toBeVisible();
   await expect(lathe.view.locator(".lathe-picture")).toBeVisible();
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
   await expect(lathe.view.getByText(words.lost)).toHaveCount(0);
   await expect(lathe.view.locator(".lathe-picture")).toHaveCount(0);
   await changed("");

@@ -1,4 +1,4 @@
-import { looksRight, looksRightInBoth } from "./pages/look.ts";
+import { expectAccessibleAndFits, expectFineInBothThemes } from "./pages/layout-checks.ts";
 import { settledBox } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
@@ -17,7 +17,7 @@ test("the start page is right at every size, on the first visit and with stored 
   const atEverySize = async (visit: string) => {
     for (const [width, height] of SIZES) {
       await page.setViewportSize({ width, height });
-      await looksRightInBoth(page, `${visit} at ${width} by ${height}`);
+      await expectFineInBothThemes(page, `${visit} at ${width} by ${height}`);
     }
   };
   await expect(page.getByRole("img", { name: t.page.start.live.name(812) })).toBeVisible();
@@ -75,7 +75,7 @@ test("one search finds an example, a cycle and a stored work", async ({ page }) 
   await expect(page.getByRole("button", { name: t.page.start.foundExample(t.page.examples.shaft) })).toBeVisible();
   await start.search.fill("shoulder8");
   await expect(page.getByRole("button", { name: t.page.start.foundWork("SHOULDER812") })).toBeVisible();
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
   await page.keyboard.press("Enter");
   await expect(dialog.question).toBeVisible();
 });

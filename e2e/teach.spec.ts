@@ -1,7 +1,7 @@
 import { readFile } from "node:fs/promises";
 import type { Locator } from "@playwright/test";
 import { courseTask } from "../src/i18n/en/course-task.ts";
-import { looksRightInBoth } from "./pages/look.ts";
+import { expectFineInBothThemes } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -20,17 +20,17 @@ test("a task from an instructor to a learner by link, and its result back", asyn
   const { words } = instructor.teaching;
   const form = instructor.teaching.form;
   await instructor.editor.openExample("shoulder");
-  await instructor.teaching.make();
+  await instructor.teaching.openForm();
 
   // Missing fields are named; part and rules are filled in already.
   await expect(instructor.teaching.check).toContainText(words.needs.title);
   await expect(form.getByRole("checkbox", { name: words.rule.depth, exact: true })).toBeChecked();
-  await instructor.teaching.tell(title, "Turn the shoulder of the drawing.");
+  await instructor.teaching.fillTexts(title, "Turn the shoulder of the drawing.");
   await expect(instructor.teaching.check).toHaveText(words.passes);
   const size = form.getByRole("group", { name: words.sizes, exact: true }).getByRole("checkbox").first();
   await size.check();
   await expect(form.getByRole("img")).toBeVisible();
-  await looksRightInBoth(page, "the form of a task");
+  await expectFineInBothThemes(page, "the form of a task");
 
   // An answer that breaks a rule blocks sharing.
   const depth = form.getByRole("textbox", { name: words.rule.depth, exact: true }),
@@ -57,7 +57,7 @@ test("a task from an instructor to a learner by link, and its result back", asyn
   await page.keyboard.press("Escape");
   await expect(form).toBeHidden();
   await page.reload();
-  await instructor.teaching.make();
+  await instructor.teaching.openForm();
   await expect(form.getByLabel(words.name, { exact: true })).toHaveValue(title);
   await page.keyboard.press("Escape");
 
@@ -74,7 +74,7 @@ test("a task from an instructor to a learner by link, and its result back", asyn
   await other.goto(link);
   const incoming = learner.teaching.incoming(title);
   await expect(incoming).toContainText("Turn the shoulder of the drawing.");
-  await looksRightInBoth(other, "a task from outside");
+  await expectFineInBothThemes(other, "a task from outside");
   await incoming.getByRole("button", { name: words.incoming.take, exact: true }).click();
   const panel = other.getByRole("region", { name: courseTask.region(title), exact: true });
   await expect(panel).toBeVisible();
@@ -93,7 +93,7 @@ test("a task from an instructor to a learner by link, and its result back", asyn
   await other.getByRole("link", { name: learner.t.page.home }).click();
   await learner.course.open();
   await expect(learner.teaching.kept).toContainText(learner.course.words.states.alone);
-  await looksRightInBoth(other, "the course with a task from outside");
+  await expectFineInBothThemes(other, "the course with a task from outside");
   await learner.teaching.kept.getByRole("button", { name: words.hand.open, exact: true }).click();
   const { handIn } = learner.teaching;
   await handIn.getByLabel(words.hand.name, { exact: true }).fill("Ada 7");
@@ -106,7 +106,7 @@ test("a task from an instructor to a learner by link, and its result back", asyn
   } = JSON.parse(handed) as { name: string; tasks: { program: string; steps: number; worked: number }[] };
   expect([name, first?.program]).toEqual(["Ada 7", solution]);
   expect(first?.steps).toBeGreaterThan(0);
-  await looksRightInBoth(other, "results that are handed in");
+  await expectFineInBothThemes(other, "results that are handed in");
   const answer = await learner.teaching.link(handIn);
   await context.close();
 
@@ -116,7 +116,7 @@ test("a task from an instructor to a learner by link, and its result back", asyn
   const row = results.getByRole("row", { name: new RegExp(`^${title}`) });
   await expect(row).toContainText(words.results.states.alone);
   await expect(row.getByRole("cell", { name: words.results.againPasses, exact: true })).toBeVisible();
-  await looksRightInBoth(page, "results that were handed in");
+  await expectFineInBothThemes(page, "results that were handed in");
   await page.keyboard.press("Escape");
   await page.goto("about:blank");
   await page.goto(answer);

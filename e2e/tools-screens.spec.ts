@@ -1,20 +1,20 @@
-import { looksRightInBoth } from "./pages/look.ts";
+import { expectFineInBothThemes } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
 test("the states of the tool table pass axe, and fit", async ({ page }) => {
   const { tools } = await Turnwise.open(page);
   await tools.open();
-  await looksRightInBoth(page, "the table");
+  await expectFineInBothThemes(page, "the table");
   await tools.cell("RS").fill("x");
   await tools.cell("P-ANGLE").fill("99");
-  await looksRightInBoth(page, "a tool that is wrong");
+  await expectFineInBothThemes(page, "a tool that is wrong");
   await tools.add.click();
-  await looksRightInBoth(page, "a new tool");
+  await expectFineInBothThemes(page, "a new tool");
   await tools.show("milling");
   await tools.add.click();
   await tools.cell("R").fill("8");
-  await looksRightInBoth(page, "milling tools");
+  await expectFineInBothThemes(page, "milling tools");
   await tools.remove.click();
   await expect(tools.table).toHaveCount(0);
   await tools.show("turning");
@@ -25,5 +25,5 @@ test("the states of the tool table pass axe, and fit", async ({ page }) => {
   }
   await tools.remove.click();
   await expect(tools.table).toHaveCount(0);
-  await looksRightInBoth(page, "the empty table");
+  await expectFineInBothThemes(page, "the empty table");
 });

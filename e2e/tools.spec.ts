@@ -2,7 +2,7 @@ import { expect, test } from "./pages/test.ts";
 import { LANGUAGES } from "../src/i18n/languages.ts";
 import { formatNumber } from "../src/i18n/number.ts";
 import { tabTo } from "./pages/keyboard.ts";
-import { looksRight } from "./pages/look.ts";
+import { expectAccessibleAndFits } from "./pages/layout-checks.ts";
 import { words } from "./pages/words.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -167,7 +167,7 @@ test("a shop's table is written back byte for byte except for the changed tool, 
   await tools.choose({ name: "TOOLTURN.TRN", content: Buffer.from(SHOP, "latin1") });
   await expect(tools.incoming).toContainText(files.fresh(3));
   await expect(tools.incoming).toContainText(files.keptInFile("YL, SPB-INSERT, DOC"));
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
   await page.keyboard.press("Enter");
   await expect(tools.rowButton("81.1")).toBeVisible();
   const same = await tools.export("again");
@@ -220,7 +220,7 @@ test("codes typed by keyboard make a tool with its holder, and a verified progra
   await expect(tools.form).toContainText(codes.notes.rowAngle("55", "80"));
   await keyboard.press("Escape");
   await keyboard.type("PDJNR 2525M15");
-  await looksRight(page);
+  await expectAccessibleAndFits(page);
   await keyboard.press("Enter");
   await expect(tools.row(16)).toContainText("DNMG150608");
   await expect(tools.drawing.locator("path.shape-holder").first()).toBeAttached();

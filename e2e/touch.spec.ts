@@ -1,6 +1,6 @@
 import { readFileSync } from "node:fs";
 import { dragFinger } from "./pages/finger.ts";
-import { fits } from "./pages/look.ts";
+import { expectFits } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { pictureAt, settledBox } from "./pages/picture.ts";
 import { Turnwise } from "./pages/turnwise.ts";
@@ -194,7 +194,7 @@ test("nothing overflows any screen sideways, with normal and large letters, in a
       for (const screen of SCREENS) {
         const [width = 0, height = 0] = screen.split("x").map(Number);
         await page.setViewportSize({ width, height });
-        await fits(page, `${what} at ${screen}, ${letters} letters`);
+        await expectFits(page, `${what} at ${screen}, ${letters} letters`);
       }
     }
   };

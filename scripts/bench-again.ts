@@ -3,8 +3,8 @@ import { planner } from "../src/app/calculation/plan.ts";
 import { parse } from "../src/nc/parse.ts";
 import { run } from "../src/program/run/run.ts";
 import { shippedTools } from "../src/program/tools/shipped-tools.ts";
-import { simulate, simulating } from "../src/sim/simulate.ts";
-import { tracing } from "../src/sim/tracing.ts";
+import { simulate, incrementalSimulator } from "../src/sim/simulate.ts";
+import { traceStock } from "../src/sim/tracing.ts";
 
 /** Programs of several operations, of which one changes. */
 const PROGRAMS = ["flange", "shaft"] as const;
@@ -47,15 +47,15 @@ export function planningAgain(): (text: string) => ReturnType<typeof run> {
 export function* changedOperations(): Generator<readonly [name: string, work: (count: number) => unknown]> {
   for (const name of PROGRAMS) {
     const text = readFileSync(`src/examples/${name}.h`, "utf8");
-    yield [`plan ${name}`, (count) => run(parse(changedAt(text, 1, count)), { ...shop, tracing })];
+    yield [`plan ${name}`, (count) => run(parse(changedAt(text, 1, count)), { ...shop, tracing: traceStock })];
     for (const [where, place] of PLACES) {
       const plan = planningAgain();
       yield [`plan ${name}, ${where} changed`, (count) => plan(changedAt(text, place, count))];
     }
-    yield [`stock ${name}`, () => simulate(run(parse(text), { ...shop, tracing }))];
+    yield [`stock ${name}`, () => simulate(run(parse(text), { ...shop, tracing: traceStock }))];
     for (const [where, place] of PLACES) {
       const plan = planningAgain(),
-        proved = simulating();
+        proved = incrementalSimulator();
       yield [`stock ${name}, ${where} changed`, (count) => proved(plan(changedAt(text, place, count)))];
     }
   }

@@ -7,7 +7,7 @@ import { run } from "../src/program/run/run.ts";
 import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 import { quantile } from "../e2e/pages/measure.ts";
 import type { Simulation } from "../src/sim/simulation.ts";
-import { simulate, simulating } from "../src/sim/simulate.ts";
+import { simulate, incrementalSimulator } from "../src/sim/simulate.ts";
 import { stockAt } from "../src/sim/stock.ts";
 import { ringData } from "../src/view/path.ts";
 import { sceneOf } from "../src/view/scene.ts";
@@ -143,7 +143,7 @@ function* grownCases(): Generator<BenchCase> {
   yield benchCase("stock grown", () => stock(grown), FEW);
   for (const [where, place] of PLACES) {
     const plan = planningAgain(),
-      proved = simulating();
+      proved = incrementalSimulator();
     yield benchCase(`plan grown, ${where} changed`, (count) => plan(changedAt(grown, place, count)), FEW);
     yield benchCase(`stock grown, ${where} changed`, (count) => proved(plan(changedAt(grown, place, count))), FEW);
   }

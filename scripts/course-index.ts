@@ -16,7 +16,7 @@ const files = (folder: string): readonly unknown[] =>
         .map((name): unknown => JSON.parse(readFileSync(join("src", "course", folder, name), "utf8")));
 
 /** The texts of shipped content in a language; every language has some. */
-function told<T>(words: InLanguages<T>, language: Language, id: string): T {
+function wordsIn<T>(words: InLanguages<T>, language: Language, id: string): T {
   const found = inScreenLanguage(words, language);
   if (found === undefined) throw new Error(`${id} says nothing`);
   return found;
@@ -29,7 +29,7 @@ export function courseIndex(lessons: readonly Lesson[], tasks: readonly Task[], 
     lessons: [...lessons]
       .sort((a, b) => a.number - b.number)
       .map(({ id, number, pages, words, tasks: asked }) => {
-        const { title, aim } = told(words, language, id);
+        const { title, aim } = wordsIn(words, language, id);
         return {
           id,
           number,
@@ -38,7 +38,7 @@ export function courseIndex(lessons: readonly Lesson[], tasks: readonly Task[], 
           pages: pages.length,
           tasks: asked.flatMap((each) => {
             const task = byId.get(each);
-            return task ? [{ id: each, kind: task.kind, title: told(task.words, language, each).title }] : [];
+            return task ? [{ id: each, kind: task.kind, title: wordsIn(task.words, language, each).title }] : [];
           }),
         };
       }),

@@ -3,9 +3,9 @@ import { z } from "zod/mini";
 import { answerOf } from "../src/course/judge/answer.ts";
 import { judge } from "../src/course/judge/judge.ts";
 import type { Answer, TaskMark } from "../src/course/judge/judgement.ts";
-import { refuses } from "../src/course/judge/refuses.ts";
-import { wantedPart } from "../src/course/wanted-part.ts";
-import { lessonProblems, taskProblems } from "../src/course/whole.ts";
+import { isRefusedAsStated } from "../src/course/judge/refuses.ts";
+import { targetPart } from "../src/course/target-part.ts";
+import { lessonProblems, taskProblems } from "../src/course/course-problems.ts";
 import { lessonSchema } from "../src/course/lesson.ts";
 import { TASK_FORMAT, taskSchema, type Task } from "../src/course/task.ts";
 import { areaOf } from "../src/kernel/area/area.ts";
@@ -21,7 +21,7 @@ function placeOf({ place }: TaskMark): string {
 }
 
 /** A mark on one line. */
-function told(mark: TaskMark, task: Task): string {
+function formatMark(mark: TaskMark, task: Task): string {
   const { rule, passed, value, limit, block, step, operation, q, about, size, entry, reason, issue } = mark;
   const asked = size === undefined ? undefined : task.sizes?.[size];
   const parts = [
@@ -60,12 +60,12 @@ function show(title: string, task: Task, program: readonly string[], whole: bool
   const judgement = judge(task, answer);
   write(`${title}: ${judgement.passed ? "PASSES" : "REFUSED"}`);
   write(sums(answer));
-  for (const mark of judgement.marks) if (whole || !mark.passed) write(told(mark, task));
+  for (const mark of judgement.marks) if (whole || !mark.passed) write(formatMark(mark, task));
   return answer;
 }
 
-function tellTask(file: string, task: Task): boolean {
-  const wanted = task.part ? wantedPart(task.part) : null;
+function reportTask(file: string, task: Task): boolean {
+  const wanted = task.part ? targetPart(task.part) : null;
   if (wanted) {
     write(`blank ${short(areaOf(wanted.blank))} mm², target part ${short(areaOf(wanted.rings))} mm²`);
     for (const ring of wanted.rings)
@@ -79,7 +79,7 @@ function tellTask(file: string, task: Task): boolean {
   if (task.solution) show("solution", task, task.solution, true);
   (task.wrong ?? []).forEach((wrong, i) => {
     const answer = show(`wrong ${i + 1}`, task, wrong.program, false);
-    const found = refuses(task, wrong, answer);
+    const found = isRefusedAsStated(task, wrong, answer);
     write(
       found
         ? `  refused as the file says`
@@ -91,7 +91,7 @@ function tellTask(file: string, task: Task): boolean {
   return problems.length === 0;
 }
 
-function tell(file: string): boolean {
+function reportFile(file: string): boolean {
   write(`── ${file}`);
   const data: unknown = JSON.parse(readFileSync(file, "utf8"));
   const isTask = typeof data === "object" && data !== null && "format" in data && data.format === TASK_FORMAT;
@@ -100,7 +100,7 @@ function tell(file: string): boolean {
     write(z.prettifyError(read.error));
     return false;
   }
-  if (isTask) return tellTask(file, read.data as Task);
+  if (isTask) return reportTask(file, read.data as Task);
   const problems = lessonProblems(lessonSchema.parse(data), file);
   for (const problem of problems) write(`PROBLEM ${problem}`);
   return problems.length === 0;
@@ -112,7 +112,7 @@ export function main(files: readonly string[]): number {
     write(`usage: npm run --silent course -- FILE.json …   (languages ${LESSON_LANGUAGES.join(", ")})`);
     return 2;
   }
-  const wrong = files.filter((file) => !tell(file));
+  const wrong = files.filter((file) => !reportFile(file));
   write(wrong.length === 0 ? "all right" : `wrong: ${wrong.join(", ")}`);
   return wrong.length === 0 ? 0 : 1;
 }

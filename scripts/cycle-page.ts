@@ -1,4 +1,4 @@
-import type { Cycle, AttestedPart } from "../src/cycles/define.ts";
+import type { Cycle, PrintedFact } from "../src/cycles/define.ts";
 import type { Param } from "../src/cycles/params.ts";
 import { texts } from "../src/i18n/index.ts";
 import { ncWords } from "../src/i18n/nc-labels.ts";
@@ -23,8 +23,8 @@ const cell = (text: string) => text.replaceAll("|", "\\|");
 const list = (lines: readonly string[], mark: (i: number) => string) =>
   lines.map((line, i) => `${mark(i)} ${line}`).join("\n");
 
-const countsOnly = ({ counts }: Param) =>
-  counts === null ? "" : `only with ${counts.q} = ${counts.among.join(" or ")}`;
+const countsOnly = ({ condition }: Param) =>
+  condition === null ? "" : `only with ${condition.q} = ${condition.among.join(" or ")}`;
 
 function row(q: string, p: Param): string {
   const text = params[p.text as ParamTextId];
@@ -74,7 +74,7 @@ function parameters({ params: list }: Cycle): string[] {
   ];
 }
 
-const parts: Readonly<Record<AttestedPart, string>> = {
+const parts: Readonly<Record<PrintedFact, string>> = {
   name: "its name",
   purpose: "what it is for",
   start: "where it starts",

@@ -1,7 +1,7 @@
 import { parse } from "../src/nc/parse.ts";
 import type { Statement } from "../src/nc/statement.ts";
 import { filesByName } from "../src/program/state/program-files.ts";
-import { acts, run } from "../src/program/run/run.ts";
+import { hasEffect, run } from "../src/program/run/run.ts";
 import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 
 /** Blocks as programs contain them, for each kind of statement that the reader knows. */
@@ -75,8 +75,8 @@ const BLOCKS: Readonly<Record<Statement["kind"], readonly string[]>> = {
 };
 
 /** Treatment of a block: run; kept without effect; or kept, with the program unverified from there on. */
-export const FATES = ["run", "kept", "unverified"] as const;
-export type Fate = (typeof FATES)[number];
+export const TREATMENTS = ["run", "kept", "unverified"] as const;
+export type Treatment = (typeof TREATMENTS)[number];
 
 const PLACES = {
   turning: [
@@ -117,7 +117,7 @@ const FILES = filesByName(
 );
 
 /** The treatment of a block in a small program. */
-function fateOf(block: string, place: keyof typeof PLACES): Fate {
+function treatmentOf(block: string, place: keyof typeof PLACES): Treatment {
   const first = FIRST[block] ?? [];
   const before = ["BEGIN PGM K MM", "BLK FORM CYLINDER Z D80 L100 DIST+0", "TOOL CALL 1", ...PLACES[place], ...first];
   const behind = ["L X+62 IZ+1", "M30", "LBL 7", "L X+70 Z-9", "L X+50", "L Z+0", "LBL 0", "END PGM K MM"];
@@ -131,7 +131,7 @@ function fateOf(block: string, place: keyof typeof PLACES): Fate {
   const text = [...before, block, ...called, ...behind].map((b, i) => `${i} ${b}`).join("\n");
   const program = parse(text);
   const statement = program.blocks[before.length]?.statement;
-  if (!statement || !acts(statement.kind)) return "kept";
+  if (!statement || !hasEffect(statement.kind)) return "kept";
   const { unproved, issues } = run(program, {
     tools: shippedTools,
     rapid: 10_000,
@@ -169,7 +169,7 @@ export function klartextPage(): string {
     .filter((b) => b !== "")
     .map((b) => {
       const shown = (b.split("\n")[0] ?? "").replace(" ~", " …").replaceAll("|", "\\|");
-      return `| \`${shown}\` | ${fateOf(b, "turning")} | ${fateOf(b, "milling")} |\n`;
+      return `| \`${shown}\` | ${treatmentOf(b, "turning")} | ${treatmentOf(b, "milling")} |\n`;
     });
   return HEAD + rows.join("");
 }

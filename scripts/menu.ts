@@ -1,7 +1,7 @@
 import type { MenuCycle } from "../src/app/fields/chooser/menu.ts";
 import type { Cycle, Outline } from "../src/cycles/define.ts";
 import { actingCycles, cuttingCycles } from "../src/cycles/index.ts";
-import { keptNumbers } from "../src/cycles/kept-cycles.ts";
+import { unsimulatedNumbers } from "../src/cycles/unsimulated-cycles.ts";
 import { isRecalled } from "../src/cycles/params.ts";
 import { LANGUAGES } from "../src/i18n/languages.ts";
 import { menuWords } from "../src/i18n/menu-words.ts";
@@ -83,7 +83,7 @@ export function menuModules(): Readonly<Record<string, string>> {
     [id]: [
       `export const menu = ${JSON.stringify(menu)};`,
       `export const acting = ${JSON.stringify(acting)};`,
-      `export const kept = ${JSON.stringify(keptNumbers)};`,
+      `export const kept = ${JSON.stringify(unsimulatedNumbers)};`,
       `const words = { ${cases.join(", ")} };`,
       "export const menuWordsOf = async (language) => (await words[language]()).words;",
     ].join("\n"),

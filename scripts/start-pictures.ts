@@ -12,7 +12,7 @@ import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 import { verdictOf } from "../src/report/verdict.ts";
 import { simulate } from "../src/sim/simulate.ts";
 import { boundsOf } from "../src/view/bounds.ts";
-import { heldPlane } from "../src/view/held-plane.ts";
+import { unstatedClamping } from "../src/view/unstated-clamping.ts";
 import { thumbBox, thumbnailOf, thumbPlace, thumbRings, type Thumbnail, type ViewBox } from "../src/view/thumbnail.ts";
 
 const RAPID = 10_000;
@@ -107,7 +107,10 @@ function live(file: string): LiveRun {
       here = to;
     }
   });
-  const { plane, hatch } = heldPlane(made.blank, boundsOf(made.blank.flat()) ?? { left: 0, right: 0, low: 0, high: 0 });
+  const { plane, hatch } = unstatedClamping(
+    made.blank,
+    boundsOf(made.blank.flat()) ?? { left: 0, right: 0, low: 0, high: 0 },
+  );
   const insert = insertOutline(operation.tool, FINE);
   const seen = [...made.blank.flat(), ...hatch.flat(), ...way.map(([, z, r]) => ({ z, r }) as Pt)];
   return {

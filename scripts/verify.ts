@@ -22,7 +22,7 @@ import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 import { hasErrors, report, type Report } from "../src/report/report.ts";
 import { summary } from "../src/report/summary.ts";
 import { simulate } from "../src/sim/simulate.ts";
-import { tracing } from "../src/sim/tracing.ts";
+import { traceStock } from "../src/sim/tracing.ts";
 import { LOADING_CONTROLS, refusalLines, type RefusedPlace, refusedPlaces } from "./refusal-words.ts";
 
 /** Rapid rate for times without a machine file, mm/min. */
@@ -178,7 +178,7 @@ const asKlartext = (text: string): KlartextOfIso =>
   isIsoText(text) ? klartextOfIso(text, LAYOUTS.tnc7, isoNames(ncLabels("en"))) : { text, issues: [] };
 
 /** Issues of a translation, without the blocks that were not understood: the Klartext reader reports those. */
-const lostIn = (issues: readonly IsoIssue[]): Report["issues"] =>
+const translationIssues = (issues: readonly IsoIssue[]): Report["issues"] =>
   issues.flatMap((i) => {
     const text =
       i.code === "isoPlaneLeftOut"
@@ -209,8 +209,13 @@ function ran(text: string, shop: ShopTools, setting: Setting) {
   const klartext = asKlartext(text);
   const program = parse(klartext.text);
   const read = performance.now();
-  const done = run(program, { ...shop, rapid: RAPID, tracing, ...setting });
-  return { done, lost: lostIn(klartext.issues), parsing: read - started, planning: performance.now() - read };
+  const done = run(program, { ...shop, rapid: RAPID, tracing: traceStock, ...setting });
+  return {
+    done,
+    lost: translationIssues(klartext.issues),
+    parsing: read - started,
+    planning: performance.now() - read,
+  };
 }
 
 /** Reads, runs and simulates one program. */
@@ -241,7 +246,7 @@ function namesIn(folder: string): ReadonlyMap<string, string> {
  * The files that a program can call: those in its folder, and those on the command line; each is read when it is
  * called.
  */
-function besides(path: string, given: ReadonlyMap<string, string>): ProgramFiles {
+function companionFiles(path: string, given: ReadonlyMap<string, string>): ProgramFiles {
   const folder = dirname(path);
   const read = new Map<string, ProgramFile | null>();
   let names: ReadonlyMap<string, string> | null = null;
@@ -317,7 +322,7 @@ export function main(args: readonly string[], called = "npm run --silent verify 
       }
       const made = verified(file, text, shop, {
         control,
-        files: besides(file, given),
+        files: companionFiles(file, given),
         skipMarked: skip,
         ...(machine && { machine }),
       });

@@ -94,16 +94,16 @@ describe("what one file keeps to itself", () => {
     expect(found.map((s) => s.path)).toEqual([`src/app/${file}.tsx`]);
   });
 
-  test("only app/base/kept.ts and app/base/database.ts ask the browser to keep anything", () => {
+  test("only app/base/storage.ts and app/base/database.ts ask the browser to keep anything", () => {
     const page = all.filter((s) => PAGE.includes(layerOf(s.path)) && !/\.test\.tsx?$|\/fake-device\.ts$/.test(s.path));
     const asks = page.filter(
       (s) => /\b(?:localStorage|sessionStorage|indexedDB)\b/.test(code(s.text)) || /"idb-keyval"/.test(s.text),
     );
-    expect(asks.map((s) => s.path).sort()).toEqual(["src/app/base/database.ts", "src/app/base/kept.ts"]);
+    expect(asks.map((s) => s.path).sort()).toEqual(["src/app/base/database.ts", "src/app/base/storage.ts"]);
     // Each stored item is declared once, under its own key.
     const keys = page
       .flatMap((s) => [
-        ...s.text.matchAll(/\b(?:kept(?:Text|Data)(?:<.*>)?|database)\("([\w-]+)"|\brecord\(\{\s*key: "([\w-]+)"/g),
+        ...s.text.matchAll(/\b(?:stored(?:Text|Data)(?:<.*>)?|database)\("([\w-]+)"|\brecord\(\{\s*key: "([\w-]+)"/g),
       ])
       .map(([, key, ofRecord]) => key ?? ofRecord);
     expect(new Set(keys).size).toBe(keys.length);

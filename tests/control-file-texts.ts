@@ -110,7 +110,7 @@ function held(value: unknown, key: string): unknown {
 }
 
 /** Statements of a valid program: their values are storable on a control, and each label is set once. */
-export function heldByControl(list: readonly Statement[]): readonly Statement[] {
+export function asControlStores(list: readonly Statement[]): readonly Statement[] {
   const labels = new Set<string | number>([0]);
   return list
     .filter((s) => s.kind !== "begin" && s.kind !== "end")

@@ -15,7 +15,7 @@ import { emptyProgram } from "../src/program/job/empty-program.ts";
 import { exampleJob, type SetJob } from "../src/program/job/job.ts";
 import { JOB_LAYOUTS, NC_OUTPUTS } from "../src/program/machine/nc-output.ts";
 import { printAsInManual, printJob } from "../src/program/job/print-job.ts";
-import { heldByControl, typedJobs } from "./control-file-texts.ts";
+import { asControlStores, typedJobs } from "./control-file-texts.ts";
 import { statements } from "./laws/statements.ts";
 import { projectFile, projectFolder } from "./sources.ts";
 
@@ -88,7 +88,7 @@ describe("a control loads what the printer prints", () => {
         (list, style, numbered, newLine) => {
           const framed: Statement[] = [
             { kind: "begin", name: "A", unit: "MM" },
-            ...heldByControl(list),
+            ...asControlStores(list),
             {
               kind: "end",
               name: "A",

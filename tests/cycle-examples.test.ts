@@ -42,7 +42,7 @@ describe.each(cutting.map((cycle) => [cycle.number, cycle] as const))("the examp
 /** Cycles whose contour has a square corner, where a round nose leaves material. */
 const SQUARE = [811, 813, 821, 823];
 /** Unavoidable findings of an example: a taper is cut from a cylinder, since a set-up has no other blank. */
-const TOLD: Readonly<Record<number, readonly string[]>> = {
+const EXPECTED_FINDINGS: Readonly<Record<number, readonly string[]>> = {
   832: ["deeperThanInfeed", "materialLeft", "threadMeets"],
 };
 
@@ -51,7 +51,7 @@ test.each(cutting.map((cycle) => [cycle.number, cycle] as const))(
   (number, cycle) => {
     const { issues } = verified("example.h", printJob(exampleJob(cycle), ncLabels("en")), tools);
     const told = new Set(issues.filter((i) => i.severity !== "info").map((i) => i.code));
-    expect([...told].toSorted()).toEqual(TOLD[number] ?? []);
+    expect([...told].toSorted()).toEqual(EXPECTED_FINDINGS[number] ?? []);
   },
 );
 

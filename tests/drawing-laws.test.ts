@@ -2,7 +2,7 @@ import * as fc from "fast-check";
 import { readdirSync } from "node:fs";
 import { describe, expect, test } from "vitest";
 import { printWords } from "../src/features/course/drawing/print-words.ts";
-import { drawnTask, type DrawnTask } from "../src/course/printed-part.ts";
+import { drawnTask, type DrawnTask } from "../src/course/drawn-task.ts";
 import { taskSchema } from "../src/course/task.ts";
 import { courseDrawing as english } from "../src/i18n/en/course-drawing.ts";
 import { courseDrawing as german } from "../src/i18n/de/course-drawing.ts";

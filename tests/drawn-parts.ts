@@ -1,5 +1,5 @@
 import * as fc from "fast-check";
-import type { drawnTask } from "../src/course/printed-part.ts";
+import type { drawnTask } from "../src/course/drawn-task.ts";
 
 type Drawn = Parameters<typeof drawnTask>[0];
 type Sizes = NonNullable<Drawn["sizes"]>;

@@ -7,7 +7,7 @@ import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 import { listing } from "../src/report/listing.ts";
 import { report } from "../src/report/report.ts";
 import { simulate } from "../src/sim/simulate.ts";
-import { tracing } from "../src/sim/tracing.ts";
+import { traceStock } from "../src/sim/tracing.ts";
 
 const programs = Object.entries(
   import.meta.glob<string>("./programs/*.h", { query: "?raw", import: "default", eager: true }),
@@ -15,7 +15,7 @@ const programs = Object.entries(
 const broken = Object.entries(
   import.meta.glob<string>("./programs/bad/*.h", { query: "?raw", import: "default", eager: true }),
 );
-const shop = { tools: shippedTools, rapid: 10_000, tracing };
+const shop = { tools: shippedTools, rapid: 10_000, tracing: traceStock };
 
 describe("every program of the folder", () => {
   test.each(programs)("%s is printed as it was read, and moves as before", async (path, text) => {

@@ -19,7 +19,7 @@ import { chipMeasure, drawnChip } from "../src/view/cutting-tool/chip-drawing.ts
 import { liesInward, windowsOf } from "../src/view/cutting-tool/covered.ts";
 import { toolShapes } from "../src/view/cutting-tool/drawing.ts";
 import { liesBehind, silhouetteOf } from "../src/view/cutting-tool/silhouette.ts";
-import type { MaterialColours } from "../src/view/material/easel.ts";
+import type { MaterialColours } from "../src/view/material/paint-target.ts";
 import { paintMaterial } from "../src/view/material/paint.ts";
 import { surfacesOf } from "../src/view/material/surfaces.ts";
 import { svgPen } from "../src/view/material/svg-pen.ts";

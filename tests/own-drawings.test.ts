@@ -1,11 +1,11 @@
-import { madeOf } from "../src/sim/made.ts";
+import { producedParts } from "../src/sim/produced-parts.ts";
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
 import { printWords } from "../src/features/course/drawing/print-words.ts";
 import { sheetTitleOf } from "../src/features/course/drawing/title-words.ts";
 import { answerOf } from "../src/course/judge/answer.ts";
-import { drawnProgram } from "../src/course/printed-program.ts";
-import type { DrawnTask } from "../src/course/printed-part.ts";
+import { drawnProgram } from "../src/course/drawn-program.ts";
+import type { DrawnTask } from "../src/course/drawn-task.ts";
 import { boxAround } from "../src/kernel/area/box.ts";
 import { courseDrawing as english } from "../src/i18n/en/course-drawing.ts";
 import { courseDrawing as german } from "../src/i18n/de/course-drawing.ts";
@@ -21,7 +21,7 @@ const SHEET = { width: 275, height: 158 },
 function drawn(text: string, known: Parameters<typeof drawnProgram>[2] = null): DrawnTask | null {
   const answer = answerOf(text),
     wanted = finishedBody(answer.simulation, answer.run.operations);
-  return drawnProgram(answer, isBody(wanted) ? wanted : madeOf(answer.simulation), known);
+  return drawnProgram(answer, isBody(wanted) ? wanted : producedParts(answer.simulation), known);
 }
 const example = (name: string) => readFileSync(new URL(`../src/examples/${name}.h`, import.meta.url), "utf8");
 const printOf = (part: DrawnTask | null) => part && drawingOnSheet(part, words, SHEET);

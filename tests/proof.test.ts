@@ -12,7 +12,7 @@ const programs = Object.entries(
   import.meta.glob<string>("./proof/*.h", { query: "?raw", import: "default", eager: true }),
 );
 
-function says(report: ReturnType<typeof verified>, word: string): void {
+function checkExpectation(report: ReturnType<typeof verified>, word: string): void {
   const { proof } = report;
   const [key = "", value = ""] = word.split("=");
   const reasons = proof.residual.map((r) => r.reason);
@@ -39,7 +39,7 @@ test.each(programs)("%s", (path, text) => {
   const words = (/^; expect: (.*)$/m.exec(text)?.[1] ?? "").split(" ");
   const report = verified(path, text, { tools: shippedTools, refused: new Map() });
   expect(words.length).toBeGreaterThan(0);
-  for (const word of words) says(report, word);
+  for (const word of words) checkExpectation(report, word);
 });
 
 test("the verdict that the report gives is that of its reasons", () => {

@@ -113,10 +113,10 @@ describe.each(Object.entries(FOLDERS))("folders of %s", (layer, folders) => {
 
 /** All mutable module variables, each with the reason why it is no store: only its own file may access it. */
 const STATE: Readonly<Record<string, string>> = {
-  "src/app/base/chance.ts: here": "goes on counting where the device keeps nothing",
+  "src/app/base/random-id.ts: pageDrawCount": "goes on counting where the device keeps nothing",
   "src/app/calculation/played-milling.ts: asked": "the outcome whose milling was asked for, until its answer is here",
   "src/app/fields/blocks/choose-block.ts: isChosen": "spans one call: a block opened from the picture is marked there",
-  "src/app/fields/blocks/half-typed.ts: half":
+  "src/app/fields/blocks/half-typed.ts: halfTypedBlock":
     "looked at with each key, before the text is run; its store is the held picture",
   "src/app/fields/blocks/session.ts: open": "CodeMirror's state is replaced with each transaction, and drawn by itself",
   "src/app/fields/blocks/session.ts: view": "the one editor of the page, which is no data",

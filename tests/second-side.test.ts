@@ -6,7 +6,7 @@ import { NC_OUTPUTS } from "../src/program/machine/nc-output.ts";
 import { run } from "../src/program/run/run.ts";
 import { nextClampingName, secondSide } from "../src/program/edits/second-side.ts";
 import { shippedTools } from "../src/program/tools/shipped-tools.ts";
-import { leftPieces } from "../src/sim/clamped.ts";
+import { leftPieces } from "../src/sim/left-pieces.ts";
 import { simulate } from "../src/sim/simulate.ts";
 
 const programs = import.meta.glob<string>("./shop/*.h", { query: "?raw", import: "default", eager: true });

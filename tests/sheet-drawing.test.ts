@@ -100,9 +100,9 @@ describe("the content of a drawing", () => {
   };
 
   test("the flange: its diameters, its shoulders, its blank in brackets", () => {
-    const { texts, scale, left } = drawing("flange");
+    const { texts, scale, omitted } = drawing("flange");
     expect(scale).toEqual({ paper: 1, part: 2 });
-    expect(left).toBe(0);
+    expect(omitted).toBe(0);
     const said = texts.map(({ text }) => text);
     for (const text of ["(⌀100)", "(⌀24)", "⌀80", "⌀62", "⌀40", "-58", "-40", "-32", "-4", "0", "(2)", "(-88)", "90"])
       expect(said).toContain(text);

@@ -7,7 +7,7 @@ import type { Report } from "../src/report/report.ts";
 import tools from "./shop/tools.json?raw";
 
 /** The expected report of an ordinary program, besides its verdict, which is always that it is proved. */
-interface Said {
+interface ExpectedReport {
   /** Useful infos. Any other info is noise. */
   readonly infos?: readonly string[];
   /** Number of parts that the program parts off: each is reported once. */
@@ -23,7 +23,7 @@ const nameOf = (path: string) => path.replace(/^\.\/shop\/|\.h$/g, "");
  * Programs as setters write them, each with manually checked paths. They test the proof on everyday programs: nobody
  * reads findings if every third program has a false one.
  */
-const shop: Readonly<Record<string, Said>> = {
+const shop: Readonly<Record<string, ExpectedReport>> = {
   "bar-parts": { partsOff: 3 },
   boring: {},
   bush: { partsOff: 1 },
@@ -58,7 +58,7 @@ const shopTools = (() => {
 })();
 
 /** The differences between a report and its expectation, in words. */
-function differences(r: Report, { infos = [], partsOff = 0, left = 0 }: Said): string[] {
+function differences(r: Report, { infos = [], partsOff = 0, left = 0 }: ExpectedReport): string[] {
   const { proof } = r;
   const stays = proof.residual.reduce((sum, each) => sum + each.area, 0);
   const parted = r.issues.filter((i) => i.code === "partedOff").length;

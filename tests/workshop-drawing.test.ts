@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { printWords } from "../src/features/course/drawing/print-words.ts";
-import { drawnTask } from "../src/course/printed-part.ts";
+import { drawnTask } from "../src/course/drawn-task.ts";
 import type { Task } from "../src/course/task.ts";
 import { courseDrawing as english } from "../src/i18n/en/course-drawing.ts";
 import { courseDrawing as german } from "../src/i18n/de/course-drawing.ts";

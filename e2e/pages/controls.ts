@@ -40,7 +40,7 @@ export async function controls(part: Locator): Promise<readonly Control[]> {
 }
 
 /** A name without the parts that depend on values: numbers, contents of numbered things, tool names, proposals. */
-const bare = (name: string): string =>
+const nameWithoutValues = (name: string): string =>
   name
     .replaceAll(/[-−+]?\d+(?:[.,:]\d+)*/g, "#")
     .replace(/^(\w* ?#[^:,]*): .*$/, "$1: …")
@@ -53,7 +53,9 @@ export function kinds(found: readonly Control[]): readonly string[] {
       found.map(
         ({ role, name }) =>
           `${role} ${
-            role === "textbox" ? name.replace(/^Element \d+|\d+[.,]\d+/, (n) => n.replace(/[\d.,]+/, "#")) : bare(name)
+            role === "textbox"
+              ? name.replace(/^Element \d+|\d+[.,]\d+/, (n) => n.replace(/[\d.,]+/, "#"))
+              : nameWithoutValues(name)
           }`,
       ),
     ),

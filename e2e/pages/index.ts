@@ -6,7 +6,7 @@ export { Course } from "./course.ts";
 export { Dialog } from "./dialog.ts";
 export { Effect } from "./effect.ts";
 export { Findings } from "./findings.ts";
-export { Handing } from "./handing.ts";
+export { Sharing } from "./sharing.ts";
 export { Lathe } from "./lathe.ts";
 export { OwnCycles } from "./own-cycles.ts";
 export { ProgramEditor } from "./program-editor.ts";

@@ -1,5 +1,5 @@
 import { expect, type Locator } from "@playwright/test";
-import { Handing } from "./handing.ts";
+import { Sharing } from "./sharing.ts";
 import { settledBox } from "./picture.ts";
 import type { Context } from "./context.ts";
 
@@ -201,8 +201,8 @@ export class ProgramEditor {
 
   /** The address that carries the program. */
   async sharedLink(): Promise<string> {
-    const handing = new Handing(this.context);
-    await handing.handOn();
+    const handing = new Sharing(this.context);
+    await handing.openDialog();
     const link = await handing.link();
     await this.context.page.keyboard.press("Escape");
     return link;

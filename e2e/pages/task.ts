@@ -63,7 +63,7 @@ export class TaskPanel {
 
   /** A field of the prediction. */
   field(name: "answer" | "x" | "z" | "block"): Locator {
-    return this.panel.getByRole("textbox", { name: this.words.foretell[name], exact: true });
+    return this.panel.getByRole("textbox", { name: this.words.predict[name], exact: true });
   }
 
   /** One of several answers. */
@@ -72,15 +72,15 @@ export class TaskPanel {
   }
 
   get nextQuestion(): Locator {
-    return this.button(this.words.foretell.nextQuestion);
+    return this.button(this.words.predict.nextQuestion);
   }
 
   get run(): Locator {
-    return this.button(this.words.foretell.run);
+    return this.button(this.words.predict.run);
   }
 
   get again(): Locator {
-    return this.button(this.words.foretell.again);
+    return this.button(this.words.predict.again);
   }
 
   hint(stage: number): Locator {

@@ -16,13 +16,13 @@ export class Teaching {
   }
 
   /** Opens the form, and waits until the program has run. */
-  async make(): Promise<void> {
+  async openForm(): Promise<void> {
     await this.context.page.getByRole("button", { name: this.context.t.page.text.makeTask, exact: true }).click();
     await expect(this.form.getByLabel(this.words.name, { exact: true })).toBeVisible();
   }
 
   /** Fills in the required texts. */
-  async tell(title: string, ask: string): Promise<void> {
+  async fillTexts(title: string, ask: string): Promise<void> {
     await this.form.getByLabel(this.words.name, { exact: true }).fill(title);
     await this.form.getByLabel(this.words.ask, { exact: true }).fill(ask);
     for (const [i, hint] of this.words.hints.entries())

@@ -9,7 +9,7 @@ import { Course } from "./course.ts";
 import { Dialog } from "./dialog.ts";
 import { Effect } from "./effect.ts";
 import { OwnCycles } from "./own-cycles.ts";
-import { Handing } from "./handing.ts";
+import { Sharing } from "./sharing.ts";
 import { Lathe } from "./lathe.ts";
 import { Findings } from "./findings.ts";
 import { ProgramEditor } from "./program-editor.ts";
@@ -49,7 +49,7 @@ export class Turnwise {
   readonly tools: ToolTable;
   readonly own: OwnCycles;
   readonly works: WorksList;
-  readonly handing: Handing;
+  readonly sharing: Sharing;
   readonly clamping: ClampingPage;
   readonly comparison: Comparison;
   readonly sheet: SetupSheetPage;
@@ -77,7 +77,7 @@ export class Turnwise {
     this.tools = new ToolTable(context);
     this.own = new OwnCycles(context);
     this.works = new WorksList(context);
-    this.handing = new Handing(context);
+    this.sharing = new Sharing(context);
     this.clamping = new ClampingPage(context);
     this.comparison = new Comparison(context);
     this.sheet = new SetupSheetPage(context);

@@ -1,4 +1,4 @@
-import { saysNothing } from "../../src/cycles/effect.ts";
+import { hasNoEffect } from "../../src/cycles/effect.ts";
 import { cycleByNumber } from "../../src/cycles/index.ts";
 
 /** A value for each prompt of a cycle, in the order of the prompts. */
@@ -9,5 +9,5 @@ export function answers(cycle: number, own: Answers = {}): Answers {
   const params = Object.entries(cycleByNumber(cycle)?.params ?? {});
   const all = params.map(([q, p]) => [q, p, own[q] ?? String(p.example)] as const);
   const values = Object.fromEntries(all.map(([q, , typed]) => [q, Number(typed)]));
-  return Object.fromEntries(all.filter(([, p]) => !saysNothing(p, values)).map(([q, , typed]) => [q, typed]));
+  return Object.fromEntries(all.filter(([, p]) => !hasNoEffect(p, values)).map(([q, , typed]) => [q, typed]));
 }

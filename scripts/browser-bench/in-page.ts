@@ -72,9 +72,9 @@ export interface Watched {
   path: number;
   picture: number;
   /** Number of requests that the worker has not answered. */
-  asked: number;
+  pending: number;
   /** Time of the latest key, picture change or worker answer. */
-  stir: number;
+  lastActivity: number;
   /** Durations of the tasks of more than 50 ms since the last key. */
   tasks: number[];
 }
@@ -90,7 +90,7 @@ declare global {
  * worker. A change counts when the frame that shows it is painted, as far as the page's own thread can tell.
  */
 export function watchDrawing(): void {
-  const watched: Watched = { key: 0, digit: 0, path: 0, picture: 0, asked: 0, stir: 0, tasks: [] };
+  const watched: Watched = { key: 0, digit: 0, path: 0, picture: 0, pending: 0, lastActivity: 0, tasks: [] };
   window.__watched = watched;
   /** Changes that the next painted frame will show. */
   let path = false,
@@ -98,7 +98,7 @@ export function watchDrawing(): void {
   const changed = (isPath: boolean) => {
     if (isPath) path = true;
     picture = true;
-    watched.stir = performance.now();
+    watched.lastActivity = performance.now();
   };
   const channel = new MessageChannel();
   channel.port1.onmessage = () => {
@@ -116,7 +116,7 @@ export function watchDrawing(): void {
   addEventListener(
     "keydown",
     (event) => {
-      watched.key = watched.stir = event.timeStamp;
+      watched.key = watched.lastActivity = event.timeStamp;
       watched.digit = watched.path = watched.picture = 0;
       watched.tasks = [];
       path = picture = false;
@@ -154,12 +154,12 @@ export function watchDrawing(): void {
     constructor(...given: ConstructorParameters<typeof Worker>) {
       super(...given);
       this.addEventListener("message", () => {
-        watched.asked = Math.max(0, watched.asked - 1);
-        watched.stir = performance.now();
+        watched.pending = Math.max(0, watched.pending - 1);
+        watched.lastActivity = performance.now();
       });
     }
     override postMessage(...given: [unknown, (Transferable[] | StructuredSerializeOptions)?]): void {
-      watched.asked += 1;
+      watched.pending += 1;
       super.postMessage(given[0], given[1] as Transferable[]);
     }
   };
@@ -183,7 +183,7 @@ export async function drawnAfterKey({
   const watched = window.__watched;
   if (!watched) throw new Error("the page is not watched");
   const { key } = watched,
-    goesOn = () => watched.path === 0 || watched.asked > 0 || performance.now() - watched.stir < quiet;
+    goesOn = () => watched.path === 0 || watched.pending > 0 || performance.now() - watched.lastActivity < quiet;
   while (goesOn() && performance.now() - key < patience) await new Promise((done) => setTimeout(done, quiet / 10));
   const since = (time: number) => (time > 0 ? time - key : null);
   return {

@@ -50,15 +50,15 @@ export interface ScreenResults {
  * Duration of a baseline measurement, ms. The empty page is measured before and after each round, so that other load on
  * the machine affects both.
  */
-const LOOK_MS = 1200;
+const BASELINE_MS = 1200;
 /** Time to settle after a click, ms. */
 const SETTLE = 400;
 
 /** The frame rate of the empty page. A page in the background gets one frame per second, so it must be in front. */
-async function look({ empty, slow }: Bench): Promise<number> {
+async function measureBaseline({ empty, slow }: Bench): Promise<number> {
   await empty.bringToFront();
   await slow("empty");
-  return (await empty.evaluate(countFrames, LOOK_MS)).perSecond;
+  return (await empty.evaluate(countFrames, BASELINE_MS)).perSecond;
 }
 
 async function paired(
@@ -67,14 +67,14 @@ async function paired(
   act: (round: number) => Promise<() => Promise<void>>,
 ): Promise<FrameResult> {
   const rounds: { readonly empty: number; readonly frames: Frames }[] = [];
-  let before = await look(bench);
+  let before = await measureBaseline(bench);
   for (let round = 0; round < options.rounds; round += 1) {
     await bench.page.bringToFront();
     await bench.slow("page");
     const end = await act(round);
     const frames = await bench.page.evaluate(countFrames, options.seconds * 1000);
     await end();
-    const after = await look(bench);
+    const after = await measureBaseline(bench);
     rounds.push({ empty: (before + after) / 2, frames });
     before = after;
   }
@@ -158,7 +158,7 @@ export const measureOrbit = (bench: Bench, work: MeasuredWork, options: BenchOpt
   inSpace(bench, () => measureLooking(bench, work, "orbit", options));
 
 /** Repeats a step until the returned function is called. */
-function goingOn(step: (count: number) => Promise<void>): () => Promise<void> {
+function repeatUntilStopped(step: (count: number) => Promise<void>): () => Promise<void> {
   let goes = true;
   const done = (async () => {
     for (let count = 0; goes; count += 1) await step(count);
@@ -187,7 +187,7 @@ export async function measureLooking(
   const result = await paired(bench, options, async () => {
     await page.mouse.move(x, y);
     if (how !== "zoom") await page.mouse.down();
-    const stop = goingOn((count) =>
+    const stop = repeatUntilStopped((count) =>
       how !== "zoom"
         ? page.mouse.move(x + 80 * Math.sin(count / 9), y + 50 * Math.cos(count / 7))
         : page.mouse.wheel(0, Math.floor(count / 24) % 2 === 0 ? -60 : 60),
@@ -206,7 +206,7 @@ export async function measureLooking(
  * A picture is complete after this period without activity, longer than the page's debounce of typing; `patience` is
  * the timeout, ms.
  */
-const SEEN = { quiet: 900, patience: 60_000 };
+const QUIET = { quiet: 900, patience: 60_000 };
 
 /**
  * From a pressed key to the new path, and to the complete new picture: at the end of the program, where its stock shows
@@ -226,7 +226,7 @@ export async function measureKeys(bench: Bench, work: MeasuredWork, options: Ben
   for (let key = -2; key < options.keys; key += 1) {
     if (key % 4 === 0) references.push(await referenceIn(page));
     await page.keyboard.press(key % 2 === 0 ? String(3 + (Math.abs(key) % 7)) : "Backspace");
-    const { digit, path, picture, tasks } = await page.evaluate(drawnAfterKey, SEEN);
+    const { digit, path, picture, tasks } = await page.evaluate(drawnAfterKey, QUIET);
     if (key < 0) continue;
     long.push(...tasks);
     digits.push(digit ?? Number.NaN);

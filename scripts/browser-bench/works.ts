@@ -77,12 +77,12 @@ export const WORKS: readonly MeasuredWork[] = [
   {
     name: "contour",
     from: [0.1, 0.25, 0.4, 0.55, 0.7],
-    async open({ page, handing }) {
+    async open({ page, sharing }) {
       const link = linkOf(page.url().replace(/#.*/, ""), CONTOUR);
       // As a link from outside: changing only the hash would not reload the page.
       await page.goto("about:blank");
       await page.goto(link);
-      await handing.open();
+      await sharing.open();
     },
     async ask(turnwise) {
       await turnwise.show("prompts");

@@ -17,7 +17,7 @@ export type TaskGoal =
   | { readonly kind: "words"; readonly entry: number; readonly word: string };
 
 /** Residue that no goal mentions, mm²: an insert leaves about this much in a sharp corner. */
-const UNSAID = 0.05;
+const UNMENTIONED_RESIDUE = 0.05;
 
 /** The goals of a task, in the order of its list. */
 export function goalsOf({ kind, part, sizes = [], rules, predict = [] }: Task): readonly TaskGoal[] {
@@ -30,7 +30,7 @@ export function goalsOf({ kind, part, sizes = [], rules, predict = [] }: Task): 
   });
   return [
     ...foretold,
-    ...(part ? [{ kind: "part" as const, residue: residue > UNSAID ? residue : null }] : []),
+    ...(part ? [{ kind: "part" as const, residue: residue > UNMENTIONED_RESIDUE ? residue : null }] : []),
     ...sizes.map((size, entry): TaskGoal => ({ kind: "size", entry, size })),
     ...(rules.rz ?? []).map((asked, entry): TaskGoal => ({ kind: "rz", entry, asked })),
     { kind: "safe" },
@@ -83,7 +83,7 @@ export interface DrawnGoal {
 }
 
 /** Splits the goals into those before the drawing, those in the drawing (unmet ones first) and those after it. */
-export function gathered(
+export function groupGoals(
   goals: readonly TaskGoal[],
   judgement: TaskJudgement | null,
 ): { readonly before: readonly TaskGoal[]; readonly drawn: readonly DrawnGoal[]; readonly after: readonly TaskGoal[] } {

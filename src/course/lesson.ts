@@ -26,7 +26,7 @@ const page = z.object({
   shows: z.optional(z.enum(["residue", "roughness", "depth", "speed"])),
 });
 
-const told = z.object({
+const lessonWords = z.object({
   title: words,
   /** One sentence: what the learner can do after the lesson. */
   aim: words,
@@ -46,7 +46,7 @@ export const lessonSchema = z.object({
    * and nobody reads them.
    */
   tasks: z.array(z.string()),
-  words: inLanguages(told),
+  words: inLanguages(lessonWords),
 });
 
 export type Lesson = z.infer<typeof lessonSchema>;

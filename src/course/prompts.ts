@@ -3,7 +3,7 @@ import { printJob, type Labels } from "../program/job/print-job.ts";
 import { setupOf, withSetup } from "../program/job/setup.ts";
 import { shippedTools } from "../program/tools/shipped-tools.ts";
 import type { Draft } from "../program/job/read-draft.ts";
-import { startOfTask } from "./start-of.ts";
+import { startOfTask } from "./task-start.ts";
 import type { Task } from "./task.ts";
 
 /** NC words for text that nobody reads. */

@@ -1,7 +1,7 @@
 import { cycleByNumber } from "../cycles/index.ts";
 import { areaOf } from "../kernel/area/area.ts";
 import { taskSchema, type Task } from "./task.ts";
-import { wantedPart } from "./wanted-part.ts";
+import { targetPart } from "./target-part.ts";
 
 /*
  * Reads a task from outside, perhaps written by hand: faults are reported field by field, so that its author can fix
@@ -24,14 +24,14 @@ export type ReadTask =
   { readonly task: Task; readonly left: readonly string[] } | { readonly faults: readonly FieldFault[] };
 
 /** A schema issue of one field. */
-interface Told {
+interface SchemaIssue {
   readonly code?: string | undefined;
   readonly path: readonly PropertyKey[];
   readonly expected?: unknown;
   readonly maximum?: unknown;
   readonly minimum?: unknown;
   readonly values?: readonly unknown[] | undefined;
-  readonly errors?: readonly (readonly Told[])[] | undefined;
+  readonly errors?: readonly (readonly SchemaIssue[])[] | undefined;
 }
 
 /** A path as text: `["sizes", 2, "upper"]` is "sizes[2].upper". */
@@ -61,7 +61,7 @@ const weight = (faults: readonly FieldFault[]): number =>
 function ofUnion(
   raw: unknown,
   path: readonly PropertyKey[],
-  errors: readonly (readonly Told[])[],
+  errors: readonly (readonly SchemaIssue[])[],
 ): readonly FieldFault[] {
   const branches = errors.map((told) =>
     told.flatMap((each) => faultsOf(raw, { ...each, path: [...path, ...each.path] })),
@@ -82,7 +82,7 @@ function ofUnion(
   return first;
 }
 
-function faultsOf(raw: unknown, told: Told): readonly FieldFault[] {
+function faultsOf(raw: unknown, told: SchemaIssue): readonly FieldFault[] {
   const { code, path, expected, maximum, minimum, values, errors } = told;
   const is = within(raw, path);
   if (code === "invalid_union") return ofUnion(raw, path, errors ?? []);
@@ -116,7 +116,7 @@ function leftOut(raw: unknown, taken: unknown, path: readonly PropertyKey[] = []
 }
 
 /** Parameters that the starting cycle does not have, or an unknown cycle. */
-function strangeValues(start: Task["start"]): readonly FieldFault[] {
+function unknownParameters(start: Task["start"]): readonly FieldFault[] {
   if (!("cycle" in start)) return [];
   const cycle = cycleByNumber(start.cycle);
   if (!cycle) return [fault(["start", "cycle"], "unknown")];
@@ -140,12 +140,12 @@ function contradictions({ kind, words, predict = [], start, part }: Task): reado
       }),
     ];
   });
-  const wanted = part ? wantedPart(part) : null;
+  const wanted = part ? targetPart(part) : null;
   return [
     ...(Object.keys(words).length === 0 ? [fault(["words"], "missing")] : []),
     ...(kind === "predict" && predict.length === 0 ? [fault(["predict"], "missing")] : []),
     ...told,
-    ...strangeValues(start),
+    ...unknownParameters(start),
     ...(wanted && (wanted.issues.length > 0 || areaOf(wanted.rings) === 0) ? [fault(["part"], "contour")] : []),
   ];
 }
@@ -153,7 +153,7 @@ function contradictions({ kind, words, predict = [], start, part }: Task): reado
 /** Reads a task. Never throws on plain data. */
 export function readTask(raw: unknown): ReadTask {
   const read = taskSchema.safeParse(raw);
-  if (!read.success) return { faults: read.error.issues.flatMap((told) => faultsOf(raw, told as Told)) };
+  if (!read.success) return { faults: read.error.issues.flatMap((told) => faultsOf(raw, told as SchemaIssue)) };
   const faults = contradictions(read.data);
   return faults.length > 0 ? { faults } : { task: read.data, left: leftOut(raw, read.data) };
 }

@@ -128,7 +128,7 @@ const prediction = z.union([
 /** The id of a material of the shipped cutting data. */
 export const materialId = z.enum(usualTable.materials.map((each) => each.id));
 
-const told = z.object({
+const taskWords = z.object({
   title: words,
   /** The assignment. An empty line begins a new paragraph. */
   ask: words,
@@ -170,7 +170,7 @@ export const taskSchema = z.object({
   predict: z.optional(listed(prediction)),
   /** What a good answer of a "drawing" needs: seconds and tools for full marks. */
   par: z.optional(z.object({ seconds: finite, tools: z.int() })),
-  words: inLanguages(told),
+  words: inLanguages(taskWords),
   /** An answer that passes, as a whole program; absent for "predict" alone. */
   solution: z.optional(lines),
   wrong: z.optional(listed(wrong)),
@@ -189,4 +189,4 @@ export type WrongAnswer = z.infer<typeof wrong>;
 export type TaskSize = z.infer<typeof size>;
 export type SizeKind = TaskSize["kind"];
 export type Prediction = z.infer<typeof prediction>;
-export type TaskWords = z.infer<typeof told>;
+export type TaskWords = z.infer<typeof taskWords>;

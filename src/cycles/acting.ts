@@ -1,4 +1,4 @@
-import { empty } from "../kernel/strategy/leveled.ts";
+import { emptyPlan } from "../kernel/strategy/leveled.ts";
 import type { Acting, Cycle, Outline } from "./define.ts";
 import type { Params } from "./params.ts";
 
@@ -28,5 +28,5 @@ export const defineActing = <const P extends Params, const N extends number>(
   },
   steps: { rough: 0, finish: 0 },
   outline: () => NOTHING,
-  plan: () => empty([]),
+  plan: () => emptyPlan([]),
 });

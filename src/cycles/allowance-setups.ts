@@ -2,10 +2,10 @@ import { areaOf, areaOfRing } from "../kernel/area/area.ts";
 import { union } from "../kernel/area/clip.ts";
 import { contourFrom, type ContourElement } from "../kernel/contour/contour.ts";
 import { at, part, type Ring, type Segment } from "../kernel/geometry/point.ts";
-import { keptOver } from "../kernel/strategy/kept.ts";
+import { oversizeContour } from "../kernel/strategy/oversize-contour.ts";
 import { CHORD } from "../kernel/tolerance.ts";
 import { radius, rounded } from "../kernel/units.ts";
-import { dice, type Draw, type Setups } from "./drawn-setup.ts";
+import { dice, type Draw, type Setups } from "./random-setup.ts";
 
 const { box, common, half, mm, mostly } = dice;
 
@@ -44,7 +44,7 @@ const TURNED = { "1/1": 1, "1/-1": 3, "-1/1": 7, "-1/-1": 5 } as const;
 function casting(contour: readonly Segment[], along: 1 | -1, out: 1 | -1, allowance: number): Ring {
   const frame = { transverse: false, signU: along > 0 ? -1 : 1, signV: out } as const;
   const line = part
-    .flattenedChain(keptOver(contour, frame, { r: 0, z: 0, round: allowance }), CHORD)
+    .flattenedChain(oversizeContour(contour, frame, { r: 0, z: 0, round: allowance }), CHORD)
     .map((p) => at(p.z, Math.max(0, p.r)));
   const [first, last] = [line[0], line.at(-1)];
   if (!first || !last) return [];

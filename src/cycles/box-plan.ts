@@ -1,11 +1,11 @@
 import { toFlat } from "../kernel/geometry/flat.ts";
-import type { Plan, Setting } from "../kernel/plan/plan.ts";
+import type { Plan, PlanContext } from "../kernel/plan/plan.ts";
 import { at } from "../kernel/geometry/point.ts";
 import { feedsOf } from "../kernel/strategy/feeds.ts";
 import { planLeveled } from "../kernel/strategy/leveled.ts";
 import { type Axial, type Diameter, type Feed, type Length, perSide, type Radius, toRadius } from "../kernel/units.ts";
 import { edgesOf } from "./corner-element.ts";
-import { refused } from "./refused.ts";
+import { refusedPlan } from "./refused-plan.ts";
 import { atParameters } from "./roles.ts";
 import type { BoxOutline, ShoulderValues } from "./shoulder-outline.ts";
 import { angleIssues, cornerIssue, withIssues } from "./tool-issues.ts";
@@ -23,8 +23,8 @@ export interface LeveledValues {
 }
 
 /** Plans a box by levels: shoulders (81x, 82x) and contours that a tool plunges into. */
-export function planBox(outline: BoxOutline, v: LeveledValues & ShoulderValues, setting: Setting): Plan {
-  const none = refused(outline);
+export function planBox(outline: BoxOutline, v: LeveledValues & ShoulderValues, setting: PlanContext): Plan {
+  const none = refusedPlan(outline);
   if (none) return none;
   const { frame } = outline;
   const plan = planLeveled(

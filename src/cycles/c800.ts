@@ -1,5 +1,5 @@
 import { defineActing } from "./acting.ts";
-import { attested } from "./attested.ts";
+import { partlyPrinted } from "./partly-printed.ts";
 import { angle, choice, feedParam, recalled } from "./params.ts";
 
 /** Fits the coordinate system of turning to a tilted or a rotated tool; with all angles 0 it changes nothing. */
@@ -7,7 +7,7 @@ export const c800 = defineActing({
   number: 800,
   evidence: "K1",
   partly: { section: "Cycle 800", document: "TNC7, 81762x-17", parts: ["name", "purpose"] },
-  params: attested(
+  params: partlyPrinted(
     recalled({
       Q497: angle("precessionAngle", [0, 359.9999], 0),
       Q498: choice("reverseTool", [0, 1], 0),

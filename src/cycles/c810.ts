@@ -3,7 +3,7 @@ import { defineCycle, type Row } from "./define.ts";
 import { radial, recalled } from "./params.ts";
 import { freeOutline } from "./free-outline.ts";
 import { planFree } from "./free-plan.ts";
-import { contourSetups, type Setups } from "./drawn-setup.ts";
+import { contourSetups, type Setups } from "./random-setup.ts";
 
 const { Q215, Q460, Q499, Q478, Q483, Q484, Q505, Q487, Q488, Q479, Q480, Q482, Q506 } = c820.params;
 

@@ -1,7 +1,7 @@
 import { c812 } from "./c812.ts";
 import { defineCycle } from "./define.ts";
 import { recalled } from "./params.ts";
-import { shoulderSetups, simple, type Setups } from "./drawn-setup.ts";
+import { shoulderSetups, simpleSetups, type Setups } from "./random-setup.ts";
 import { planSimple, simpleShoulder } from "./simple-shoulder.ts";
 
 const { Q215, Q460, Q493, Q494, Q463, Q478, Q483, Q484, Q505, Q506 } = c812.params;
@@ -21,4 +21,4 @@ export const c811 = defineCycle({
 });
 
 /** Random set-ups for the laws. */
-export const setups811: Setups = simple(shoulderSetups);
+export const setups811: Setups = simpleSetups(shoulderSetups);

@@ -6,14 +6,14 @@ import {
   choice,
   diameterParam,
   feedParam,
-  finishes,
+  whenFinishing,
   lengthParam,
   oversizeDiameter,
   radial,
-  roughs,
+  whenRoughing,
 } from "./params.ts";
 import { shoulderOutline } from "./shoulder-outline.ts";
-import { shoulderSetups, type Setups } from "./drawn-setup.ts";
+import { shoulderSetups, type Setups } from "./random-setup.ts";
 
 /** Shoulder, longitudinal, extended: circumferential surface, inner corner, face, with an element at either end. */
 export const c812 = defineCycle({
@@ -37,15 +37,19 @@ export const c812 = defineCycle({
     Q503: choice("endElement", [0, 1, 2], 1, { shown: "element", place: "end" }),
     Q504: lengthParam("endElementSize", [0, 999.999], 0.5, { rangeEvidence: "K2", place: "end", sizes: "Q503" }),
     Q463: radial("infeedRadial", [0.001, 999.999], 3, { shown: "infeed" }),
-    Q478: feedParam("roughingFeed", [0, 99999.999], 0.3, { rangeEvidence: "I", shown: "roughingFeed", counts: roughs }),
+    Q478: feedParam("roughingFeed", [0, 99999.999], 0.3, {
+      rangeEvidence: "I",
+      shown: "roughingFeed",
+      counts: whenRoughing,
+    }),
     Q483: oversizeDiameter("oversizeDiameter", [0, 99.999], 0.4, { incremental: true, shown: "oversizeDiameter" }),
     Q484: lengthParam("oversizeZ", [0, 99.999], 0.2, { incremental: true, rangeEvidence: "I", shown: "oversizeZ" }),
     Q505: feedParam("finishingFeed", [0, 99999.999], 0.2, {
       rangeEvidence: "I",
       shown: "finishingFeed",
-      counts: finishes,
+      counts: whenFinishing,
     }),
-    Q506: choice("smoothing", [0, 1, 2], 0, { shown: "smoothing", counts: roughs }),
+    Q506: choice("smoothing", [0, 1, 2], 0, { shown: "smoothing", counts: whenRoughing }),
   },
   setup: {
     name: "SHOULDER",

@@ -2,7 +2,7 @@ import { planBox } from "./box-plan.ts";
 import { c814 } from "./c814.ts";
 import { defineCycle } from "./define.ts";
 import { recalled } from "./params.ts";
-import { plungeSetups, type Setups, unbroken } from "./drawn-setup.ts";
+import { plungeSetups, type Setups, withoutCornerElements } from "./random-setup.ts";
 import { recessOutline } from "./recess-outline.ts";
 import { boxFrame, PLAIN, type ShoulderValues } from "./shoulder-outline.ts";
 
@@ -27,4 +27,4 @@ export const c813 = defineCycle({
 });
 
 /** Random set-ups for the laws. */
-export const setups813: Setups = unbroken(plungeSetups(false));
+export const setups813: Setups = withoutCornerElements(plungeSetups(false));

@@ -2,7 +2,7 @@ import { planBox } from "./box-plan.ts";
 import { c812 } from "./c812.ts";
 import { defineCycle } from "./define.ts";
 import { angle, exampleOf, recalled } from "./params.ts";
-import { plungeSetups, type Setups } from "./drawn-setup.ts";
+import { plungeSetups, type Setups } from "./random-setup.ts";
 import { recessOutline } from "./recess-outline.ts";
 import { boxFrame, type ShoulderValues } from "./shoulder-outline.ts";
 

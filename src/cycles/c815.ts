@@ -1,16 +1,16 @@
 import { mirroredTool } from "../kernel/cutter/holder.ts";
 import { feedsOf } from "../kernel/strategy/feeds.ts";
 import { planContourParallel } from "../kernel/strategy/contour-parallel.ts";
-import { empty } from "../kernel/strategy/leveled.ts";
+import { emptyPlan } from "../kernel/strategy/leveled.ts";
 import { axial, perSide, radius, toDiameter } from "../kernel/units.ts";
 import { c812 } from "./c812.ts";
 import { c820 } from "./c820.ts";
-import { attested } from "./attested.ts";
+import { partlyPrinted } from "./partly-printed.ts";
 import { defineCycle, type Given } from "./define.ts";
 import { allowanceSetups } from "./allowance-setups.ts";
-import type { Setups } from "./drawn-setup.ts";
+import type { Setups } from "./random-setup.ts";
 import { frameAt, freeOutline } from "./free-outline.ts";
-import { choice, lengthParam, radial, recalled, roughs } from "./params.ts";
+import { choice, lengthParam, radial, recalled, whenRoughing } from "./params.ts";
 import { atParameters } from "./roles.ts";
 import { angleIssues, withIssues } from "./tool-issues.ts";
 
@@ -30,12 +30,12 @@ export const c815 = defineCycle({
   evidence: "K1",
   contour: "free",
   use: { shapes: ["step", "plunge", "free"], preTurned: true },
-  params: attested(
+  params: partlyPrinted(
     recalled({
       Q215,
       Q460,
       Q485: lengthParam("blankAllowance", [0, 99.999], 5, { incremental: true, shown: "allowance" }),
-      Q486: choice("cuttingLines", [0, 1], 0, { shown: "cuttingLines", counts: roughs }),
+      Q486: choice("cuttingLines", [0, 1], 0, { shown: "cuttingLines", counts: whenRoughing }),
       Q499,
       Q463: radial("infeedParallel", [0, 99.999], 3, { shown: "infeed" }),
       Q478,
@@ -65,7 +65,7 @@ export const c815 = defineCycle({
   outline: outlineOf,
   plan(v, setting, given) {
     const outline = outlineOf(v, given);
-    if (outline.contour.length === 0 || outline.issues.length > 0) return empty(outline.issues, outline.contour);
+    if (outline.contour.length === 0 || outline.issues.length > 0) return emptyPlan(outline.issues, outline.contour);
     const frame = frameAt(outline.contour, false, setting);
     const tool = v.Q499 === 2 ? mirroredTool(setting.tool, "z") : setting.tool;
     const plan = planContourParallel(

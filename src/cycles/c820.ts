@@ -5,15 +5,15 @@ import {
   choice,
   diameterParam,
   feedParam,
-  finishes,
+  whenFinishing,
   lengthParam,
-  limited,
+  whenLimited,
   oversizeDiameter,
-  roughs,
+  whenRoughing,
 } from "./params.ts";
 import { freeOutline } from "./free-outline.ts";
 import { planFree } from "./free-plan.ts";
-import { contourSetups, type Setups } from "./drawn-setup.ts";
+import { contourSetups, type Setups } from "./random-setup.ts";
 
 /** Free contour of a subprogram, cut across the axis. */
 export const c820 = defineCycle({
@@ -27,16 +27,16 @@ export const c820 = defineCycle({
     Q460: lengthParam("clearance", [0, 999.999], 2, { incremental: true, shown: "clearance" }),
     Q499: choice("reverseContour", [0, 1, 2], 0, { shown: "reverse" }),
     Q463: axialDepth("infeedAxial", [0, 99.999], 3, { shown: "infeed" }),
-    Q478: feedParam("roughingFeed", [0, 99999.999], 0.3, { shown: "roughingFeed", counts: roughs }),
+    Q478: feedParam("roughingFeed", [0, 99999.999], 0.3, { shown: "roughingFeed", counts: whenRoughing }),
     Q483: oversizeDiameter("oversizeDiameter", [0, 99.999], 0.4, { incremental: true, shown: "oversizeDiameter" }),
     Q484: lengthParam("oversizeZ", [0, 99.999], 0.2, { incremental: true, shown: "oversizeZ" }),
-    Q505: feedParam("finishingFeed", [0, 99999.999], 0.2, { shown: "finishingFeed", counts: finishes }),
+    Q505: feedParam("finishingFeed", [0, 99999.999], 0.2, { shown: "finishingFeed", counts: whenFinishing }),
     Q487: choice("plunging", [0, 1], 1, { shown: "plunging" }),
-    Q488: feedParam("plungingFeed", [0, 99999.999], 0, { optional: true, shown: "plungingFeed", counts: roughs }),
+    Q488: feedParam("plungingFeed", [0, 99999.999], 0, { optional: true, shown: "plungingFeed", counts: whenRoughing }),
     Q479: choice("limits", [0, 1], 0, { shown: "limits" }),
-    Q480: diameterParam("limitDiameter", [-99999.999, 99999.999], 0, { shown: "limitDiameter", counts: limited }),
-    Q482: axialParam("limitZ", [-99999.999, 99999.999], 0, { shown: "limitZ", counts: limited }),
-    Q506: choice("smoothing", [0, 1, 2], 0, { shown: "smoothing", counts: roughs }),
+    Q480: diameterParam("limitDiameter", [-99999.999, 99999.999], 0, { shown: "limitDiameter", counts: whenLimited }),
+    Q482: axialParam("limitZ", [-99999.999, 99999.999], 0, { shown: "limitZ", counts: whenLimited }),
+    Q506: choice("smoothing", [0, 1, 2], 0, { shown: "smoothing", counts: whenRoughing }),
   },
   setup: {
     name: "CONTOUR",

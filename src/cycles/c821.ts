@@ -2,7 +2,7 @@ import { c811 } from "./c811.ts";
 import { c822 } from "./c822.ts";
 import { defineCycle } from "./define.ts";
 import { exampleOf, recalled } from "./params.ts";
-import { faceSetups, simple, type Setups } from "./drawn-setup.ts";
+import { faceSetups, simpleSetups, type Setups } from "./random-setup.ts";
 import { planSimple, simpleShoulder } from "./simple-shoulder.ts";
 
 const { Q215, Q460, Q493, Q494, Q463, Q478, Q483, Q484, Q505, Q506 } = c822.params;
@@ -33,4 +33,4 @@ export const c821 = defineCycle({
 });
 
 /** Random set-ups for the laws. */
-export const setups821: Setups = simple(faceSetups);
+export const setups821: Setups = simpleSetups(faceSetups);

@@ -3,7 +3,7 @@ import { c812 } from "./c812.ts";
 import { c820 } from "./c820.ts";
 import { defineCycle } from "./define.ts";
 import { exampleOf, recalled } from "./params.ts";
-import { faceSetups, type Setups } from "./drawn-setup.ts";
+import { faceSetups, type Setups } from "./random-setup.ts";
 import { shoulderOutline } from "./shoulder-outline.ts";
 
 const { Q215, Q460, Q491, Q492, Q493, Q494, Q501, Q502, Q500, Q503, Q504, Q478, Q483, Q484, Q505, Q506 } = c812.params;

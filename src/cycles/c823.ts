@@ -2,7 +2,7 @@ import { planBox } from "./box-plan.ts";
 import { c824 } from "./c824.ts";
 import { defineCycle } from "./define.ts";
 import { exampleOf, recalled } from "./params.ts";
-import { plungeSetups, type Setups, unbroken } from "./drawn-setup.ts";
+import { plungeSetups, type Setups, withoutCornerElements } from "./random-setup.ts";
 import { recessOutline } from "./recess-outline.ts";
 import { boxFrame, PLAIN, type ShoulderValues } from "./shoulder-outline.ts";
 
@@ -41,4 +41,4 @@ export const c823 = defineCycle({
 });
 
 /** Random set-ups for the laws. */
-export const setups823: Setups = unbroken(plungeSetups(true));
+export const setups823: Setups = withoutCornerElements(plungeSetups(true));

@@ -3,7 +3,7 @@ import { c814 } from "./c814.ts";
 import { c822 } from "./c822.ts";
 import { defineCycle } from "./define.ts";
 import { angle, exampleOf, recalled } from "./params.ts";
-import { plungeSetups, type Setups } from "./drawn-setup.ts";
+import { plungeSetups, type Setups } from "./random-setup.ts";
 import { recessOutline } from "./recess-outline.ts";
 import { boxFrame, type ShoulderValues } from "./shoulder-outline.ts";
 

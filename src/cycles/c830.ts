@@ -1,10 +1,10 @@
 import { issue } from "../kernel/plan/issue.ts";
-import type { Setting } from "../kernel/plan/plan.ts";
+import type { PlanContext } from "../kernel/plan/plan.ts";
 import { defineCycle, type Given, type Outline } from "./define.ts";
-import type { Setups } from "./drawn-setup.ts";
-import { threadContourSetups } from "./drawn-thread.ts";
+import type { Setups } from "./random-setup.ts";
+import { threadContourSetups } from "./random-thread.ts";
 import { recalled, type Values } from "./params.ts";
-import { refused } from "./refused.ts";
+import { refusedPlan } from "./refused-plan.ts";
 import { threadDimensions, threadFrame } from "./thread-outline.ts";
 import { oneGroove, threadParams, threadRoles } from "./thread-params.ts";
 import { planThreadOn } from "./thread-plan.ts";
@@ -46,10 +46,10 @@ export const c830 = defineCycle({
   thread: threadRoles(),
   steps: { rough: 8, finish: 0 },
   outline: outlineOf,
-  plan(v, setting: Setting, given) {
+  plan(v, setting: PlanContext, given) {
     const outline = outlineOf(v, given);
     return (
-      refused(outline) ??
+      refusedPlan(outline) ??
       planThreadOn(v, outline, { runIn: v.Q465, overrun: v.Q466, named: { crest: "contour" } }, setting)
     );
   },

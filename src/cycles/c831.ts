@@ -1,10 +1,10 @@
 import { part, type Pt } from "../kernel/geometry/point.ts";
 import { toRadius } from "../kernel/units.ts";
 import { defineCycle, type Outline, printedContour } from "./define.ts";
-import type { Setups } from "./drawn-setup.ts";
-import { threadSetups } from "./drawn-thread.ts";
+import type { Setups } from "./random-setup.ts";
+import { threadSetups } from "./random-thread.ts";
 import { diameterParam, exampleOf, lengthParam, recalled, type Values } from "./params.ts";
-import { refused } from "./refused.ts";
+import { refusedPlan } from "./refused-plan.ts";
 import { straightThread } from "./thread-outline.ts";
 import { oneGroove, threadParams, threadRoles } from "./thread-params.ts";
 import { planThreadOn } from "./thread-plan.ts";
@@ -65,7 +65,7 @@ export const c831 = defineCycle({
   plan(v, setting) {
     const outline = outlineOf(v);
     return (
-      refused(outline) ??
+      refusedPlan(outline) ??
       planThreadOn(v, outline, { runIn: v.Q460, overrun: v.Q472, named: { runIn: "Q460", overrun: "Q494" } }, setting)
     );
   },

@@ -1,10 +1,10 @@
 import { part } from "../kernel/geometry/point.ts";
 import type { Given } from "./define.ts";
 import { defineCycle, printedContour } from "./define.ts";
-import type { Setups } from "./drawn-setup.ts";
-import { threadSetups } from "./drawn-thread.ts";
+import type { Setups } from "./random-setup.ts";
+import { threadSetups } from "./random-thread.ts";
 import { recalled, type Values } from "./params.ts";
-import { refused } from "./refused.ts";
+import { refusedPlan } from "./refused-plan.ts";
 import { straightThread, taperEnds } from "./thread-outline.ts";
 import { oneGroove, threadParams, threadRoles } from "./thread-params.ts";
 import { planThreadOn } from "./thread-plan.ts";
@@ -92,7 +92,7 @@ export const c832 = defineCycle({
   outline: outlineOf,
   plan(v, setting) {
     const outline = outlineOf(v, { contour: null, start: setting.start });
-    return refused(outline) ?? planThreadOn(v, outline, { runIn: v.Q465, overrun: v.Q466 }, setting);
+    return refusedPlan(outline) ?? planThreadOn(v, outline, { runIn: v.Q465, overrun: v.Q466 }, setting);
   },
 });
 

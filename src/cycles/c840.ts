@@ -1,7 +1,7 @@
 import { c820 } from "./c820.ts";
 import { c842 } from "./c842.ts";
 import { defineCycle } from "./define.ts";
-import type { Setups } from "./drawn-setup.ts";
+import type { Setups } from "./random-setup.ts";
 import { choice, recalled } from "./params.ts";
 import { freeRecess, planFreeRecess } from "./recess-free.ts";
 import { freeRecesses } from "./recess-setups.ts";

@@ -1,6 +1,6 @@
 import { c842 } from "./c842.ts";
 import { defineCycle, printedContour } from "./define.ts";
-import type { Setups } from "./drawn-setup.ts";
+import type { Setups } from "./random-setup.ts";
 import { recalled } from "./params.ts";
 import { finishedRecess, planRecessTurning, simpleOutline, simpleRecess } from "./recess-plan.ts";
 import { radialRecesses, simpleRecesses } from "./recess-setups.ts";

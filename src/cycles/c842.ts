@@ -1,6 +1,6 @@
 import { c852 } from "./c852.ts";
 import { defineCycle, printedContour } from "./define.ts";
-import type { Setups } from "./drawn-setup.ts";
+import type { Setups } from "./random-setup.ts";
 import { angle, radial, recalled } from "./params.ts";
 import { finishedRecess, planRecessTurning } from "./recess-plan.ts";
 import { radialRecesses } from "./recess-setups.ts";

@@ -2,7 +2,7 @@ import { c820 } from "./c820.ts";
 import { c851 } from "./c851.ts";
 import { c852 } from "./c852.ts";
 import { defineCycle } from "./define.ts";
-import type { Setups } from "./drawn-setup.ts";
+import type { Setups } from "./random-setup.ts";
 import { recalled } from "./params.ts";
 import { freeRecess, planFreeRecess } from "./recess-free.ts";
 import { freeRecesses } from "./recess-setups.ts";

@@ -1,5 +1,5 @@
 import { defineCycle, printedContour } from "./define.ts";
-import type { Setups } from "./drawn-setup.ts";
+import type { Setups } from "./random-setup.ts";
 import {
   angle,
   axialDepth,
@@ -7,10 +7,10 @@ import {
   choice,
   diameterParam,
   feedParam,
-  finishes,
+  whenFinishing,
   lengthParam,
   oversizeDiameter,
-  roughs,
+  whenRoughing,
 } from "./params.ts";
 import { finishedRecess, planRecessTurning } from "./recess-plan.ts";
 import { axialRecesses } from "./recess-setups.ts";
@@ -44,17 +44,25 @@ export const c852 = defineCycle({
     Q496: angle("secondFlankAngle", [0, 89.9999], 5, { rangeEvidence: "K2", place: "end" }),
     Q503: choice("endElement", [0, 1, 2], 1, { shown: "element", place: "end" }),
     Q504: lengthParam("endElementSize", [0, 999.999], 0.5, { rangeEvidence: "K2", place: "end", sizes: "Q503" }),
-    Q478: feedParam("roughingFeed", [0, 99999.999], 0.3, { rangeEvidence: "I", shown: "roughingFeed", counts: roughs }),
+    Q478: feedParam("roughingFeed", [0, 99999.999], 0.3, {
+      rangeEvidence: "I",
+      shown: "roughingFeed",
+      counts: whenRoughing,
+    }),
     Q483: oversizeDiameter("oversizeDiameter", [0, 99.999], 0.4, { incremental: true, shown: "oversizeDiameter" }),
     Q484: lengthParam("oversizeZ", [0, 99.999], 0.2, { incremental: true, rangeEvidence: "I", shown: "oversizeZ" }),
     Q505: feedParam("finishingFeed", [0, 99999.999], 0.2, {
       rangeEvidence: "I",
       shown: "finishingFeed",
-      counts: finishes,
+      counts: whenFinishing,
     }),
     Q463: axialDepth("infeedGroove", [0.001, 999.999], 2, { shown: "infeed" }),
-    Q507: choice("direction", [0, 1], 0, { shown: "direction", counts: roughs }),
-    Q508: lengthParam("offsetWidth", [0, 99.999], 0, { rangeEvidence: "K2", shown: "offsetWidth", counts: roughs }),
+    Q507: choice("direction", [0, 1], 0, { shown: "direction", counts: whenRoughing }),
+    Q508: lengthParam("offsetWidth", [0, 99.999], 0, {
+      rangeEvidence: "K2",
+      shown: "offsetWidth",
+      counts: whenRoughing,
+    }),
     Q509: axialParam("depthCompensation", [-9.9999, 9.9999], 0, {
       rangeEvidence: "K2",
       incremental: true,
@@ -65,7 +73,7 @@ export const c852 = defineCycle({
       optional: true,
       rangeEvidence: "I",
       shown: "plungingFeed",
-      counts: roughs,
+      counts: whenRoughing,
       filledIn: 0,
     }),
   },

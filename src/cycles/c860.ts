@@ -2,7 +2,7 @@ import { c820 } from "./c820.ts";
 import { c840 } from "./c840.ts";
 import { c862 } from "./c862.ts";
 import { defineCycle } from "./define.ts";
-import type { Setups } from "./drawn-setup.ts";
+import type { Setups } from "./random-setup.ts";
 import { recalled } from "./params.ts";
 import { freeRecessing, planFreeRecessing } from "./recessing-free.ts";
 import { radialPlunges } from "./recessing-params.ts";

@@ -2,7 +2,7 @@ import { c812 } from "./c812.ts";
 import { c841 } from "./c841.ts";
 import { c862 } from "./c862.ts";
 import { defineCycle, printedContour } from "./define.ts";
-import type { Setups } from "./drawn-setup.ts";
+import type { Setups } from "./random-setup.ts";
 import { recalled } from "./params.ts";
 import { simpleOutline, simpleRecess } from "./recess-plan.ts";
 import { radialRecesses, simpleRecesses } from "./recess-setups.ts";

@@ -1,7 +1,7 @@
 import { c812 } from "./c812.ts";
 import { c842 } from "./c842.ts";
 import { defineCycle, printedContour } from "./define.ts";
-import type { Setups } from "./drawn-setup.ts";
+import type { Setups } from "./random-setup.ts";
 import { recalled } from "./params.ts";
 import { radialRecesses } from "./recess-setups.ts";
 import { radialPlunges } from "./recessing-params.ts";

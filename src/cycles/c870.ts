@@ -1,7 +1,7 @@
 import { c820 } from "./c820.ts";
 import { c872 } from "./c872.ts";
 import { defineCycle } from "./define.ts";
-import type { Setups } from "./drawn-setup.ts";
+import type { Setups } from "./random-setup.ts";
 import { recalled } from "./params.ts";
 import { freeRecessing, planFreeRecessing } from "./recessing-free.ts";
 import { axialPlunges } from "./recessing-params.ts";

@@ -2,7 +2,7 @@ import { c812 } from "./c812.ts";
 import { c851 } from "./c851.ts";
 import { c872 } from "./c872.ts";
 import { defineCycle, printedContour } from "./define.ts";
-import type { Setups } from "./drawn-setup.ts";
+import type { Setups } from "./random-setup.ts";
 import { recalled } from "./params.ts";
 import { simpleOutline, simpleRecess } from "./recess-plan.ts";
 import { axialRecesses, simpleRecesses } from "./recess-setups.ts";

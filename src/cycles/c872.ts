@@ -1,7 +1,7 @@
 import { c812 } from "./c812.ts";
 import { c852 } from "./c852.ts";
 import { defineCycle, printedContour } from "./define.ts";
-import type { Setups } from "./drawn-setup.ts";
+import type { Setups } from "./random-setup.ts";
 import { recalled } from "./params.ts";
 import { axialRecesses } from "./recess-setups.ts";
 import { axialPlunges } from "./recessing-params.ts";

@@ -1,5 +1,5 @@
 import type { Cycle, Given, Outline } from "./define.ts";
-import { neutralOf, type SomeValues } from "./effect.ts";
+import { neutralValueOf, type SomeValues } from "./effect.ts";
 import { firstValues } from "./first-values.ts";
 import type { Param, Params, Values } from "./params.ts";
 
@@ -71,9 +71,9 @@ const inRange = ({ range: [min, max] }: Param, n: number): number => Math.min(ma
 
 /** A substitute for a small missing value, different for each number; for a choice, its values in turn. */
 function smallOf(p: Param, n: number): number {
-  if (isCorrection(p)) return neutralOf(p);
+  if (isCorrection(p)) return neutralValueOf(p);
   if (p.choices) return p.choices[n % p.choices.length] as number;
-  return inRange(p, neutralOf(p) + (SIZES[n % SIZES.length] as number));
+  return inRange(p, neutralValueOf(p) + (SIZES[n % SIZES.length] as number));
 }
 
 const isPossible = (outline: Outline) =>
@@ -125,7 +125,7 @@ export function likelyCompletion(
   if (kept) return kept;
   const example = firstValues(cycle);
   const plain = Object.fromEntries(
-    Object.entries<Param>(cycle.params).map(([q, p]) => [q, isPosition(p) ? (example[q] ?? 0) : neutralOf(p)]),
+    Object.entries<Param>(cycle.params).map(([q, p]) => [q, isPosition(p) ? (example[q] ?? 0) : neutralValueOf(p)]),
   );
   for (const rest of [example, plain])
     for (const way of WAYS) {
@@ -139,5 +139,5 @@ export function likelyCompletion(
 export function plainCompletion(cycle: Cycle, known: SomeValues, given: Given): Completion | null {
   const missing = Object.entries<Param>(cycle.params).filter(([q]) => known[q] === undefined);
   if (missing.some(([, p]) => isPosition(p))) return null;
-  return completion(cycle, { ...Object.fromEntries(missing.map(([q, p]) => [q, neutralOf(p)])), ...known }, given);
+  return completion(cycle, { ...Object.fromEntries(missing.map(([q, p]) => [q, neutralValueOf(p)])), ...known }, given);
 }

@@ -1,6 +1,6 @@
 import type { Frame } from "../kernel/geometry/flat.ts";
 import type { Issue } from "../kernel/plan/issue.ts";
-import type { Plan, Setting } from "../kernel/plan/plan.ts";
+import type { Plan, PlanContext } from "../kernel/plan/plan.ts";
 import type { Pt, Segment } from "../kernel/geometry/point.ts";
 import type { Evidence, Params, Values } from "./params.ts";
 
@@ -112,7 +112,7 @@ export interface Acting {
  * Facts of a cycle that a page may print besides its list: the name in NC text, its purpose, where it starts, how it
  * roughs and finishes.
  */
-export type AttestedPart = "name" | "purpose" | "start" | "roughing" | "firstFinishing";
+export type PrintedFact = "name" | "purpose" | "start" | "roughing" | "firstFinishing";
 
 export interface Cycle<P extends Params = Params, N extends number = number> {
   readonly number: N;
@@ -120,7 +120,7 @@ export interface Cycle<P extends Params = Params, N extends number = number> {
   /** Section and document of the manual page; null where no page that we have prints the cycle. */
   readonly manual: { readonly section: string; readonly document: string; readonly page?: number } | null;
   /** For a cycle whose list no page prints: the facts that a page prints nevertheless. */
-  readonly partly?: { readonly section: string; readonly document: string; readonly parts: readonly AttestedPart[] };
+  readonly partly?: { readonly section: string; readonly document: string; readonly parts: readonly PrintedFact[] };
   /** Evidence for the list of its parameters. */
   readonly evidence: Evidence;
   /** "own": from its Q values; "free": from a contour subprogram named by cycle 14; "none": it cuts nothing. */
@@ -142,7 +142,7 @@ export interface Cycle<P extends Params = Params, N extends number = number> {
   /** Pure geometry of the values: contour, help-picture dimensions, and cross-field issues. */
   outline(values: Values<P>, given: Given): Outline;
   /** Checks the values against the tool and plans the path. Never throws on values of the right type. */
-  plan(values: Values<P>, setting: Setting, given: Given): Plan;
+  plan(values: Values<P>, setting: PlanContext, given: Given): Plan;
 }
 
 /** Keeps the literal types of number and parameters, so that `values.Q493` is a Diameter by inference. */

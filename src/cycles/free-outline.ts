@@ -2,9 +2,9 @@ import { crossesChain, selfCrossing } from "../kernel/contour/crossing.ts";
 import type { Frame } from "../kernel/geometry/flat.ts";
 import { issue, type Issue } from "../kernel/plan/issue.ts";
 import { tipDirection } from "../kernel/cutter/insert.ts";
-import type { Setting } from "../kernel/plan/plan.ts";
+import type { PlanContext } from "../kernel/plan/plan.ts";
 import { at, part, type Pt, type Segment } from "../kernel/geometry/point.ts";
-import { FAR } from "../kernel/strategy/ground.ts";
+import { FAR } from "../kernel/strategy/tip-envelope.ts";
 import { toDiameter, toRadius, type Axial, type Diameter } from "../kernel/units.ts";
 import type { Dimension, Given, Outline } from "./define.ts";
 
@@ -89,7 +89,7 @@ function freeFrame(contour: readonly Segment[], transverse: boolean, open: boole
  * contour (decision 0010). The open side of a longitudinal contour is away from the axis when the start point is
  * farther out than the contour; between its nearest and its farthest point the tip orientation decides.
  */
-export function frameAt(contour: readonly Segment[], transverse: boolean, { start, tool }: Setting): Frame {
+export function frameAt(contour: readonly Segment[], transverse: boolean, { start, tool }: PlanContext): Frame {
   const points = contour.flatMap((s) => [s.from, s.to]);
   const behind = points.every((p) => start.z <= p.z) && [3, 4, 5].includes(tool.TO);
   const side = sideOf(contour, start);
@@ -101,7 +101,7 @@ export function frameAt(contour: readonly Segment[], transverse: boolean, { star
  * The frame for a tool that plunges: between the heights of the contour, a tip that points to the axis works from
  * outside.
  */
-export function plungeFrame(contour: readonly Segment[], transverse: boolean, setting: Setting): Frame {
+export function plungeFrame(contour: readonly Segment[], transverse: boolean, setting: PlanContext): Frame {
   const rs = contour.flatMap((s) => [s.from.r, s.to.r]);
   const between = setting.start.r > Math.min(...rs) && setting.start.r < Math.max(...rs);
   const outwards = between && [1, 2, 3].includes(setting.tool.TO);

@@ -1,13 +1,13 @@
 import { toFlat } from "../kernel/geometry/flat.ts";
 import { mirroredTool } from "../kernel/cutter/holder.ts";
-import type { Plan, Setting } from "../kernel/plan/plan.ts";
+import type { Plan, PlanContext } from "../kernel/plan/plan.ts";
 import { feedsOf } from "../kernel/strategy/feeds.ts";
 import { planLeveled } from "../kernel/strategy/leveled.ts";
 import { type Feed, perSide, toRadius } from "../kernel/units.ts";
 import type { LeveledValues } from "./box-plan.ts";
 import type { Given } from "./define.ts";
 import { frameAt, freeOutline, type FreeValues } from "./free-outline.ts";
-import { refused } from "./refused.ts";
+import { refusedPlan } from "./refused-plan.ts";
 import { atParameters } from "./roles.ts";
 import { angleIssues, withIssues } from "./tool-issues.ts";
 
@@ -18,9 +18,9 @@ interface FreeLeveled extends LeveledValues, FreeValues {
 }
 
 /** Plans the contour of a subprogram by levels, along the axis or across it. */
-export function planFree(v: FreeLeveled, setting: Setting, given: Given, transverse: boolean): Plan {
+export function planFree(v: FreeLeveled, setting: PlanContext, given: Given, transverse: boolean): Plan {
   const outline = freeOutline(v, given, transverse);
-  const none = refused(outline);
+  const none = refusedPlan(outline);
   if (none) return none;
   const frame = frameAt(outline.contour, transverse, setting);
   const tool = v.Q499 === 2 ? mirroredTool(setting.tool, transverse ? "r" : "z") : setting.tool;

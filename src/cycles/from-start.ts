@@ -27,14 +27,14 @@ function likelyStart({ Q493, Q494 }: EndPoint): Pt {
 }
 
 /** The values of the extended cycle that cuts the box from a start point to the end point of a simple cycle. */
-export function fromStart<V extends EndPoint>(v: V, start: Pt | null): V & ShoulderValues {
+export function extendedValues<V extends EndPoint>(v: V, start: Pt | null): V & ShoulderValues {
   const first = start ?? likelyStart(v);
   // No box begins beyond the axis: the plan refuses to start there.
   return { ...v, ...SQUARE, Q491: toDiameter(radius(Math.abs(first.r))), Q492: first.z };
 }
 
 /** The outline of such a box, with issues reported at the start point where the extended cycle has a value. */
-export function toldOfStart<O extends BoxOutline>(outline: O): O {
+export function withStartPointIssues<O extends BoxOutline>(outline: O): O {
   const told = (i: Issue): Issue => {
     if (i.code !== "startEqualsEnd") return i;
     const [axis, place] = i.data.other === "Q491" ? (["X", "start.x"] as const) : (["Z", "start.z"] as const);
@@ -49,5 +49,5 @@ export function toldOfStart<O extends BoxOutline>(outline: O): O {
 }
 
 /** Reports angle issues at the tool: the walls of a simple cycle have no angle value. */
-export const atTool = (issues: readonly Issue[]): Issue[] =>
+export const angleIssuesAtTool = (issues: readonly Issue[]): Issue[] =>
   issues.map((i) => (i.code === "angleNotFollowed" ? { ...i, at: "tool" } : i));

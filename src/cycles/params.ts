@@ -87,9 +87,9 @@ export interface Condition {
 }
 
 /** Values for roughing only, for finishing only (Q215), and for a limited area only (Q479). */
-export const roughs: Condition = { q: "Q215", among: [0, 1] };
-export const finishes: Condition = { q: "Q215", among: [0, 2, 3] };
-export const limited: Condition = { q: "Q479", among: [1] };
+export const whenRoughing: Condition = { q: "Q215", among: [0, 1] };
+export const whenFinishing: Condition = { q: "Q215", among: [0, 2, 3] };
+export const whenLimited: Condition = { q: "Q479", among: [1] };
 
 export interface Param<K extends Kind = Kind, T extends string = string> {
   readonly kind: K;
@@ -116,7 +116,7 @@ export interface Param<K extends Kind = Kind, T extends string = string> {
   /** The Q of the element whose size this is: a chamfer or a radius. */
   readonly sizes?: string;
   /** Condition for an effect; the size of an element needs an element. Null: always, as far as is certain. */
-  readonly counts: Condition | null;
+  readonly condition: Condition | null;
   /** It is the radius of a rounded corner; 0 leaves the corner sharp. */
   readonly rounds: boolean;
   /** A feed of axes that do not cut: M136 does not make it one per revolution. */
@@ -186,7 +186,7 @@ function param<K extends Kind, T extends string>(
     shown: o.shown ?? "outline",
     place: o.place ?? "start",
     ...(o.sizes === undefined ? {} : { sizes: o.sizes }),
-    counts: o.counts ?? (o.sizes === undefined ? null : { q: o.sizes, among: [1, 2] }),
+    condition: o.counts ?? (o.sizes === undefined ? null : { q: o.sizes, among: [1, 2] }),
     rounds: o.rounds ?? false,
     perMinute: o.perMinute ?? false,
     drawn: o.drawn ?? (DRAWN.has(o.shown ?? "outline") || (MEASURES.has(kind) && (o.shown ?? "outline") === "outline")),

@@ -1,6 +1,6 @@
 import { flat, segmentToFlat, toPart } from "../kernel/geometry/flat.ts";
 import type { Plan } from "../kernel/plan/plan.ts";
-import { POINT } from "../kernel/strategy/kept.ts";
+import { POINT_TOOL } from "../kernel/strategy/oversize-contour.ts";
 import type { Cycle, Given, Outline } from "./define.ts";
 import type { Params, Values } from "./params.ts";
 
@@ -18,5 +18,5 @@ export function pointPlan(cycle: Cycle, values: Values<Params>, { contour, frame
   const operation = Object.keys(cycle.params).filter((q) => cycle.params[q]?.shown === "operation");
   const roughing = { ...values, ...Object.fromEntries(operation.map((q) => [q, ROUGHING])) } as Values<Params>;
   const start = toPart(frame, { u: first.u, v: highest });
-  return cycle.plan(roughing, { tool: POINT, start, feedUnit: "mm/rev", autoFeed: null, stock: null }, given);
+  return cycle.plan(roughing, { tool: POINT_TOOL, start, feedUnit: "mm/rev", autoFeed: null, stock: null }, given);
 }

@@ -1,6 +1,6 @@
 import { toFlat, type Frame } from "../kernel/geometry/flat.ts";
 import { mirroredTool } from "../kernel/cutter/holder.ts";
-import type { Plan, Setting } from "../kernel/plan/plan.ts";
+import type { Plan, PlanContext } from "../kernel/plan/plan.ts";
 import { at, part, type Segment } from "../kernel/geometry/point.ts";
 import { feedsOf } from "../kernel/strategy/feeds.ts";
 import { planRecess } from "../kernel/strategy/recess.ts";
@@ -8,7 +8,7 @@ import { perSide, toRadius } from "../kernel/units.ts";
 import type { Given, Outline } from "./define.ts";
 import { freeOutline, plungeFrame, type FreeValues } from "./free-outline.ts";
 import type { TurnedRecess } from "./recess-plan.ts";
-import { refused } from "./refused.ts";
+import { refusedPlan } from "./refused-plan.ts";
 import { atParameters } from "./roles.ts";
 import { angleIssues, withIssues } from "./tool-issues.ts";
 
@@ -34,9 +34,9 @@ function shifted(contour: readonly Segment[], { transverse, signV }: Frame, by: 
 }
 
 /** Plans the recesses of a programmed contour, in a cylinder or in a face. */
-export function planFreeRecess(v: FreeRecess, setting: Setting, given: Given, transverse: boolean): Plan {
+export function planFreeRecess(v: FreeRecess, setting: PlanContext, given: Given, transverse: boolean): Plan {
   const outline = freeOutline(v, given, transverse);
-  const none = refused(outline);
+  const none = refusedPlan(outline);
   if (none) return none;
   const frame = plungeFrame(outline.contour, transverse, setting);
   const tool = v.Q499 === 2 ? mirroredTool(setting.tool, transverse ? "r" : "z") : setting.tool;

@@ -1,7 +1,7 @@
 import type { Frame } from "../kernel/geometry/flat.ts";
 import { cuttingWidth, isBar } from "../kernel/cutter/insert.ts";
 import { issue, type Issue } from "../kernel/plan/issue.ts";
-import type { Plan, Setting } from "../kernel/plan/plan.ts";
+import type { Plan, PlanContext } from "../kernel/plan/plan.ts";
 import { part, type Pt } from "../kernel/geometry/point.ts";
 import { feedsOf } from "../kernel/strategy/feeds.ts";
 import { planRecess } from "../kernel/strategy/recess.ts";
@@ -21,7 +21,7 @@ import {
 } from "../kernel/units.ts";
 import type { Given } from "./define.ts";
 import { recessOutline, type RecessOutline } from "./recess-outline.ts";
-import { refused } from "./refused.ts";
+import { refusedPlan } from "./refused-plan.ts";
 import { atParameters, type Roles } from "./roles.ts";
 import { boxFrame, type ShoulderValues } from "./shoulder-outline.ts";
 import { angleIssues, cornerIssue, withIssues } from "./tool-issues.ts";
@@ -60,8 +60,8 @@ type Worked = Pick<TurnedRecess, "Q215" | "Q483" | "Q484">;
 type RecessTurning = ShoulderValues & TurnedRecess;
 
 /** The path of a recess-turning cycle with its own contour; `outline` is the finished recess. */
-export function planRecessTurning(v: RecessTurning, outline: RecessOutline, setting: Setting): Plan {
-  const none = refused(outline);
+export function planRecessTurning(v: RecessTurning, outline: RecessOutline, setting: PlanContext): Plan {
+  const none = refusedPlan(outline);
   if (none) return none;
   const { frame } = outline;
   const { tool } = setting;

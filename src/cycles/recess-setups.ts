@@ -1,7 +1,7 @@
 import { contourFrom, type ContourElement } from "../kernel/contour/contour.ts";
 import { at, type Pt } from "../kernel/geometry/point.ts";
 import { radius, rounded, toDiameter } from "../kernel/units.ts";
-import { dice, type Draw, type DrawnSetup, type Setups } from "./drawn-setup.ts";
+import { dice, type Draw, type RandomSetup, type Setups } from "./random-setup.ts";
 
 const { angle, box, common, elements, half, mm, mostly } = dice;
 
@@ -18,7 +18,7 @@ const infeedInto = (draw: Draw, usual: number, depth: number) =>
   mostly(draw, usual, Math.max(0.3, (depth + draw.one(0, HAIR, -HAIR)) / draw.whole(1, 5)));
 
 /** A set-up of a recess, with its first corner. */
-interface RecessSetup extends DrawnSetup {
+interface RecessSetup extends RandomSetup {
   readonly corner: Pt;
 }
 

@@ -1,10 +1,10 @@
 import { toFlat } from "../kernel/geometry/flat.ts";
-import type { Plan, Setting } from "../kernel/plan/plan.ts";
+import type { Plan, PlanContext } from "../kernel/plan/plan.ts";
 import { type Axial, type Diameter, toRadius } from "../kernel/units.ts";
 import type { Given, Outline } from "./define.ts";
 import { freeOutline, plungeFrame } from "./free-outline.ts";
 import { planPlunges, type PlungeValues } from "./recessing-plan.ts";
-import { refused } from "./refused.ts";
+import { refusedPlan } from "./refused-plan.ts";
 import { atParameters } from "./roles.ts";
 import { angleIssues, withIssues } from "./tool-issues.ts";
 
@@ -24,12 +24,12 @@ export const freeRecessing = (v: Limited, given: Given, transverse: boolean): Ou
 /** Plans a programmed contour by plunges, in a cylinder or in a face. */
 export function planFreeRecessing(
   v: Limited & PlungeValues,
-  setting: Setting,
+  setting: PlanContext,
   given: Given,
   transverse: boolean,
 ): Plan {
   const outline = freeRecessing(v, given, transverse);
-  const none = refused(outline);
+  const none = refusedPlan(outline);
   if (none) return none;
   const frame = plungeFrame(outline.contour, transverse, setting);
   const limit = v.Q479 === 1 ? toFlat(frame, { r: toRadius(v.Q480), z: v.Q482 }) : null;

@@ -1,8 +1,8 @@
 import type { Flat, Frame } from "../kernel/geometry/flat.ts";
-import type { Plan, Setting } from "../kernel/plan/plan.ts";
+import type { Plan, PlanContext } from "../kernel/plan/plan.ts";
 import type { Segment } from "../kernel/geometry/point.ts";
 import { feedsOf } from "../kernel/strategy/feeds.ts";
-import { empty } from "../kernel/strategy/leveled.ts";
+import { emptyPlan } from "../kernel/strategy/leveled.ts";
 import { planPlunging } from "../kernel/strategy/plunge.ts";
 import { type Diameter, type Feed, perSide } from "../kernel/units.ts";
 import { finishedRecess, narrowIssue } from "./recess-plan.ts";
@@ -32,7 +32,7 @@ export function planPlunges(
   v: PlungeValues,
   on: { readonly contour: readonly Segment[]; readonly frame: Frame },
   limit: Flat | null,
-  setting: Setting,
+  setting: PlanContext,
 ): Plan {
   const feeds = feedsOf({ rough: v.Q478, finish: v.Q505 }, setting.autoFeed);
   return planPlunging(
@@ -61,8 +61,8 @@ export const recessingOutline = (v: ShoulderValues, transverse: boolean): Recess
   finishedRecess({ ...v, Q509: 0 }, transverse);
 
 /** The path of a recessing cycle with its own contour. */
-export function planRecessing(v: ShoulderValues & PlungeValues, outline: RecessOutline, setting: Setting): Plan {
-  if (outline.contour.length === 0 || outline.issues.length > 0) return empty(outline.issues, outline.contour);
+export function planRecessing(v: ShoulderValues & PlungeValues, outline: RecessOutline, setting: PlanContext): Plan {
+  if (outline.contour.length === 0 || outline.issues.length > 0) return emptyPlan(outline.issues, outline.contour);
   const { frame } = outline;
   const { tool } = setting;
   const plan = planPlunges(v, outline, null, setting);

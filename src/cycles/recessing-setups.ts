@@ -1,4 +1,4 @@
-import { dice, type Draw, type Setups } from "./drawn-setup.ts";
+import { dice, type Draw, type Setups } from "./random-setup.ts";
 
 const { mm, mostly } = dice;
 

@@ -1,5 +1,5 @@
 import type { Frame } from "../kernel/geometry/flat.ts";
-import type { Plan, Setting } from "../kernel/plan/plan.ts";
+import type { Plan, PlanContext } from "../kernel/plan/plan.ts";
 import type { Segment } from "../kernel/geometry/point.ts";
 import { planThread } from "../kernel/strategy/thread.ts";
 import type { Degrees, Length, Radius } from "../kernel/units.ts";
@@ -36,7 +36,7 @@ export function planThreadOn(
   v: Threading,
   line: { readonly contour: readonly Segment[]; readonly frame: Frame },
   ways: { readonly runIn: number; readonly overrun: number; readonly named?: Readonly<Record<string, string>> },
-  setting: Setting,
+  setting: PlanContext,
 ): Plan {
   // A face is open on the side from which the tip points into it.
   const behind = line.frame.transverse && [3, 4, 5].includes(setting.tool.TO);

@@ -1,5 +1,5 @@
 import type { Group } from "../cycles/define.ts";
-import type { KeptNumber } from "../cycles/kept-cycles.ts";
+import type { UnsimulatedNumber } from "../cycles/unsimulated-cycles.ts";
 import type { CycleNumber } from "../cycles/index.ts";
 import type { Evidence, Kind } from "../cycles/params.ts";
 
@@ -28,7 +28,7 @@ export interface CyclesTexts {
   /** Before step 1. */
   readonly positioning: string;
   /** Cycles that are read and preserved, not simulated. */
-  readonly kept: Readonly<Record<KeptNumber, string>>;
+  readonly kept: Readonly<Record<UnsimulatedNumber, string>>;
   readonly of: Readonly<Record<CycleNumber, CycleText>>;
 }
 

@@ -1,5 +1,5 @@
 import type { TurnedShape } from "../cycles/define.ts";
-import type { Site } from "../cycles/wanted.ts";
+import type { Site } from "../cycles/shape-request.ts";
 import type { Reason } from "../kernel/plan/issue.ts";
 
 /** Texts of the cycle search by shape, loaded with its dialog. */
@@ -34,7 +34,7 @@ export interface WhichTexts {
   readonly bestIs: (name: string, why: string) => string;
   readonly passes: string;
   readonly time: string;
-  readonly stays: string;
+  readonly residual: string;
   readonly nothing: string;
   readonly noArea: string;
   readonly tool: (number: number, name: string) => string;

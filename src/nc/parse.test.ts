@@ -3,7 +3,7 @@ import { parse } from "./parse.ts";
 import { issuesOf, print, startLines } from "./program.ts";
 
 const one = (text: string) => parse(text).blocks[0];
-const said = (text: string) =>
+const findingsOf = (text: string) =>
   issuesOf(parse(`0 BEGIN PGM A MM\n${text}\n9 END PGM A MM\n`))
     .filter((i) => i.code !== "blockNumber" && i.code !== "blockNumberMissing")
     .map((i) => `${i.code} ${i.line}:${i.column}`);
@@ -29,7 +29,7 @@ describe("blocks", () => {
   });
   test("a continuation mark before a new block is reported and ignored", () => {
     expect(parse("1 CYCL DEF 7 N ~\nQ1=1 ~\n2 M3\n").blocks).toHaveLength(2);
-    expect(said("1 CYCL DEF 7 N ~\nQ1=1 ~\n2 M3")).toEqual(["continuationOpen 3:7"]);
+    expect(findingsOf("1 CYCL DEF 7 N ~\nQ1=1 ~\n2 M3")).toEqual(["continuationOpen 3:7"]);
   });
   test("line positions are correct for any line end", () =>
     expect(startLines(parse("1 M3\r\n2 CYCL DEF 7 N ~\rQ1=1\n3 M4"))).toEqual([1, 2, 4]));
@@ -69,8 +69,8 @@ describe("spellings of posts and of older controls", () => {
       words: { axes: [{ axis: "X", incremental: true }], radius: 10 },
       given: { length: 12 },
     });
-    expect(said(far)).toEqual([]);
-    expect(said("1 FL X+1 P4X+4")).toEqual(["wordNotUnderstood 2:10"]);
+    expect(findingsOf(far)).toEqual([]);
+    expect(findingsOf("1 FL X+1 P4X+4")).toEqual(["wordNotUnderstood 2:10"]);
   });
   test("an N number is a block number, and begins a block", () => {
     expect(one("/N12 L X+1")).toMatchObject({ number: 12, skip: true });
@@ -94,7 +94,7 @@ describe("findings have a place, and a fix where it is obvious", () => {
     ["1 CYCL DEF 7 N ~\nQ491 =+5 ;A", "blankBeforeEquals 3:1"],
     ["1 CR X+1 DR+", "wordMissing 2:3"],
     [`1 FC D${"9".repeat(400)}`, "badNumber 2:7"],
-  ])("%j", (text, finding) => expect(said(text)).toEqual([finding]));
+  ])("%j", (text, finding) => expect(findingsOf(text)).toEqual([finding]));
   test("the fix of a misprint removes it", () => {
     for (const text of ["1 CYCL DEF 7 N ~\nQ491+5 ;A\n", "1 CYCL DEF 7 N ~\nQ491 =+5 ;A\n"]) {
       const fix = issuesOf(parse(text)).find((i) => i.fix)?.fix;

@@ -1,5 +1,5 @@
 import { klartext } from "./blocks/klartext.ts";
-import { ownText } from "./own-text.ts";
+import { detachedText } from "./detached-text.ts";
 import type { Block, Program } from "./program.ts";
 import type { BlockIssue } from "./issue.ts";
 import type { BlockLine } from "./read-cycle.ts";
@@ -49,7 +49,7 @@ function readBlock(text: string, s: Slice): Block {
   const before = known[s.open ? 1 : 0];
   let read = before.get(raw);
   if (!read) {
-    const own = ownText(raw);
+    const own = detachedText(raw);
     read = readWords(own, splitLines(own), {
       ...s,
       from: 0,

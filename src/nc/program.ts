@@ -69,7 +69,7 @@ const ISO = /^\s*(?:%\S+\s+G7[01](?!\d)|(?:N\d+\s*)?G\d{1,3}(?!\d))/i;
 const inIso = ({ raw, statement }: Block): boolean => statement.kind === "unknown" && ISO.test(raw);
 
 /** A list over several lines without ` ~` between them. */
-export const isUntied = ({ issues }: Block): boolean => issues.some((i) => i.code === "listWithoutTilde");
+export const hasListWithoutTilde = ({ issues }: Block): boolean => issues.some((i) => i.code === "listWithoutTilde");
 
 /** All findings of the reader in text order, including those between blocks. */
 export const issuesOf = (program: Program): NcIssue[] => [...eachIssue(program)];
@@ -93,7 +93,7 @@ export function* eachIssue({ blocks }: Program): Generator<NcIssue> {
   let expected: number | null = null;
   let step = 1;
   // One fix writes ` ~` into every list, so they are one finding, at the first.
-  let untied = blocks.filter(isUntied).length;
+  let untied = blocks.filter(hasListWithoutTilde).length;
   for (const b of blocks) {
     const at = { line, column: 1, offset, length: 0, severity: "info" as const };
     const { kind } = b.statement;

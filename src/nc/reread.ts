@@ -1,4 +1,4 @@
-import { ownText } from "./own-text.ts";
+import { detachedText } from "./detached-text.ts";
 import { parse } from "./parse.ts";
 import type { Block, Program } from "./program.ts";
 
@@ -19,7 +19,7 @@ export interface Change {
 /** The splitter looks at most this many written blocks ahead of a boundary. */
 const LOOKS_AHEAD = 4;
 /** Blocks after a change that are reread at first; doubled until old and new boundaries meet. */
-const BEHIND = 16;
+const REREAD_BEHIND = 16;
 
 function startsOf(blocks: readonly Block[]): number[] {
   let offset = 0;
@@ -72,18 +72,18 @@ export function reread(old: Reading, change: Change, slice: (from: number, to: n
   const first = beginning(blocks, blockAt(old, change.from));
   const from = blocks.length === 0 ? 0 : (old.starts[first] ?? 0);
   const touched = blockAt(old, change.to);
-  for (let behind = BEHIND; ; behind *= 2) {
+  for (let behind = REREAD_BEHIND; ; behind *= 2) {
     const last = touched < 0 ? blocks.length : Math.min(blocks.length, touched + behind);
     const to = last >= blocks.length ? whole : (old.starts[last] ?? 0) + by;
     const fresh = parse(slice(from, to)).blocks;
     if (to >= whole) return spliced(old, first, blocks.length, fresh);
-    const met = meeting(old, fresh, from, { ...change, by, last });
+    const met = sharedBoundary(old, fresh, from, { ...change, by, last });
     if (met) return spliced(old, first, met.old, fresh.slice(0, met.fresh));
   }
 }
 
 /** The first boundary behind the change that old and new blocks share, far enough from where the slice was cut off. */
-function meeting(
+function sharedBoundary(
   old: Reading,
   fresh: readonly Block[],
   from: number,
@@ -105,7 +105,7 @@ function meeting(
 }
 
 /** The change between two texts: everything between their common beginning and common end, in whole blocks. */
-function changeTo({ program: { blocks }, starts }: Reading, text: string): Change {
+function changeBetween({ program: { blocks }, starts }: Reading, text: string): Change {
   const whole = starts.at(-1) ?? 0,
     by = text.length - whole,
     most = Math.min(whole, text.length);
@@ -123,10 +123,12 @@ function changeTo({ program: { blocks }, starts }: Reading, text: string): Chang
 }
 
 /** Reads successive states of a text: only the changed blocks and those near them. */
-export function readingAgain(): (text: string) => Program {
+export function incrementalParser(): (text: string) => Program {
   let last: Reading | null = null;
   return (text) => {
-    last = last ? reread(last, changeTo(last, text), (from, to) => ownText(text.slice(from, to))) : readingOf(text);
+    last = last
+      ? reread(last, changeBetween(last, text), (from, to) => detachedText(text.slice(from, to)))
+      : readingOf(text);
     return last.program;
   };
 }

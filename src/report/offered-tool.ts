@@ -4,7 +4,7 @@ import type { Operation } from "../program/state/run-types.ts";
 import { betterTool } from "../program/tools/which-tool.ts";
 
 /** Findings that another tool would fix: dimensions of the drawing stay unchanged. */
-export const BY_TOOL: ReadonlySet<string> = new Set([
+export const FIXED_BY_TOOL: ReadonlySet<string> = new Set([
   "toolUnfit",
   "toolCannotCutSideways",
   "recessNarrowerThanTool",
@@ -19,7 +19,7 @@ const MOST = 40;
  * The tool of a table that makes the contour of an operation, by trial; null without one. A loop over a call is tried
  * once.
  */
-export function toolsOffered(tools: readonly Tool[]): (operation: Operation) => Tool | null {
+export function toolSuggester(tools: readonly Tool[]): (operation: Operation) => Tool | null {
   const known = new Map<string, Tool | null>();
   return ({ cycle: number, tool, call, feedUnit, definedFile, definedLine }) => {
     const cycle = cycleByNumber(number),

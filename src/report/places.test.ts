@@ -9,7 +9,7 @@ import { printJob } from "../program/job/print-job.ts";
 import { run } from "../program/run/run.ts";
 import { shippedTools } from "../program/tools/shipped-tools.ts";
 import { simulate } from "../sim/simulate.ts";
-import { placesJoined, placesOf, workOf } from "./places.ts";
+import { joinPlaces, placeCount, operationKey } from "./places.ts";
 import { report } from "./report.ts";
 
 const stays = (x: number, area: number, work = "7", reason: "mainEdge" | "cutLength" = "mainEdge") => ({
@@ -18,7 +18,7 @@ const stays = (x: number, area: number, work = "7", reason: "mainEdge" | "cutLen
 });
 
 test("places of one kind at one piece of work are one finding with a count, at the first of them", () => {
-  const found = placesJoined([stays(40, 1), stays(30, 2), stays(20, 4, "9"), stays(10, 8, "7", "cutLength")]);
+  const found = joinPlaces([stays(40, 1), stays(30, 2), stays(20, 4, "9"), stays(10, 8, "7", "cutLength")]);
   expect(found.map((each) => each.issue.data)).toEqual([
     { reason: "mainEdge", area: 3, x: 40, z: -5, places: 2 },
     {
@@ -29,12 +29,12 @@ test("places of one kind at one piece of work are one finding with a count, at t
     },
     { reason: "cutLength", area: 8, x: 10, z: -5 },
   ]);
-  expect(found.map((each) => placesOf(each.issue))).toEqual([2, 1, 1]);
+  expect(found.map((each) => placeCount(each.issue))).toEqual([2, 1, 1]);
 });
 
 test("a few places are listed one by one where the list has a mark for each", () => {
-  expect(placesJoined([stays(40, 1), stays(30, 2)], 2)).toHaveLength(2);
-  expect(placesJoined([stays(40, 1), stays(30, 2), stays(20, 4)], 2)).toHaveLength(1);
+  expect(joinPlaces([stays(40, 1), stays(30, 2)], 2)).toHaveLength(2);
+  expect(joinPlaces([stays(40, 1), stays(30, 2), stays(20, 4)], 2)).toHaveLength(1);
 });
 
 test("findings of one code with different data stay separate: a parameter value is no place", () => {
@@ -42,7 +42,7 @@ test("findings of one code with different data stay separate: a parameter value 
     issue: issue("infeedOverCutLength", "warning", { infeed, cutLength: 4 }, "Q463"),
     work: "7",
   });
-  expect(placesJoined([deep(5), deep(6), deep(5)]).map((each) => each.issue.data)).toEqual([
+  expect(joinPlaces([deep(5), deep(6), deep(5)]).map((each) => each.issue.data)).toEqual([
     { infeed: 5, cutLength: 4, places: 2 },
     {
       infeed: 6,
@@ -53,15 +53,15 @@ test("findings of one code with different data stay separate: a parameter value 
 
 test("a loop over a call is one piece of work, two definitions at one call are two", () => {
   const call = { block: 20, cycle: 861, definedLine: 9 };
-  expect(workOf(call, call)).toBe(workOf({ block: 20 }, { ...call }));
-  expect(workOf(call, call)).not.toBe(workOf(call, { ...call, definedLine: 14 }));
+  expect(operationKey(call, call)).toBe(operationKey({ block: 20 }, { ...call }));
+  expect(operationKey(call, call)).not.toBe(operationKey(call, { ...call, definedLine: 14 }));
 });
 
 test.each([
   ["en", "X⌀40 Z-5 and 1 more place"],
   ["de", "X⌀40 Z-5 und einer weiteren Stelle"],
 ] as const)("%s: the text names the first place and counts the others", (language, words) => {
-  const [joined] = placesJoined([stays(40, 1), stays(30, 2)]);
+  const [joined] = joinPlaces([stays(40, 1), stays(30, 2)]);
   expect(joined && message(language, joined.issue)).toContain(words);
 });
 

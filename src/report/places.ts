@@ -8,7 +8,7 @@ export interface FindingOfWork {
 }
 
 /** A finding that may represent several, listed in order; block and place are those of the first. */
-export type Joined<T extends FindingOfWork> = T & { readonly together?: readonly T[] };
+export type JoinedFinding<T extends FindingOfWork> = T & { readonly joined?: readonly T[] };
 
 /** Findings in the stock: each has its own place, and all other data defines the kind. */
 const IN_STOCK: ReadonlySet<AnyCode> = new Set<AnyCode>([
@@ -44,7 +44,7 @@ function kindOf({ issue, work }: FindingOfWork): string {
 }
 
 /** The operation key of a finding: its block, in its file, and the definition of its operation. */
-export function workOf(
+export function operationKey(
   { block, inFile }: Pick<RunFinding, "block"> & { readonly inFile?: RunFinding["inFile"] | undefined },
   operation: Pick<Operation, "cycle" | "definedLine" | "definedFile"> | undefined,
 ): string {
@@ -58,24 +58,24 @@ const areaOf = ({ issue }: FindingOfWork): number =>
   "area" in issue.data && typeof issue.data.area === "number" ? issue.data.area : 0;
 
 /** The number of places of a finding. */
-export const placesOf = ({ data }: AnyIssue): number =>
+export const placeCount = ({ data }: AnyIssue): number =>
   "places" in data && typeof data.places === "number" ? data.places : 1;
 
-function joinedOf<T extends FindingOfWork>(first: T, together: readonly T[]): Joined<T> {
-  const area = together.reduce((sum, each) => sum + areaOf(each), 0);
+function joinedOf<T extends FindingOfWork>(first: T, joined: readonly T[]): JoinedFinding<T> {
+  const area = joined.reduce((sum, each) => sum + areaOf(each), 0);
   const data = {
     ...first.issue.data,
-    places: together.length,
+    places: joined.length,
     ...(IN_STOCK.has(first.issue.code) && "area" in first.issue.data && { area }),
   };
-  return { ...first, issue: { ...first.issue, data } as AnyIssue, together };
+  return { ...first, issue: { ...first.issue, data } as AnyIssue, joined };
 }
 
 /**
  * Joins findings of one kind and operation, where there are more than `few`. The joined finding takes the position of
  * the first, `data.places` counts them, and `data.area` is their sum. A loop over a cycle is one operation.
  */
-export function placesJoined<T extends FindingOfWork>(found: readonly T[], few = 1): Joined<T>[] {
+export function joinPlaces<T extends FindingOfWork>(found: readonly T[], few = 1): JoinedFinding<T>[] {
   const kinds = new Map<string, T[]>();
   for (const each of found) {
     const kind = kindOf(each),
@@ -88,7 +88,7 @@ export function placesJoined<T extends FindingOfWork>(found: readonly T[], few =
     if (together.length > few) {
       for (const each of together) many.set(each, together);
     }
-  return found.flatMap((each): Joined<T>[] => {
+  return found.flatMap((each): JoinedFinding<T>[] => {
     const together = many.get(each);
     return together === undefined ? [each] : together[0] === each ? [joinedOf(each, together)] : [];
   });

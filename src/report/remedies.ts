@@ -5,13 +5,13 @@ import type { Tool } from "../kernel/plan/tool.ts";
 import { checkTool } from "../program/tools/check-tool.ts";
 import type { Operation as Ran } from "../program/state/run-types.ts";
 import { shiftedPlan } from "../program/blocks/shifted-plan.ts";
-import { staysAfter } from "../sim/residual.ts";
+import { residualAreaAfter } from "../sim/residual.ts";
 import type { Residual } from "../sim/simulation.ts";
 
 /** A tool that would take residual material, with what it would leave of it, mm². */
 export interface Remedy {
   readonly tool: Tool;
-  readonly stays: number;
+  readonly residualArea: number;
 }
 
 /**
@@ -66,8 +66,8 @@ export function remedies(tools: readonly Tool[]): (operation: Operation, left: R
   return (operation, left) => {
     if (!OF_TOOL.has(left.reason)) return [];
     return plansOf(operation)
-      .map(([tool, plan]): Remedy => ({ tool, stays: staysAfter(left.ring, plan, tool) }))
-      .filter(({ stays }) => stays < left.area * MOST_LEFT)
-      .sort((a, b) => a.stays - b.stays || a.tool.T - b.tool.T);
+      .map(([tool, plan]): Remedy => ({ tool, residualArea: residualAreaAfter(left.ring, plan, tool) }))
+      .filter(({ residualArea }) => residualArea < left.area * MOST_LEFT)
+      .sort((a, b) => a.residualArea - b.residualArea || a.tool.T - b.tool.T);
   };
 }

@@ -17,8 +17,8 @@ import { timesOf, type Times } from "../program/run/run-times.ts";
 import type { Operation, Run, RunFinding, Timing } from "../program/state/run-types.ts";
 import { stockIssues } from "../sim/issues.ts";
 import type { Simulation, Verdict } from "../sim/simulation.ts";
-import { BY_TOOL, toolsOffered } from "./offered-tool.ts";
-import { placesJoined, workOf } from "./places.ts";
+import { FIXED_BY_TOOL, toolSuggester } from "./offered-tool.ts";
+import { joinPlaces, operationKey } from "./places.ts";
 import { remedies } from "./remedies.ts";
 import { reportedMove, outsideCycles, type ReportMove } from "./report-moves.ts";
 import { verdictOf, type Judged, type VerdictReason } from "./verdict.ts";
@@ -123,7 +123,7 @@ function contourOf(contour: readonly Segment[]): ReportPoint[] {
 }
 
 /** A finding of the run or of the stock; `cycle`: to find the kind of the value it concerns. */
-interface Said extends Pick<RunFinding, "block" | "operation" | "inFile"> {
+interface LocatedIssue extends Pick<RunFinding, "block" | "operation" | "inFile"> {
   readonly issue: AnyIssue;
   readonly cycle: number | null;
 }
@@ -163,7 +163,7 @@ function dataOf(found: AnyIssue, field: Kind | undefined, { unit, per }: Lengths
   );
 }
 
-function issueOf({ issue: found, block, cycle, inFile }: Said, spoken: Lengths): ReportIssue {
+function issueOf({ issue: found, block, cycle, inFile }: LocatedIssue, spoken: Lengths): ReportIssue {
   const { at } = found;
   const field = at === undefined || cycle === null ? undefined : cycleByNumber(cycle)?.params[at]?.kind;
   return {
@@ -235,29 +235,30 @@ export function report(checked: Checked, language: Language): Report {
   const judged = verdictOf(run, simulation);
   const { gouge, rapidInStock, cut, airPasses, deepest, holder } = simulation.proof;
   const proved = stockIssues(simulation);
-  const ran = run.issues.map((f): Said => ({
+  const ran = run.issues.map((f): LocatedIssue => ({
     ...f,
     cycle: f.operation === null ? null : (run.operations[f.operation]?.cycle ?? null),
   }));
-  const stands = proved.map((p): Said => {
+  const stands = proved.map((p): LocatedIssue => {
     const block = p.block ?? (p.operation === null ? null : (run.operations[p.operation]?.block ?? null));
     return { ...p, block, cycle: null };
   });
-  const notProved = (what: string, block: number | null): Said => ({
+  const notProved = (what: string, block: number | null): LocatedIssue => ({
     issue: programIssue("notProved", "warning", { what }),
     block,
     operation: null,
     cycle: null,
   });
-  const toolFor = toolsOffered(checked.tools ?? []);
-  const listed = (all: readonly Said[]): ReportIssue[] => {
+  const toolFor = toolSuggester(checked.tools ?? []);
+  const listed = (all: readonly LocatedIssue[]): ReportIssue[] => {
     const placed = all.map((f) => ({
       ...f,
-      work: workOf(f, f.operation === null ? undefined : run.operations[f.operation]),
+      work: operationKey(f, f.operation === null ? undefined : run.operations[f.operation]),
     }));
-    return placesJoined(placed).map((f) => {
+    return joinPlaces(placed).map((f) => {
       const operation = f.operation === null ? undefined : run.operations[f.operation];
-      const tool = operation && BY_TOOL.has(f.issue.code) && f.issue.severity !== "info" ? toolFor(operation) : null;
+      const tool =
+        operation && FIXED_BY_TOOL.has(f.issue.code) && f.issue.severity !== "info" ? toolFor(operation) : null;
       return tool ? withTool(issueOf(f, spoken), tool, spoken) : issueOf(f, spoken);
     });
   };

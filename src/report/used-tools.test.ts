@@ -4,7 +4,7 @@ import { parse } from "../nc/parse.ts";
 import { run } from "../program/run/run.ts";
 import { readList, rowsCalled, shippedList, type ToolList } from "../program/tools/tool-list.ts";
 import { simulate } from "../sim/simulate.ts";
-import { tracing } from "../sim/tracing.ts";
+import { traceStock } from "../sim/tracing.ts";
 import { report, type Report } from "./report.ts";
 import { usedTools } from "./used-tools.ts";
 
@@ -12,7 +12,7 @@ const NO_TIME = { parse: 0, plan: 0, simulate: 0 };
 
 function reportWith(text: string, list: ToolList): Report {
   const { table } = readList(list);
-  const made = run(parse(text), { ...table, rapid: 10_000, control: "TNC 640", tracing });
+  const made = run(parse(text), { ...table, rapid: 10_000, control: "TNC 640", tracing: traceStock });
   return report(
     { file: "A.h", run: made, simulation: simulate(made), milliseconds: NO_TIME, tools: table.tools },
     "en",

@@ -47,14 +47,14 @@ const judge = (text: string, own = tools) => {
 };
 
 test("a clean program with a described holder is verified, and clear", () => {
-  expect(judge(head + cycle + end)).toEqual({ verdict: "proved", reasons: [], clear: true });
+  expect(judge(head + cycle + end)).toEqual({ verdict: "proved", reasons: [], isClear: true });
 });
 
 test("an undescribed holder keeps the verdict, but is never clear", () => {
   const bare = tools.map(({ holder: _, ...t }) => t);
   expect(judge(head + cycle + end, bare)).toEqual({
     verdict: "proved",
-    clear: false,
+    isClear: false,
     reasons: [{ kind: "holderUnknown", block: 8, tool: 1, name: "CNMG-80-R08" }],
   });
 });
@@ -62,7 +62,7 @@ test("an undescribed holder keeps the verdict, but is never clear", () => {
 test("undescribed flanks are not clear either", () => {
   const open = tools.map(({ "P-ANGLE": _, ...t }) => t);
   const judged = judge(head + cycle + end, open);
-  expect(judged.clear).toBe(false);
+  expect(judged.isClear).toBe(false);
   expect(judged.reasons).toContainEqual({ kind: "flanksUnknown", block: 8, tool: 1, name: "CNMG-80-R08" });
 });
 
@@ -71,7 +71,7 @@ test("an operation that cut nothing makes it incomplete: the second call of the 
   expect(judged).toMatchObject({
     verdict: "incomplete",
     reasons: [{ kind: "nothingCut", block: 11, operation: 1 }],
-    clear: false,
+    isClear: false,
   });
 });
 

@@ -43,15 +43,15 @@ export interface Judged {
   readonly verdict: Verdict;
   readonly reasons: readonly VerdictReason[];
   /** True when verified with nothing unchecked: only then may a screen show green. */
-  readonly clear: boolean;
+  readonly isClear: boolean;
 }
 
 /** The verdict over a run and its simulation. */
 export function verdictOf(run: Run, simulation: Pick<Simulation, "findings" | "proof">): Judged {
   const [faults, gaps] = [faultsOf(run, simulation), gapsOf(run, simulation)];
   const verdict = faults.length > 0 ? "faults" : gaps.length > 0 ? "incomplete" : "proved";
-  const notes = [...(verdict === "proved" ? notesOf(run, simulation.proof) : []), ...unlookedAt(run)];
-  return { verdict, reasons: [...faults, ...gaps, ...notes], clear: verdict === "proved" && notes.length === 0 };
+  const notes = [...(verdict === "proved" ? notesOf(run, simulation.proof) : []), ...undescribedTools(run)];
+  return { verdict, reasons: [...faults, ...gaps, ...notes], isClear: verdict === "proved" && notes.length === 0 };
 }
 
 function faultsOf(run: Run, { findings }: Pick<Simulation, "findings">): VerdictReason[] {
@@ -123,7 +123,7 @@ function notesOf(run: Run, { operations, residual }: Simulation["proof"]): Verdi
 }
 
 /** Tools that moved and are not described in full, each once. */
-function unlookedAt(run: Run): VerdictReason[] {
+function undescribedTools(run: Run): VerdictReason[] {
   const first = new Map<number, { readonly tool: Tool; readonly block: number }>();
   for (const { tool, block } of run.steps) if (!first.has(tool.T)) first.set(tool.T, { tool, block });
   return [...first.values()].flatMap(({ tool, block }) => {

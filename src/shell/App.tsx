@@ -1,19 +1,19 @@
 import { Suspense, useEffect, type ComponentType } from "react";
 import { menuCycle } from "../app/fields/chooser/menu.ts";
 import { Header } from "./Header.tsx";
-import { useChoice } from "../app/document/choice.ts";
+import { useProgramChoice } from "../app/document/program-choice.ts";
 import { NumberKeys } from "../app/fields/keypad/NumberKeys.tsx";
 import { MissingPart } from "../app/base/MissingPart.tsx";
 import { Notices } from "./Notices.tsx";
 import { useVersion } from "../app/base/version.ts";
 import { lazyPart } from "../app/base/parts.ts";
 import { useCopying } from "../app/findings/copy.ts";
-import { fetchAtRest } from "../app/base/rest.ts";
-import { useKeeping } from "../app/records/keep.ts";
+import { prefetchIdle } from "../app/base/idle.ts";
+import { useSavedWorks } from "../app/records/keep.ts";
 import { fetchShownTexts, useTexts } from "../app/base/settings/use-texts.ts";
 import { useEditor } from "../app/document/store.ts";
-import { closeOver, elsewhere, isCover, seen, usePlace, type Page } from "../app/place/place.ts";
-import { useBringing } from "../app/records/bring-in-place.ts";
+import { closeOver, workElsewhere, isCover, shownPage, usePlace, type Page } from "../app/place/place.ts";
+import { usePendingRestore } from "../app/records/pending-restore.ts";
 import { fetchCompareDialog } from "../features/compare/index.ts";
 import { IncomingTaught, TaskLine } from "../features/course/first.ts";
 import { fetchCourseEntrance, fetchCoursePage } from "../features/course/index.ts";
@@ -21,45 +21,45 @@ import { fetchProgramWorkplace } from "../features/editor/index.ts";
 import { DropProgram } from "../features/files/first.ts";
 import { fetchChooseProgram } from "../features/files/index.ts";
 import { fetchGuidePage } from "../features/guide/index.ts";
-import { HandedLine, IncomingWork } from "../features/handing/first.ts";
+import { HandedLine, IncomingWork } from "../features/share/first.ts";
 import { fetchUpdateBar } from "../features/offline/index.ts";
 import { fetchOwnPage } from "../features/own/index.ts";
 import { fetchSheetPage } from "../features/sheet/index.ts";
 import { StartPage } from "../features/start/first.ts";
 import { fetchToolPage } from "../features/tools/index.ts";
 import { fetchWhichCycle } from "../features/which/index.ts";
-import { fetchBringInDialog, fetchElsewherePage, fetchWorksPage } from "../features/works/index.ts";
+import { fetchRestoreDialog, fetchOtherTabPage, fetchWorksPage } from "../features/works/index.ts";
 
 /** Fetches a part together with the texts that it needs. */
-const later =
+const withTexts =
   <M,>(fetch: () => Promise<M>) =>
   async (): Promise<M> =>
     (await Promise.all([fetch(), fetchShownTexts()]))[0];
-const fetchWorkplace = later(() => import("./Workplace.tsx"));
+const fetchWorkplace = withTexts(() => import("./Workplace.tsx"));
 const Workplace = lazyPart(async () => ({ default: (await fetchWorkplace()).Workplace }));
 const CopyByHand = lazyPart(async () => ({
   default: (await import("../app/fields/program/CopyByHand.tsx")).CopyByHand,
 }));
-const fetchTools = later(fetchToolPage);
+const fetchTools = withTexts(fetchToolPage);
 const ToolPage = lazyPart(async () => ({ default: (await fetchTools()).ToolPage }));
-const fetchOwn = later(fetchOwnPage);
+const fetchOwn = withTexts(fetchOwnPage);
 const OwnPage = lazyPart(async () => ({ default: (await fetchOwn()).OwnPage }));
 const WorksPage = lazyPart(async () => ({ default: (await fetchWorksPage()).WorksPage }));
-const BringInDialog = lazyPart(async () => ({ default: (await fetchBringInDialog()).BringInDialog }));
+const BringInDialog = lazyPart(async () => ({ default: (await fetchRestoreDialog()).RestoreDialog }));
 const CourseEntrance = lazyPart(async () => ({ default: (await fetchCourseEntrance()).CourseEntrance }));
-const fetchCourse = later(fetchCoursePage);
+const fetchCourse = withTexts(fetchCoursePage);
 const CoursePage = lazyPart(async () => ({ default: (await fetchCourse()).CoursePage }));
-const ElsewherePage = lazyPart(async () => ({ default: (await fetchElsewherePage()).ElsewherePage }));
+const ElsewherePage = lazyPart(async () => ({ default: (await fetchOtherTabPage()).OtherTabPage }));
 /** Fetched with their texts when somebody asks. */
 const ChooseProgram = lazyPart(async () => ({ default: (await fetchChooseProgram()).ChooseProgram }));
 const KeySheet = lazyPart(async () => ({ default: (await import("../app/fields/keys/KeySheet.tsx")).KeySheet }));
 const CompareDialog = lazyPart(async () => ({ default: (await fetchCompareDialog()).CompareDialog }));
 const WhichCycle = lazyPart(async () => ({ default: (await fetchWhichCycle()).WhichCycle }));
-const fetchSheet = later(fetchSheetPage);
+const fetchSheet = withTexts(fetchSheetPage);
 const SheetPage = lazyPart(async () => ({ default: (await fetchSheet()).SheetPage }));
-const fetchGuide = later(fetchGuidePage);
+const fetchGuide = withTexts(fetchGuidePage);
 const GuidePage = lazyPart(async () => ({ default: (await fetchGuide()).GuidePage }));
-const fetchEditor = later(fetchProgramWorkplace);
+const fetchEditor = withTexts(fetchProgramWorkplace);
 const ProgramWorkplace = lazyPart(async () => ({ default: (await fetchEditor()).ProgramWorkplace }));
 
 /** Fetched when there is something to say. */
@@ -87,7 +87,7 @@ function OpenWork() {
 }
 
 function Elsewhere() {
-  const of = usePlace(elsewhere);
+  const of = usePlace(workElsewhere);
   return of && <ElsewherePage of={of} />;
 }
 
@@ -105,12 +105,12 @@ const PAGES: Readonly<Record<Page["page"], ComponentType>> = {
 
 /** The page: the header, the page on top, and dialogs. */
 export function App() {
-  const ready = useKeeping((k) => k.ready);
+  const ready = useSavedWorks((k) => k.ready);
   const name = useEditor((s) => s.job?.name ?? s.program?.name);
-  const page = usePlace((p) => seen(p).page);
+  const page = usePlace((p) => shownPage(p).page);
   const over = usePlace((p) => p.over);
-  const bringing = useBringing((b) => b.shown);
-  const { choice } = useChoice();
+  const bringing = usePendingRestore((b) => b.shown);
+  const { choice } = useProgramChoice();
   const refused = useCopying((c) => c.state === "refused");
   const newer = useVersion((v) => v.newer !== "none" && !v.later);
   const Seen = PAGES[page];
@@ -118,7 +118,7 @@ export function App() {
     document.title = name ? `${name} · Turnwise` : "Turnwise";
   }, [name]);
 
-  useEffect(() => fetchAtRest(fetchWorkplace), []);
+  useEffect(() => prefetchIdle(fetchWorkplace), []);
 
   return (
     <div className="page">

@@ -1,7 +1,7 @@
 import { Component, Suspense, type ErrorInfo, type ReactNode } from "react";
 import { noteFault } from "../app/records/reports.ts";
 import { lazyPart } from "../app/base/parts.ts";
-import { unkeptWorks } from "../app/records/keep.ts";
+import { unsavedWorks } from "../app/records/keep.ts";
 import { rememberWork } from "../app/records/tab.ts";
 import { texts } from "../app/base/settings/loaded-texts.ts";
 import { useSettings } from "../app/base/settings/settings.ts";
@@ -15,7 +15,7 @@ interface State {
 const CrashHelp = lazyPart(async () => ({ default: (await fetchCrashHelp()).CrashHelp }));
 
 /** Shows nothing where its content fails. */
-class Unless extends Component<{ readonly children: ReactNode }, State> {
+class SilentBoundary extends Component<{ readonly children: ReactNode }, State> {
   override state: State = { crashed: false };
 
   static getDerivedStateFromError(): State {
@@ -53,7 +53,7 @@ export class CrashGuard extends Component<{ readonly children: ReactNode }, Stat
       <main className="crash">
         <div role="alert">
           <h1>{t.crashTitle}</h1>
-          <p>{unkeptWorks().length > 0 ? t.notKept : t.crash}</p>
+          <p>{unsavedWorks().length > 0 ? t.notKept : t.crash}</p>
         </div>
         <button type="button" className="button primary" onClick={() => location.reload()}>
           {t.reload}
@@ -61,11 +61,11 @@ export class CrashGuard extends Component<{ readonly children: ReactNode }, Stat
         <button type="button" className="button" onClick={startOver}>
           {t.startOver}
         </button>
-        <Unless>
+        <SilentBoundary>
           <Suspense>
             <CrashHelp />
           </Suspense>
-        </Unless>
+        </SilentBoundary>
       </main>
     );
   }

@@ -1,7 +1,7 @@
 import { Suspense, useEffect, useRef, useState, type MouseEvent } from "react";
 import { goHome } from "../app/document/go-home.ts";
 import { Icon } from "../app/base/Icon.tsx";
-import { seen, showTools, usePlace } from "../app/place/place.ts";
+import { shownPage, showTools, usePlace } from "../app/place/place.ts";
 import { useTexts } from "../app/base/settings/use-texts.ts";
 import { redoStep, undoStep } from "../app/document/history.ts";
 import { lazyPart } from "../app/base/parts.ts";
@@ -34,7 +34,7 @@ export function Header() {
   const program = useEditor((s) => s.program);
   const past = useSteps((s) => s.past.length > 0);
   const future = useSteps((s) => s.future.length > 0);
-  const page = usePlace((p) => seen(p).page);
+  const page = usePlace((p) => shownPage(p).page);
   const own = page === "own";
   const tools = page === "tools" || own;
   const toTools = useRef<HTMLButtonElement>(null);

@@ -1,13 +1,13 @@
 import { Icon } from "../app/base/Icon.tsx";
 import { useNotices, withdraw } from "../app/base/notices.ts";
-import { dismissDamaged, unkeptNames, unkeptWorks, useKeeping } from "../app/records/keep.ts";
+import { dismissDamaged, unsavedNames, unsavedWorks, useSavedWorks } from "../app/records/keep.ts";
 import { fetchExportWorks } from "../features/works/index.ts";
 import { useTexts } from "../app/base/settings/use-texts.ts";
 
 /** Downloads the works that exist only in this page. */
 function DownloadUnkept() {
   const t = useTexts("first").page.notice;
-  const works = unkeptWorks();
+  const works = unsavedWorks();
   if (works.length === 0) return null;
   return (
     <>
@@ -21,7 +21,7 @@ function DownloadUnkept() {
       <button
         type="button"
         className="button"
-        onClick={() => void fetchExportWorks().then(({ saveWorks }) => saveWorks(unkeptNames()))}
+        onClick={() => void fetchExportWorks().then(({ saveWorks }) => saveWorks(unsavedNames()))}
       >
         <Icon name="download" /> {t.archiveUnkept}
       </button>
@@ -32,7 +32,7 @@ function DownloadUnkept() {
 /** Notices about saved work, until they are dismissed. */
 export function Notices() {
   const t = useTexts("first").page.notice;
-  const { damaged } = useKeeping();
+  const { damaged } = useSavedWorks();
   const { notices } = useNotices();
   const line = (key: (typeof notices)[number] | "damaged", text: string) => (
     <p key={key} className="notice">

@@ -1,5 +1,5 @@
 import { Suspense, useEffect, useMemo, useState, type ReactNode } from "react";
-import { knownWork } from "../program/job/known-work.ts";
+import { partialWork } from "../program/job/partial-work.ts";
 import { sameRings } from "../sim/same-step.ts";
 import { clock } from "../app/base/clock.ts";
 import { chooseElement, useContourPlace } from "../app/place/contour-place.ts";
@@ -9,7 +9,7 @@ import { Centre, HelpDock } from "../app/fields/dialog/HelpDock.tsx";
 import { setContour, setPrompt } from "../app/document/edits.ts";
 import { EffectStrip } from "../app/findings/effect/EffectStrip.tsx";
 import { PinnedCard } from "../app/findings/effect/Pinned.tsx";
-import { givenOf } from "../app/calculation/given.ts";
+import { cycleGivens } from "../app/calculation/cycle-givens.ts";
 import { Working } from "../app/calculation/Working.tsx";
 import { useOutcome } from "../app/calculation/outcome.ts";
 import { ContourViews } from "./ContourViews.tsx";
@@ -17,11 +17,11 @@ import { useJobHost } from "./use-job-host.ts";
 import { useListed } from "../app/findings/use-findings.ts";
 import { Icon } from "../app/base/Icon.tsx";
 import { CycleInWork } from "../app/calculation/issue-text.ts";
-import { LeavingDialog } from "../app/fields/leaving/LeavingDialog.tsx";
+import { ConfirmExportDialog } from "../app/fields/leaving/ConfirmExportDialog.tsx";
 import { LatheView } from "../app/pictures/lathe/LatheView.tsx";
-import { MeasuredInto } from "../app/document/measured-into.ts";
+import { MeasuredTargetContext } from "../app/document/measured-target-context.ts";
 import { useMeasuredTarget } from "../app/document/measured-target.ts";
-import { Late, useLater } from "../app/base/typing.ts";
+import { DeferredUntilPaint, useDeferredUntilPaint } from "../app/base/typing.ts";
 import { lazyPart } from "../app/base/parts.ts";
 import { usePlace, type JobSection } from "../app/place/place.ts";
 import { playback } from "../app/calculation/playback.ts";
@@ -29,7 +29,7 @@ import { openAsked } from "../app/fields/program/choose-line.ts";
 import { PrintedProgram } from "../app/fields/program/PrintedProgram.tsx";
 import { ProgramPanel } from "../app/fields/program/ProgramPanel.tsx";
 import { useReading, type JobReading } from "../app/document/reading.ts";
-import { fetchAtRest } from "../app/base/rest.ts";
+import { prefetchIdle } from "../app/base/idle.ts";
 import { SectionTabs } from "../app/place/SectionTabs.tsx";
 import { changeSettings, useSettings } from "../app/base/settings/settings.ts";
 import { useTexts } from "../app/base/settings/use-texts.ts";
@@ -69,14 +69,14 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
   const host = useJobHost(read);
   const tools = useToolList();
   // Drawings without a path update a moment after the key, so that they do not delay the path.
-  const late = useLater(read);
-  const known = useMemo(() => knownWork(late.cycle, late.job, late.reading, givenOf(late), tools), [late, tools]);
+  const late = useDeferredUntilPaint(read);
+  const known = useMemo(() => partialWork(late.cycle, late.job, late.reading, cycleGivens(late), tools), [late, tools]);
   // An equal blank stays the same object: drawings of it are cached.
   const [blank, keepBlank] = useState(known.blank);
   if (!sameRings(blank, known.blank)) keepBlank(known.blank);
   const measured = useMeasuredTarget(read, setPrompt);
   useEffect(() => () => chooseElement(null), []);
-  useEffect(() => fetchAtRest(() => Promise.all([fetchSetup(), fetchFindings()])), []);
+  useEffect(() => prefetchIdle(() => Promise.all([fetchSetup(), fetchFindings()])), []);
   const free = read.cycle.contour === "free";
   const possible: readonly JobSection[] = [
     "prompts",
@@ -98,7 +98,7 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
     contour: (
       <Suspense>
         <BackToPrompts read={read} />
-        <ContourTable rows={read.job.contour} onChange={setContour} language={language} apart />
+        <ContourTable rows={read.job.contour} onChange={setContour} language={language} isDrawingElsewhere />
       </Suspense>
     ),
     findings: (
@@ -126,9 +126,9 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
           }))}
         />
       </div>
-      <Late>
+      <DeferredUntilPaint>
         <EffectStrip read={read} />
-      </Late>
+      </DeferredUntilPaint>
       <Centre>
         {drawing ? (
           <Suspense>
@@ -148,7 +148,7 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
               </div>
             )}
             <CycleInWork value={read.cycle.number}>
-              <MeasuredInto value={measured}>
+              <MeasuredTargetContext value={measured}>
                 <LatheView
                   result={shown}
                   known={known}
@@ -157,7 +157,7 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
                   clock={clock}
                   onMove={(step, byKey) => openAsked(read, step, byKey)}
                 />
-              </MeasuredInto>
+              </MeasuredTargetContext>
             </CycleInWork>
           </div>
         )}
@@ -183,7 +183,7 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
         </div>
       )}
       <PrintedProgram />
-      <LeavingDialog cycleOf={host.cycleOf} />
+      <ConfirmExportDialog cycleOf={host.cycleOf} />
     </main>
   );
 }

@@ -8,7 +8,7 @@ import { fetchTexts, partOf, texts } from "../app/base/settings/loaded-texts.ts"
 import { changeSettings } from "../app/base/settings/settings.ts";
 import { useEditor } from "../app/document/store.ts";
 import { courseIndex } from "../app/records/course/content.ts";
-import { startKeeping, startWork, useKeeping } from "../app/records/keep.ts";
+import { startAutosave, startWork, useSavedWorks } from "../app/records/keep.ts";
 import { useReports } from "../app/records/reports.ts";
 import { App } from "./App.tsx";
 import { CrashGuard } from "./CrashGuard.tsx";
@@ -40,11 +40,11 @@ beforeAll(async () => {
   Object.assign(SCREEN_LANGUAGES, { [added]: { ...SCREEN_LANGUAGES.en, name: "⟦English⟧" } });
   (LANGUAGES as Language[]).push(added);
   for (const name of names)
-    partOf(name).provide(added, marked(partOf(name).here("en") ?? (await fetchTexts("en", name))) as never);
+    partOf(name).provide(added, marked(partOf(name).cached("en") ?? (await fetchTexts("en", name))) as never);
   courseIndex.provide(added, await courseIndex.fetch("en"));
   changeSettings({ language: added });
-  useKeeping.setState({ ready: true });
-  stops = [startKeeping(), followAddress()];
+  useSavedWorks.setState({ ready: true });
+  stops = [startAutosave(), followAddress()];
 });
 afterAll(() => {
   stops.forEach((stop) => stop());

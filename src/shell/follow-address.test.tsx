@@ -4,7 +4,7 @@ import { exampleJob } from "../program/job/job.ts";
 import {
   openPrompt,
   openToolRow,
-  seen,
+  shownPage,
   showOwn,
   showSection,
   showTools,
@@ -13,8 +13,8 @@ import {
   usePlace,
 } from "../app/place/place.ts";
 import { useNotices, withdraw } from "../app/base/notices.ts";
-import { startKeeping, startWork } from "../app/records/keep.ts";
-import { begin, useEditor } from "../app/document/store.ts";
+import { startAutosave, startWork } from "../app/records/keep.ts";
+import { openFirstWork, useEditor } from "../app/document/store.ts";
 import { followAddress } from "./follow-address.ts";
 import { goHome } from "../app/document/go-home.ts";
 
@@ -25,11 +25,11 @@ const place = usePlace.getState();
 let stops: (() => void)[] = [];
 
 beforeEach(() => {
-  begin(null, null);
+  openFirstWork(null, null);
   usePlace.setState(place);
   withdraw("workNotHere");
   history.pushState(null, "", "/");
-  stops = [startKeeping(), followAddress()];
+  stops = [startAutosave(), followAddress()];
 });
 afterEach(() => stops.forEach((stop) => stop()));
 
@@ -57,7 +57,7 @@ test("Back closes a dialog first, and so does a typed address", async () => {
   expect(usePlace.getState().section).toBe("setup");
   dialog.open = true;
   location.hash = "#/tools/5";
-  await until(() => expect(seen(usePlace.getState()).page).toBe("tools"));
+  await until(() => expect(shownPage(usePlace.getState()).page).toBe("tools"));
   expect(dialog.open).toBe(false);
   dialog.remove();
   history.back();
@@ -73,7 +73,7 @@ test("Back goes through tools, set-up and work to the start page, and Forward th
   showTools("r5");
   await is("#/tools/5");
   history.back();
-  await until(() => expect(seen(usePlace.getState()).page).toBe("work"));
+  await until(() => expect(shownPage(usePlace.getState()).page).toBe("work"));
   await is(`#/work/${work}/setup`);
   history.back();
   await until(() => expect(usePlace.getState().section).toBe("prompts"));

@@ -1,9 +1,9 @@
 import { z } from "zod/mini";
-import { keptData } from "../app/base/kept.ts";
+import { storedData } from "../app/base/storage.ts";
 import { useEditor } from "../app/document/store.ts";
 import { isCover, usePlace } from "../app/place/place.ts";
 import { isShareLink, parseAddress, printAddress } from "../app/place/address.ts";
-import { goTo, here } from "./here.ts";
+import { goTo, currentAddress } from "./page-address.ts";
 
 /** State of each entry of the browser's history, which survives a reload. */
 const text = z.string().check(z.maxLength(500));
@@ -24,10 +24,10 @@ function entryOf(raw: unknown): Entry | null {
 const entry = (): Entry | null => entryOf(history.state);
 
 /** The state of the present entry when the page went away: browsers no longer save history changes at that point. */
-const LEFT = keptData("place", z.object({ address: z.nullable(z.string()), note: entryShape }), "tab");
+const LEFT = storedData("place", z.object({ address: z.nullable(z.string()), note: entryShape }), "tab");
 
 /** The entry that the previous page saved at the same address; read once. */
-function left(): Entry | null {
+function takeLeftEntry(): Entry | null {
   const kept = LEFT.get();
   LEFT.set(null);
   return kept?.address === location.hash ? kept.note : null;
@@ -35,7 +35,7 @@ function left(): Entry | null {
 
 /** Opens the prompt that was open in this entry of the history. */
 export function resumePrompt(): void {
-  const kept = left() ?? entry();
+  const kept = takeLeftEntry() ?? entry();
   if (kept && usePlace.getState().prompt === null) usePlace.setState({ prompt: kept.prompt, before: kept.before });
 }
 
@@ -87,13 +87,13 @@ export function followAddress(begun = location.hash): () => void {
   const replace = () => {
     clearTimeout(rest);
     rest = undefined;
-    shown = printAddress(here());
+    shown = printAddress(currentAddress());
     history.replaceState(noteOf(entry()?.from ?? null), "", shown);
   };
   const follow = () => {
     waiting = false;
     if (going || returning) return;
-    const now = printAddress(here());
+    const now = printAddress(currentAddress());
     if (now === shown) return;
     if (shown === null || isSamePage(shown, now)) return replace();
     if (isOver(shown) && entry()?.from === now) {

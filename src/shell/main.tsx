@@ -3,17 +3,17 @@ import { createRoot } from "react-dom/client";
 import { z } from "zod/mini";
 import { parseAddress } from "../app/place/address.ts";
 import { followAddress, resumePrompt } from "./follow-address.ts";
-import { goTo } from "./here.ts";
+import { goTo } from "./page-address.ts";
 import { App } from "./App.tsx";
 import { CrashGuard } from "./CrashGuard.tsx";
 import { startReports } from "../app/records/reports.ts";
-import { startEngineLater } from "../app/calculation/later.ts";
+import { startCalculationIdle } from "../app/calculation/start-idle.ts";
 import { openShared } from "./open-shared.ts";
 import { onHistoryKey } from "../app/document/history.ts";
 import { useNotices } from "../app/base/notices.ts";
-import { followMissing, untilHere } from "../app/base/parts.ts";
+import { followMissing, retryImport } from "../app/base/parts.ts";
 import "./slots.ts";
-import { startKeeping, useKeeping } from "../app/records/keep.ts";
+import { startAutosave, useSavedWorks } from "../app/records/keep.ts";
 import { resume } from "./resume.ts";
 import { followAppearance } from "../app/base/settings/appearance.ts";
 import { fetchTexts } from "../app/base/settings/loaded-texts.ts";
@@ -36,17 +36,17 @@ startOfflineLater();
 document.addEventListener("keydown", onHistoryKey);
 document.addEventListener("keydown", onKeysKey);
 /** Starts saving the history in this tab and the picture of the work. The first screen waits for neither. */
-async function keepBeside(): Promise<void> {
-  const [{ startKeepingSteps, takeKeptSteps }, { startKeepingPictures }] = await untilHere(() =>
+async function startKeepingExtras(): Promise<void> {
+  const [{ startKeepingSteps, takeKeptSteps }, { startKeepingPictures }] = await retryImport(() =>
     Promise.all([import("../app/records/keep-steps.ts"), import("../app/records/keep-pictures.ts")]),
   );
   takeKeptSteps();
   startKeepingSteps();
   startKeepingPictures();
-  const { works } = useKeeping.getState();
+  const { works } = useSavedWorks.getState();
   // Works of a newer edition are on the device, but not in the list.
   if (useNotices.getState().notices.includes("newerWorks")) return;
-  const { forgetHandles } = await untilHere(() => import("../app/records/files/kept-handles.ts"));
+  const { forgetHandles } = await retryImport(() => import("../app/records/files/kept-handles.ts"));
   await forgetHandles(new Set(works.map(({ work }) => work)));
 }
 
@@ -58,17 +58,17 @@ void resume(askedWork).then(async () => {
   resumePrompt();
   // A missing work has already been announced.
   if (asked && !(asked.page === "work" && asked.work !== useEditor.getState().work)) await goTo(asked);
-  startKeeping();
-  void keepBeside();
-  void untilHere(() => import("../app/base/styles/print.css"));
-  startEngineLater();
+  startAutosave();
+  void startKeepingExtras();
+  void retryImport(() => import("../app/base/styles/print.css"));
+  startCalculationIdle();
   void openShared();
   followAddress(begun);
   addEventListener("hashchange", () => void openShared());
 });
 
 const root = document.getElementById("root");
-void untilHere(() => fetchTexts(useSettings.getState().language, "first")).then(() => {
+void retryImport(() => fetchTexts(useSettings.getState().language, "first")).then(() => {
   if (!root) return;
   createRoot(root).render(
     <StrictMode>

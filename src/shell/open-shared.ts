@@ -1,5 +1,5 @@
 import { isShareLink } from "../app/place/address.ts";
-import { untilHere } from "../app/base/parts.ts";
+import { retryImport } from "../app/base/parts.ts";
 import { notice } from "../app/base/notices.ts";
 import { fetchOpenTaught } from "../features/course/index.ts";
 
@@ -13,8 +13,8 @@ export async function openShared(): Promise<void> {
   const { hash } = location;
   if (!isShareLink(hash)) return;
   history.replaceState(null, "", location.pathname + location.search);
-  if (/^#[tr]/.test(hash)) return (await untilHere(fetchOpenTaught)).openTaughtLink(hash);
-  const [{ readLink }, { showIncoming }] = await untilHere(() =>
+  if (/^#[tr]/.test(hash)) return (await retryImport(fetchOpenTaught)).openTaughtLink(hash);
+  const [{ readLink }, { showIncoming }] = await retryImport(() =>
     Promise.all([import("../app/records/link.ts"), import("../app/records/incoming.ts")]),
   );
   const read = readLink(hash);

@@ -11,7 +11,7 @@ import { useSettings } from "../app/base/settings/settings.ts";
 import { useTexts } from "../app/base/settings/use-texts.ts";
 import { closeStep } from "../app/document/steps.ts";
 import { isAboutTool, type FindingEntry } from "../app/findings/entry.ts";
-import { nearestOf, type FindingsHost, type Mend, type Target } from "../app/findings/host.ts";
+import { nearestOf, type FindingsHost, type Fix, type Target } from "../app/findings/host.ts";
 
 /** Decimals of a start point. */
 const START_DECIMALS = 3;
@@ -54,7 +54,7 @@ export function useJobHost(read: JobReading): FindingsHost {
         return { name: places.tool, go: () => goToField("setup", "tool") };
       return block === null ? null : { name: t.findings.inBlock(String(block)), go: () => showSection("program") };
     };
-    const remediesOf = (entry: FindingEntry): readonly Mend[] => {
+    const fixesOf = (entry: FindingEntry): readonly Fix[] => {
       const { issue, at } = entry;
       if (issue.code === "betterTool")
         return [
@@ -95,7 +95,7 @@ export function useJobHost(read: JobReading): FindingsHost {
           },
         ];
       if (nearest === null || at === null) return [];
-      const take = (decimals: number, apply: () => void): readonly Mend[] => [
+      const take = (decimals: number, apply: () => void): readonly Fix[] => [
         {
           name: t.dialog.takeNearest(writeTyped(language, nearest, decimals)),
           apply: oneStep(apply),
@@ -108,6 +108,6 @@ export function useJobHost(read: JobReading): FindingsHost {
     };
     const toFirstOpen = () => goTo(read.reading.issues[0]?.at ?? null);
     const takeTool: FindingsHost["takeTool"] = (_, tool) => oneStep(() => setTool(tool))();
-    return { targetOf, remediesOf, cycleOf: () => job.cycle, point: () => undefined, toFirstOpen, takeTool };
+    return { targetOf, fixesOf, cycleOf: () => job.cycle, point: () => undefined, toFirstOpen, takeTool };
   }, [t, language, read]);
 }

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { issue } from "../kernel/plan/issue.ts";
 import { axial, radius } from "../kernel/units.ts";
-import { causesAlone, type ProofIssue } from "./causes.ts";
+import { withoutConsequences, type ProofIssue } from "./causes.ts";
 import { stockIssues } from "./issues.ts";
 
 const place = { area: 1, x: 40, z: -5 };
@@ -19,7 +19,7 @@ const at = (found: ProofIssue["issue"], operation: number, step: number | null =
   block: 9,
   operation,
 });
-const told = (all: readonly ProofIssue[]) => causesAlone(all).map((p) => p.issue.code);
+const codesWithoutConsequences = (all: readonly ProofIssue[]) => withoutConsequences(all).map((p) => p.issue.code);
 
 test.each<[string, ProofIssue[], string[]]>([
   ["a rapid into the part is told once", [at(gouge, 0, 4), at(rapid, 0, 4)], ["rapidInStock"]],
@@ -34,13 +34,13 @@ test.each<[string, ProofIssue[], string[]]>([
   ["beside it, another operation cuts nothing", [at(loose, 0, 3), at(nothing, 1)], ["cutOnLoosePiece", "nothingCut"]],
   ["residual material beside passes in the air is reported", [at(air, 0), at(left, 0)], ["airPasses", "materialLeft"]],
 ])("%s", (_, all, expected) => {
-  expect(told(all)).toEqual(expected);
+  expect(codesWithoutConsequences(all)).toEqual(expected);
 });
 
 test("an operation with a plan error does not report the stock issues it causes", () => {
   const all = [at(nothing, 0), at(air, 0), at(left, 0), at(rapid, 0), at(nothing, 1), at(left, 1), at(left, 2)];
   expect(
-    causesAlone(all, { failed: new Set([0, 2]), questioned: new Set() }).map(({ issue, operation }) => [
+    withoutConsequences(all, { failed: new Set([0, 2]), questioned: new Set() }).map(({ issue, operation }) => [
       operation,
       issue.code,
     ]),
@@ -52,7 +52,7 @@ test("an operation with a plan error does not report the stock issues it causes"
 
 test("a questioned dimension explains the tool and stock issues of its operation, but not damage", () => {
   const all = [at(nothing, 0), at(holder, 0), at(left, 0), at(gouge, 0), at(holder, 1)];
-  const found = causesAlone(all, { failed: new Set(), questioned: new Set([0]) });
+  const found = withoutConsequences(all, { failed: new Set(), questioned: new Set([0]) });
   expect(found.map(({ issue, operation }) => [operation, issue.code])).toEqual([
     [0, "gouge"],
     [1, "holderContact"],
@@ -80,7 +80,7 @@ test.each([
     place: { z: axial(-5), r: radius(20) },
     operation: 0,
   };
-  const empty = { stated: [], unlooked: null, remarks: [], loose: [], unheld: null };
+  const empty = { stated: [], uncheckedFrom: null, remarks: [], loose: [], unheld: null };
   const proof = { operations: [{ ...none, cut: 0, hasFailed, isQuestioned: false }], residual: [stays], ...empty };
   const found = stockIssues({ findings: [], proof } as unknown as Parameters<typeof stockIssues>[0]);
   expect(found.map((p) => p.issue.code)).toEqual(expected);

@@ -66,7 +66,7 @@ const isExplained = ({ issue, operation }: ProofIssue, { failed, questioned }: E
     (questioned.has(operation) && followsQuestion(issue.code)));
 
 /** Findings without those that another finding, or the run itself, explains. */
-export const causesAlone = (found: readonly ProofIssue[], explained: Explained = NONE): ProofIssue[] =>
+export const withoutConsequences = (found: readonly ProofIssue[], explained: Explained = NONE): ProofIssue[] =>
   found.filter(
     (f) =>
       !isExplained(f, explained) &&

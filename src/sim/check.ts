@@ -3,15 +3,15 @@ import { areaOf } from "../kernel/area/area.ts";
 import { difference, intersection } from "../kernel/area/clip.ts";
 import { isDrill } from "../kernel/cutter/drill.ts";
 import type { Ring } from "../kernel/geometry/point.ts";
-import { real } from "../kernel/area/real-area.ts";
+import { withoutSlivers } from "../kernel/area/real-area.ts";
 import type { NeededHole, Step } from "../kernel/time/step.ts";
 import type { Tool } from "../kernel/plan/tool.ts";
 import { inStock } from "./contact.ts";
-import { near, type Cutting } from "./cutting.ts";
-import { behind } from "./behind.ts";
+import { ringsMeeting, type Cutting } from "./cutting.ts";
+import { sweptBehindBlank } from "./behind-blank.ts";
 import type { Edges } from "./edges.ts";
-import type { WorkHold, Loose } from "./held.ts";
-import { worksOn } from "./on-loose.ts";
+import type { WorkHold, Loose } from "./work-holding.ts";
+import { cutsLoosePiece } from "./loose-cut.ts";
 import { holderHits } from "./holder.ts";
 import type { Outlines } from "./outlines.ts";
 import { isPlainCut, judgePlainCut, type Surface } from "./plain-cut.ts";
@@ -29,7 +29,7 @@ export interface Finished {
 }
 
 /** What a step is checked against, besides the stock. */
-export interface Against {
+export interface CheckContext {
   readonly steps: readonly Step[];
   readonly finished: Finished;
   /** The work holding; null without a blank. */
@@ -49,7 +49,7 @@ const broughtTo = (step: Step): Step => ({
 });
 
 /** The damage done by a step, checked before its sweep is subtracted from the stock. */
-export function check(index: number, sweep: Sweep, cut: Cutting, against: Against): AnyFinding[] {
+export function check(index: number, sweep: Sweep, cut: Cutting, against: CheckContext): AnyFinding[] {
   const { steps, finished, hold, loose } = against;
   const step = steps[index] as Step,
     outlines = against.outlines(step.tool);
@@ -72,28 +72,30 @@ export function check(index: number, sweep: Sweep, cut: Cutting, against: Agains
         ...(by.isMeant && { isMeant: true }),
         ...(by.below !== undefined && { below: by.below }),
         ...(by.rear !== undefined && { rear: by.rear }),
-        ...(kind === "spindleStopped" && step.idle && { idle: step.idle }),
+        ...(kind === "spindleStopped" && step.spindleFault && { idle: step.spindleFault }),
         ...(kind === "holeMissing" && step.hole && { hole: { tool: step.tool.T, ...step.hole } }),
       });
   };
   const now = cut.present();
   const inHole = ({ from, move: { to } }: Step, { radius }: NeededHole) => {
     const [low, high] = [Math.min(from.z, to.z), Math.max(from.z, to.z)];
-    return real(inBox(cut.stock(), { left: low, right: high, low: 0, high: radius }));
+    return withoutSlivers(inBox(cut.stock(), { left: low, right: high, low: 0, high: radius }));
   };
   // The quick check joins many pieces at once, so its hits are confirmed in the stock itself.
-  const sure = (area: Ring[]) => (area.length === 0 ? area : real(intersection(cut.stock(), area)));
-  const touches = near(sweep, now.meets).length > 0;
+  const sure = (area: Ring[]) => (area.length === 0 ? area : withoutSlivers(intersection(cut.stock(), area)));
+  const touches = ringsMeeting(sweep, now.meets).length > 0;
   const met =
-    step.broughtBy === undefined ? [] : sure(real(inStock([sweptBy(outlines.checked, broughtTo(step))], now)));
-  if (step.broughtBy !== undefined) report("rapidInStock", met, { block: step.broughtBy, operation: null });
+    step.positionedBy === undefined
+      ? []
+      : sure(withoutSlivers(inStock([sweptBy(outlines.checked, broughtTo(step))], now)));
+  if (step.positionedBy !== undefined) report("rapidInStock", met, { block: step.positionedBy, operation: null });
   if (touches && step.move.kind === "rapid") {
-    const taken = sure(real(inStock([sweep], now)));
-    report("rapidInStock", met.length > 0 ? real(difference(taken, met)) : taken);
+    const taken = sure(withoutSlivers(inStock([sweep], now)));
+    report("rapidInStock", met.length > 0 ? withoutSlivers(difference(taken, met)) : taken);
   }
   // The drill's shape makes the bore: contours of turning cycles do not apply to it.
   if (touches && !isDrill(step.tool) && sweep.pieces.some((p) => finished.edges.meets(p))) {
-    const taken = sure(real(inStock([sweep], now, finished.rings)));
+    const taken = sure(withoutSlivers(inStock([sweep], now, finished.rings)));
     if (taken.length === 0 || !isPlainCut(step)) report("gouge", taken);
     else {
       const judged = judgePlainCut(index, taken, cut, { ...against, surfaces: finished.surfaces });
@@ -104,7 +106,7 @@ export function check(index: number, sweep: Sweep, cut: Cutting, against: Agains
   }
   report("holderContact", sure(holderHits(step, outlines, now)));
   if (hold && !against.isClamped)
-    report(step.move.kind === "rapid" ? "rapidBehindBlank" : "feedBehindBlank", behind(sweep, hold.rear), {
+    report(step.move.kind === "rapid" ? "rapidBehindBlank" : "feedBehindBlank", sweptBehindBlank(sweep, hold.rear), {
       ...step,
       rear: hold.rear.z,
     });
@@ -112,11 +114,11 @@ export function check(index: number, sweep: Sweep, cut: Cutting, against: Agains
     loose &&
     step.move.kind !== "rapid" &&
     sweep.pieces.some((p) => loose.edges.meets(p)) &&
-    worksOn(loose, index, cut, against)
+    cutsLoosePiece(loose, index, cut, against)
   )
-    report("cutOnLoosePiece", real(intersection(loose.rings, sweep.rings)));
+    report("cutOnLoosePiece", withoutSlivers(intersection(loose.rings, sweep.rings)));
   if (step.move.kind === "rapid") return found;
-  if (touches && step.idle) report("spindleStopped", sure(real(inStock([sweep], now))));
+  if (touches && step.spindleFault) report("spindleStopped", sure(withoutSlivers(inStock([sweep], now))));
   if (touches && step.hole) report("holeMissing", sure(inHole(step, step.hole)));
   return found;
 }

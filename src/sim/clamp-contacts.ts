@@ -3,14 +3,14 @@ import { boxAround } from "../kernel/area/box.ts";
 import type { ClampBody, Clamped } from "../kernel/area/clamping.ts";
 import { intersection } from "../kernel/area/clip.ts";
 import type { Ring } from "../kernel/geometry/point.ts";
-import { real } from "../kernel/area/real-area.ts";
+import { withoutSlivers } from "../kernel/area/real-area.ts";
 import type { Step } from "../kernel/time/step.ts";
 import { MOST_CONTACTS } from "./check.ts";
 import { merged } from "./cutting.ts";
 import { sidesOf } from "./edges.ts";
 import type { Outlines } from "./outlines.ts";
 import { largest, placeIn } from "./region.ts";
-import { apart, sweptBox } from "./resume.ts";
+import { areBoxesApart, sweptBox } from "./resume.ts";
 import type { AnyFinding } from "./simulation.ts";
 import { sweptBy, type Sweep } from "./sweep.ts";
 
@@ -19,7 +19,7 @@ const HOLDER_CHORD = 0.01;
 
 /** The overlap of sweeps with a clamping body, without mere touching. */
 const met = ({ rings }: ClampBody, sweeps: readonly Sweep[]): Ring[] =>
-  real(intersection(rings, merged(sweeps.flatMap((sweep) => sweep.rings))));
+  withoutSlivers(intersection(rings, merged(sweeps.flatMap((sweep) => sweep.rings))));
 
 /**
  * Contacts of tools and holders with the clamping, in any move. The bodies do not change while cutting, so no stock is
@@ -42,7 +42,7 @@ export function clampContacts(
       ["holder", holder],
     ] as const) {
       const boxes = parts.map((part) => sweptBox(part, step));
-      const near = asked.filter(({ box }) => boxes.some((swept) => swept && !apart(swept, box)));
+      const near = asked.filter(({ box }) => boxes.some((swept) => swept && !areBoxesApart(swept, box)));
       if (near.length === 0) continue;
       const sweeps = parts.map((part) => sweptBy(part, step, 1, by === "holder" ? HOLDER_CHORD : undefined));
       for (const { body, edges } of near) {

@@ -38,13 +38,13 @@ const around = (a: Box, b: Box): Box => ({
  * Contour damage and rapids remove material, so their areas add up. Holder and clamping contacts recur in the same
  * place.
  */
-const staysThere = (f: AnyFinding) => f.kind === "holderContact" || f.kind === "clampContact";
+const leavesStock = (f: AnyFinding) => f.kind === "holderContact" || f.kind === "clampContact";
 
 /** Findings that may span several blocks, such as a groove below the contour. */
-const goesOn = (f: AnyFinding) => staysThere(f) || f.kind === "cutBelowContour";
+const goesOn = (f: AnyFinding) => leavesStock(f) || f.kind === "cutBelowContour";
 /** Findings without stock cover the same place each time. */
 const covers = (f: AnyFinding) =>
-  staysThere(f) || f.kind === "cutOnLoosePiece" || f.kind === "rapidBehindBlank" || f.kind === "feedBehindBlank";
+  leavesStock(f) || f.kind === "cutOnLoosePiece" || f.kind === "rapidBehindBlank" || f.kind === "feedBehindBlank";
 
 /** The key of findings that belong together: with a stopped spindle, every cut until it starts. */
 function groupOf(f: AnyFinding): string {

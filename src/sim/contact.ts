@@ -1,24 +1,24 @@
 import { difference, intersection } from "../kernel/area/clip.ts";
 import type { Ring } from "../kernel/geometry/point.ts";
 import { boxBeyond, inBox } from "../kernel/area/box.ts";
-import { merged, near, type Present } from "./cutting.ts";
+import { merged, ringsMeeting, type Present } from "./cutting.ts";
 import type { Sweep } from "./sweep.ts";
 
 /** Caches the last contact of a sweep: a rapid needs it for the check and for the removed area. */
-const asked = new WeakMap<Sweep, { readonly now: Present; readonly rings: Ring[] }>();
+const lastContact = new WeakMap<Sweep, { readonly now: Present; readonly rings: Ring[] }>();
 
 /** The overlap of sweeps with the present stock, and with an area where one is given. */
 export function inStock(sweeps: readonly Sweep[], now: Present, within: readonly Ring[] | null = null): Ring[] {
   const [alone] = sweeps.length === 1 && !within ? sweeps : [];
-  const known = alone && asked.get(alone);
+  const known = alone && lastContact.get(alone);
   if (known?.now === now) return known.rings;
   const rings = standing(sweeps, now, within);
-  if (alone) asked.set(alone, { now, rings });
+  if (alone) lastContact.set(alone, { now, rings });
   return rings;
 }
 
 function standing(sweeps: readonly Sweep[], now: Present, within: readonly Ring[] | null): Ring[] {
-  const rings = sweeps.flatMap((sweep) => near(sweep, now.meets));
+  const rings = sweeps.flatMap((sweep) => ringsMeeting(sweep, now.meets));
   if (rings.length === 0) return [];
   const box = boxBeyond(rings);
   const whole = merged(rings);

@@ -22,8 +22,8 @@ function planOf(crest: readonly Pt[], openSide: Pt): Plan {
     runIn: length(5),
     side: [],
   };
-  const none = { moves: [], issues: [], contour: [], area: [], part: [], reach: [], kept: [] };
-  return { ...none, passes: 2, infeed: length(0.6), most: length(0.6), openSide, thread };
+  const none = { moves: [], issues: [], contour: [], area: [], part: [], reach: [], oversizeReach: [] };
+  return { ...none, passes: 2, infeed: length(0.6), maxInfeed: length(0.6), openSide, thread };
 }
 const outside = planOf([at(0, 20), at(-24, 20)], at(0, 1));
 const inside = planOf([at(0, 20), at(-24, 20)], at(0, -1));
@@ -129,7 +129,7 @@ describe("damage behind the end of a thread", () => {
       operations: [{ ...none, thread }],
       residual: [],
       stated: [],
-      unlooked: null,
+      uncheckedFrom: null,
       remarks: [],
       loose: [],
       unheld: null,

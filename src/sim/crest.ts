@@ -4,9 +4,9 @@ import { SAME } from "../kernel/tolerance.ts";
 import type { MissingCrest } from "./simulation.ts";
 
 /** A crest lower by more than this share of the thread depth is missing. */
-const TOLD = 0.1;
+const MISSING_SHARE = 0.1;
 /** Share of a thread that may lack its crest: a chamfer at its start, a relief at its end. */
-const MOST = 0.5;
+const MOST_MISSING = 0.5;
 /** Sample places per pitch, and at most in total. */
 const PLACES = { perPitch: 16, most: 20_000 } as const;
 
@@ -65,10 +65,10 @@ export function crestMissing({ thread, openSide }: Plan, stock: readonly Ring[])
   );
   const beside = Math.ceil(thread.pitch / 2 / each);
   const highest = Array.from(over, (_, i) => Math.max(...over.subarray(Math.max(0, i - beside), i + beside + 1)));
-  const missing = highest.map((h, i) => ({ i, by: -h })).filter(({ by }) => by > TOLD * depth + SAME);
+  const missing = highest.map((h, i) => ({ i, by: -h })).filter(({ by }) => by > MISSING_SHARE * depth + SAME);
   const known = missing.filter(({ by }) => Number.isFinite(by)).sort((a, b) => a.by - b.by);
   const middle = known[Math.floor(known.length / 2)];
-  if (missing.length <= MOST * count || !middle) return null;
+  if (missing.length <= MOST_MISSING * count || !middle) return null;
   const u = from + ((middle.i + 0.5) * (to - from)) / count;
   const on = points.findIndex((p, i) => i > 0 && place(p)[0] >= u);
   const [a, b] = [points[Math.max(0, on - 1)] as Pt, points[Math.max(1, on)] as Pt];

@@ -46,7 +46,7 @@ export interface Present {
 const asked = new WeakMap<Sweep, { readonly by: Present["meets"]; readonly rings: readonly Ring[] }>();
 
 /** The rings of the parts of a sweep that may meet a stock. */
-export function near(sweep: Sweep, meets: Present["meets"]): readonly Ring[] {
+export function ringsMeeting(sweep: Sweep, meets: Present["meets"]): readonly Ring[] {
   const known = asked.get(sweep);
   if (known?.by === meets) return known.rings;
   const met = sweep.pieces.filter(meets);
@@ -78,21 +78,21 @@ export interface Cutting {
 }
 
 /** The state of a stock being cut. */
-interface Standing {
+interface CuttingState {
   readonly initial: readonly Ring[];
   readonly base: readonly Ring[];
   readonly edges: Edges;
   readonly recent: ReturnType<typeof heap>;
-  readonly waiting: number;
+  readonly pendingPoints: number;
   readonly pieces: number;
 }
 
 /** Starts cutting a stock. */
 export const cutting = (initial: readonly Ring[]): Cutting =>
-  cuttingOn({ initial, base: initial, edges: sidesOf(initial), recent: heap(), waiting: 0, pieces: 0 });
+  cuttingOn({ initial, base: initial, edges: sidesOf(initial), recent: heap(), pendingPoints: 0, pieces: 0 });
 
-function cuttingOn({ initial, ...from }: Standing): Cutting {
-  let { base, edges, recent, waiting, pieces } = from;
+function cuttingOn({ initial, ...from }: CuttingState): Cutting {
+  let { base, edges, recent, pendingPoints, pieces } = from;
   let now: Present | null = null;
   /** The present stock, cached until the next cut. */
   let standing: readonly Ring[] | null = null;
@@ -103,23 +103,23 @@ function cuttingOn({ initial, ...from }: Standing): Cutting {
       return pieces;
     },
     add(sweep) {
-      const rings = near(sweep, edges.meets);
+      const rings = ringsMeeting(sweep, edges.meets);
       if (rings.length === 0) return;
       now = null;
       standing = null;
       pieces += sweep.pieces.length;
       rings.forEach(recent.add);
-      waiting += pointsOf(rings);
-      if (waiting <= RECENT + pointsOf(base)) return;
+      pendingPoints += pointsOf(rings);
+      if (pendingPoints <= RECENT + pointsOf(base)) return;
       base = difference(base, recent.all());
-      [edges, recent, waiting] = [sidesOf(base), heap(), 0];
+      [edges, recent, pendingPoints] = [sidesOf(base), heap(), 0];
     },
     present() {
       now ??= { base, gone: recent.all(), meets: edges.meets };
       return now;
     },
     stock(further) {
-      const more = further ? near(further, edges.meets) : [];
+      const more = further ? ringsMeeting(further, edges.meets) : [];
       if (more.length > 0) return difference(base, [...recent.all(), ...more]);
       if (!standing) {
         const gone = recent.all();
@@ -127,6 +127,6 @@ function cuttingOn({ initial, ...from }: Standing): Cutting {
       }
       return standing;
     },
-    copy: () => cuttingOn({ initial, base, edges, recent: recent.copy(), waiting, pieces }),
+    copy: () => cuttingOn({ initial, base, edges, recent: recent.copy(), pendingPoints, pieces }),
   };
 }

@@ -14,7 +14,7 @@ const NEAR_CORNERS = 0.01;
 /**
  * Sample places beside the corners of an area, each with a second one SLIVER farther on: anything thinner is ignored.
  */
-function besides(corners: readonly number[]): (readonly [number, number])[] {
+function placesAtCorners(corners: readonly number[]): (readonly [number, number])[] {
   const sorted = [...corners].sort((a, b) => a - b);
   const out: (readonly [number, number])[] = [];
   let [first, last] = [sorted[0] ?? 0, sorted[0] ?? 0];
@@ -50,7 +50,7 @@ export function deepestAlong(area: readonly Ring[], direction: { readonly z: num
     }
     return most;
   };
-  const pairs = besides(area.flatMap((ring) => ring.map((p) => p[across]))).sort(([a], [b]) => a - b);
+  const pairs = placesAtCorners(area.flatMap((ring) => ring.map((p) => p[across]))).sort(([a], [b]) => a - b);
   const depths = scanCrossings(
     area,
     along,

@@ -1,7 +1,7 @@
 import { difference, offset, union } from "../kernel/area/clip.ts";
 import type { Ring } from "../kernel/geometry/point.ts";
 import { CHORD, SLIVER } from "../kernel/tolerance.ts";
-import { madeOf } from "./made.ts";
+import { producedParts } from "./produced-parts.ts";
 import type { SimulatedOperation, Simulation } from "./simulation.ts";
 
 /** The union of the machining areas of all operations. */
@@ -22,7 +22,7 @@ const MISSING = 2 * SLIVER;
 
 /** A finished part less what feed moves outside cycles cut from it on purpose. */
 export function lessPlainCuts(part: readonly Ring[], simulation: Simulation): readonly Ring[] {
-  const kept = union([...madeOf(simulation), ...simulation.findings.flatMap((f) => offset(f.rings, MISSING))]);
+  const kept = union([...producedParts(simulation), ...simulation.findings.flatMap((f) => offset(f.rings, MISSING))]);
   const gone = offset(difference(part, kept), -MISSING / 2);
   return gone.length === 0 ? part : difference(part, offset(gone, MISSING / 2 + CHORD));
 }

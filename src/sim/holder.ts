@@ -1,14 +1,14 @@
 import { areaOf } from "../kernel/area/area.ts";
 import { difference, intersection } from "../kernel/area/clip.ts";
 import type { Pt, Ring } from "../kernel/geometry/point.ts";
-import { real, REAL_AREA } from "../kernel/area/real-area.ts";
+import { withoutSlivers, REAL_AREA } from "../kernel/area/real-area.ts";
 import type { Step } from "../kernel/time/step.ts";
 import { boxOf } from "../kernel/area/box.ts";
 import { inStock } from "./contact.ts";
 import { merged, type Present } from "./cutting.ts";
 import type { Outlines } from "./outlines.ts";
 import { convexPieceOf } from "./piece.ts";
-import { hullAlong, notBehind, rightOf, sweptBy, turned, waypoints } from "./sweep.ts";
+import { hullAlong, notBehind, rightOf, sweptBy, foldedAtAxis, waypoints } from "./sweep.ts";
 
 /** Chord error of arcs in the holder check, mm. */
 const HOLDER_CHORD = 0.01;
@@ -34,7 +34,7 @@ function rectangle(outline: Ring, points: readonly Pt[]): Ring {
  */
 export function mayTouch(step: Step, { holder, insert }: Outlines, now: Present): boolean {
   const meets = (rings: readonly Ring[]) =>
-    rings.flatMap(turned).some((ring) => ring.length > 2 && now.meets(convexPieceOf(ring)));
+    rings.flatMap(foldedAtAxis).some((ring) => ring.length > 2 && now.meets(convexPieceOf(ring)));
   const points = waypoints(step, 1, HOLDER_CHORD);
   if (!points.every((p) => Number.isFinite(p.z) && Number.isFinite(p.r))) return false;
   return holder.some((part) => {
@@ -62,16 +62,16 @@ export function holderContact(step: Step, outlines: Outlines, now: Present): Rin
     merged(sweeps(parts, fraction).flatMap(({ rings }) => rings));
   const touched = inStock(sweeps(outlines.holder), now);
   if (areaOf(touched) < REAL_AREA) return [];
-  const left = real(difference(touched, swept([outlines.insert])));
+  const left = withoutSlivers(difference(touched, swept([outlines.insert])));
   if (left.length > 0) return left;
   if (step.move.kind === "thread") return [];
   if (step.move.kind !== "arc") {
     const ahead = outlines.holder.flatMap((part) => notBehind(part, outlines.insert, step.from, step.move.to));
-    return ahead.length === 0 ? [] : real(intersection(touched, swept(ahead)));
+    return ahead.length === 0 ? [] : withoutSlivers(intersection(touched, swept(ahead)));
   }
   for (let i = 1; i <= PARTS; i += 1) {
     const reached = intersection(touched, swept(outlines.holder, i / PARTS));
-    const hit = reached.length === 0 ? [] : real(difference(reached, swept([outlines.insert], i / PARTS)));
+    const hit = reached.length === 0 ? [] : withoutSlivers(difference(reached, swept([outlines.insert], i / PARTS)));
     if (hit.length > 0) return hit;
   }
   return [];

@@ -2,7 +2,7 @@ import { issue, type Issue } from "../kernel/plan/issue.ts";
 import { REAL_AREA } from "../kernel/area/real-area.ts";
 import type { Pt } from "../kernel/geometry/point.ts";
 import { radius, toDiameter } from "../kernel/units.ts";
-import { causesAlone, type Explained, type ProofIssue } from "./causes.ts";
+import { withoutConsequences, type Explained, type ProofIssue } from "./causes.ts";
 import { MOST_CONTACTS } from "./check.ts";
 import { isTooDeep } from "./measure.ts";
 import type { AnyFinding, Depth, LoosePiece, OperationProof, Residual, Simulation, ThreadWay } from "./simulation.ts";
@@ -143,12 +143,12 @@ function fromOperation(
 
 /** Issues of blanks stated after cuts: missing material, or material already cut. */
 const fromStated = ({ stated }: Simulation["proof"]): ProofIssue[] =>
-  stated.flatMap(({ step, block, what, lacks, adds }) => {
+  stated.flatMap(({ step, block, what, missingArea, extraArea }) => {
     const found =
-      lacks > 0
-        ? issue("blankLacks", "warning", { what, area: lacks })
-        : adds > 0
-          ? issue("blankGone", "info", { what, area: adds })
+      missingArea > 0
+        ? issue("blankLacks", "warning", { what, area: missingArea })
+        : extraArea > 0
+          ? issue("blankGone", "info", { what, area: extraArea })
           : null;
     return found ? [{ issue: found, step, block, operation: null }] : [];
   });
@@ -160,9 +160,9 @@ const explainedIn = ({ operations }: Simulation["proof"]): Explained => {
 };
 
 /** Where the simulation no longer looked for contacts of moves. */
-const fromUnlooked = ({ unlooked }: Simulation["proof"]): ProofIssue[] =>
-  unlooked
-    ? [{ issue: issue("contactsUnlooked", "error", { limit: MOST_CONTACTS }), ...unlooked, operation: null }]
+const fromUnlooked = ({ uncheckedFrom }: Simulation["proof"]): ProofIssue[] =>
+  uncheckedFrom
+    ? [{ issue: issue("contactsUnlooked", "error", { limit: MOST_CONTACTS }), ...uncheckedFrom, operation: null }]
     : [];
 
 /**
@@ -170,7 +170,7 @@ const fromUnlooked = ({ unlooked }: Simulation["proof"]): ProofIssue[] =>
  * of other findings. X is a diameter.
  */
 export const stockIssues = (simulation: Pick<Simulation, "findings" | "proof">): ProofIssue[] =>
-  causesAlone(
+  withoutConsequences(
     [
       ...simulation.findings.map((f) => fromFinding(f, simulation.proof.operations)),
       ...simulation.proof.remarks.map((f) => fromFinding(f, simulation.proof.operations)),

@@ -53,14 +53,14 @@ test("a run with few stored stocks gives the same stock at every moment, to the 
 
 test("after a thousand damaging moves the check stops, and reports where", () => {
   const clean = simulate({ blank, steps: steps(2 * MOST_CONTACTS + 300, "feed"), operations: [], unproved: [] });
-  expect(clean.proof.unlooked).toBeNull();
+  expect(clean.proof.uncheckedFrom).toBeNull();
   const bad = steps(2 * MOST_CONTACTS + 300, "rapid").map((s, i) => ({
     ...s,
     from: at(-0.043 * i - 0.3, 33),
     move: { ...s.move, to: at(-0.043 * i - 0.3, 25) },
   }));
   const s = simulate({ blank, steps: bad, operations: [], unproved: [] });
-  const unlooked = s.proof.unlooked;
+  const unlooked = s.proof.uncheckedFrom;
   expect(unlooked?.step).toBeGreaterThanOrEqual(MOST_CONTACTS);
   expect(unlooked?.block).toBe(10 + (unlooked?.step ?? 0));
   expect(s.findings.reduce((sum, f) => sum + f.moves, 0)).toBe(MOST_CONTACTS);

@@ -6,7 +6,7 @@ import type { Checkpoint } from "./simulation.ts";
 const MOST_POINTS = 1_500_000;
 
 /** Whether the stock of a mark was replaced (stated or split), not left by the cuts before it. */
-export const isGiven = ({ isStated, isParted }: Checkpoint): boolean => (isStated ?? isParted) === true;
+export const isStockReplaced = ({ isStated, isParted }: Checkpoint): boolean => (isStated ?? isParted) === true;
 
 /** The marks of a run, with as many stored stocks as fit into memory. */
 export interface StockMarks {
@@ -33,7 +33,7 @@ export function marksOf(before: readonly Checkpoint[] = [], most = MOST_POINTS):
       while (points > most && every < marks.length) {
         every *= 2;
         marks.forEach((m, i) => {
-          if (i % every !== 0 && m.stock && !isGiven(m)) marks[i] = { step: m.step, stock: null };
+          if (i % every !== 0 && m.stock && !isStockReplaced(m)) marks[i] = { step: m.step, stock: null };
         });
         points = marks.reduce((sum, m) => sum + sizeOf(m), 0);
       }

@@ -7,7 +7,7 @@ import type { Step } from "../kernel/time/step.ts";
 import type { TipOrientation, Tool } from "../kernel/plan/tool.ts";
 import { axial, degrees, feed, length, radius } from "../kernel/units.ts";
 import { stockIssues } from "./issues.ts";
-import { madeOf } from "./made.ts";
+import { producedParts } from "./produced-parts.ts";
 import { simulate } from "./simulate.ts";
 import { playerOf } from "./stock.ts";
 
@@ -61,8 +61,8 @@ const empty: Plan = {
   part: [],
   openSide: at(0, 1),
   reach: [],
-  kept: [],
-  most: length(2),
+  oversizeReach: [],
+  maxInfeed: length(2),
   oversize: { r: 0.2, z: 0.1 },
 };
 function run(tool: Tool, start: Pt, moves: readonly Move[], plan: Partial<Plan> = {}) {
@@ -98,24 +98,24 @@ describe("the real depth of a roughing pass", () => {
   test("a hair more than allowed is not reported, nor any depth without a limit", () => {
     expect(codes(run(rougher, at(2, 27.96), [cut(-30, 27.96, "rough", 1)]))).not.toContain("deeperThanInfeed");
     expect(codes(run(rougher, at(2, 27.9), [cut(-30, 27.9, "rough", 1)]))).toContain("deeperThanInfeed");
-    expect(codes(run(rougher, at(2, 20), [cut(-30, 20, "rough", 1)], { most: length(0) }))).not.toContain(
+    expect(codes(run(rougher, at(2, 20), [cut(-30, 20, "rough", 1)], { maxInfeed: length(0) }))).not.toContain(
       "deeperThanInfeed",
     );
   });
   test("is measured along the axis in a transverse cycle", () => {
-    const s = run(bar, at(-1.5, 32), [cut(-1.5, 10, "rough", 1)], { openSide: at(1, 0), most: length(2.5) });
+    const s = run(bar, at(-1.5, 32), [cut(-1.5, 10, "rough", 1)], { openSide: at(1, 0), maxInfeed: length(2.5) });
     expect(s.proof.deepest?.depth).toBeCloseTo(3, 2);
     expect(codes(s)).toContain("deeperThanInfeed");
   });
   test("of contour-parallel passes is square to the contour; a sixth more in a right angle is no fault", () => {
     const bend = [cut(-20, 27, "rough", 1), cut(-20, 33, "rough", 1)];
-    const along = (allowed: number) => run(bar, at(2, 27), bend, { isParallel: true, most: length(allowed) });
+    const along = (allowed: number) => run(bar, at(2, 27), bend, { isParallel: true, maxInfeed: length(allowed) });
     expect(along(3).proof.deepest).toBeNull();
     expect(along(2.4).proof.deepest).toMatchObject({ allowed: 2.4, pass: 1 });
     expect(codes(along(2.4))).toContain("deeperThanInfeed");
     // Up a face, the infeed direction measures the whole face.
     const face = (isParallel: boolean) =>
-      run(bar, at(-2, 10), [cut(-2, 31, "rough", 1)], { isParallel, most: length(3) });
+      run(bar, at(-2, 10), [cut(-2, 31, "rough", 1)], { isParallel, maxInfeed: length(3) });
     expect(codes(face(true))).not.toContain("deeperThanInfeed");
     expect(codes(face(false))).toContain("deeperThanInfeed");
   });
@@ -285,7 +285,7 @@ describe("the other side of the axis", () => {
   });
   test("a tool that crosses the axis clears both sides of its width, and no stock is below the axis", () => {
     const s = run(bar, at(-20, 32), [cut(-20, -12)]);
-    expect(areaOf(madeOf(s))).toBeCloseTo(50 * 30 - 3 * 30, 4);
+    expect(areaOf(producedParts(s))).toBeCloseTo(50 * 30 - 3 * 30, 4);
     const stub = simulate({
       blank: [box(-50, 5, 0, 30)],
       operations: [],
@@ -301,7 +301,7 @@ describe("the other side of the axis", () => {
         },
       ],
     });
-    expect(areaOf(madeOf(stub))).toBeCloseTo(50 * 25 - 3 * 3 + 2 * (1 - Math.PI / 4) * 0.04, 2);
+    expect(areaOf(producedParts(stub))).toBeCloseTo(50 * 25 - 3 * 3 + 2 * (1 - Math.PI / 4) * 0.04, 2);
     expect(stub.final.flat().every((p) => p.r >= 5)).toBe(true);
   });
 });

@@ -5,7 +5,7 @@ import type { Box } from "../kernel/geometry/segments.ts";
 import type { Move } from "../kernel/plan/move.ts";
 import type { MachiningLimit } from "../kernel/plan/plan.ts";
 import { at, type Pt, type Ring } from "../kernel/geometry/point.ts";
-import { REAL_AREA, real } from "../kernel/area/real-area.ts";
+import { REAL_AREA, withoutSlivers } from "../kernel/area/real-area.ts";
 import type { Step } from "../kernel/time/step.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
 import { boxAround, inBox } from "../kernel/area/box.ts";
@@ -17,12 +17,12 @@ import type { Outlines } from "./outlines.ts";
 import { piecesOf } from "./piece.ts";
 import { largest, placeIn } from "./region.ts";
 import type { BehindLimit, Depth, MissingCrest, OperationProof, SimulatedOperation, ThreadWay } from "./simulation.ts";
-import { turned, type Sweep } from "./sweep.ts";
+import { foldedAtAxis, type Sweep } from "./sweep.ts";
 
 /** Tolerance above the allowed depth of cut, mm. */
-const TOLD = 0.05;
+const DEPTH_TOLERANCE = 0.05;
 /** Material this little behind a machining limit is not reported, mm (decision 0034). */
-const BEHIND = 0.1;
+const LIMIT_TOLERANCE = 0.1;
 /** In a right-angle bend, a layer of even thickness has room for a circle this many times as wide. */
 const BEND = (2 * Math.SQRT2) / (1 + Math.SQRT2);
 /** Most convex pieces of a measured stretch: joining them costs their square. */
@@ -88,11 +88,11 @@ export interface StockMeasure {
 }
 
 /** The greatest infeed that a plan allows, mm; 0 when its values set none. */
-const mostOf = ({ plan }: SimulatedOperation) => plan.most;
+const mostOf = ({ plan }: SimulatedOperation) => plan.maxInfeed;
 
 /** The greatest cut of smoothing or finishing, square to its path, mm: oversize plus one infeed; 0 when unknown. */
-function mostBeside({ plan }: SimulatedOperation): number {
-  const infeed = plan.most > 0 ? plan.most : plan.infeed;
+function mostFinishingCut({ plan }: SimulatedOperation): number {
+  const infeed = plan.maxInfeed > 0 ? plan.maxInfeed : plan.infeed;
   return plan.oversize && infeed > 0 ? Math.max(plan.oversize.z, plan.oversize.r) + infeed : 0;
 }
 
@@ -135,7 +135,7 @@ export function measuring(
     const place = { step: done.step, ...(done.pass !== undefined && { pass: done.pass }) };
     if (passes && operation.plan.isParallel) sum.deepest = thicker(sum.deepest, taken, mostOf(operation), place, BEND);
     else if (passes || done.phase === "thread") sum.deepest = deeper(sum.deepest, taken, operation, place);
-    else sum.thickest = thicker(sum.thickest, taken, mostBeside(operation), { step: done.step });
+    else sum.thickest = thicker(sum.thickest, taken, mostFinishingCut(operation), { step: done.step });
   }
 
   function belongs(step: Step, operation: number): boolean {
@@ -214,8 +214,8 @@ function wayOf(operation: SimulatedOperation | undefined): ThreadWay | null {
 /** Whether an insert stands in the stock, on this side of the axis or on the other. */
 function standsIn(insert: Ring, { z, r }: Pt, cut: Cutting): boolean {
   if (insert.length < 3) return false;
-  const rings = turned(insert.map((p) => at(p.z + z, p.r + r)));
-  return real(inStock([{ pieces: piecesOf(rings), rings }], cut.present())).length > 0;
+  const rings = foldedAtAxis(insert.map((p) => at(p.z + z, p.r + r)));
+  return withoutSlivers(inStock([{ pieces: piecesOf(rings), rings }], cut.present())).length > 0;
 }
 
 type Where = Pick<Depth, "step" | "pass">;
@@ -258,7 +258,7 @@ function thicker(
   bend = 1,
 ): Measured | null {
   if (allowed === 0) return known;
-  const told = Math.max(allowed * bend + TOLD, known?.depth ?? 0);
+  const told = Math.max(allowed * bend + DEPTH_TOLERANCE, known?.depth ?? 0);
   // Simplified first: the steps of a thousand passes in a wall take long to shrink, and are below the tolerance.
   const plain = simplified(taken, SLIVER);
   if (!hasRoomFor(plain, told) || offset(plain, -told / 2).length === 0) return known;
@@ -287,7 +287,7 @@ function crossing(
   done: Stretch,
 ): readonly Crossed[] {
   const box = behindOf(limit);
-  const rings = real(inBox(taken, box).filter((ring) => behindBy(ring, limit) >= BEHIND));
+  const rings = withoutSlivers(inBox(taken, box).filter((ring) => behindBy(ring, limit) >= LIMIT_TOLERANCE));
   if (rings.length === 0) return known;
   const before = known.find((c) => c.limit.at === limit.at);
   const ring = largest(rings);
@@ -295,7 +295,7 @@ function crossing(
     done.step +
     Math.max(
       0,
-      done.sweeps.findIndex((s) => real(intersection(inStock([s], done.before), [ring])).length > 0),
+      done.sweeps.findIndex((s) => withoutSlivers(intersection(inStock([s], done.before), [ring])).length > 0),
     );
   const isLarger = !before || areaOf([ring]) > areaOf([before.ring]);
   const crossed: Crossed = {
@@ -308,4 +308,4 @@ function crossing(
 }
 
 /** Whether a measured depth exceeds the allowed one beyond tolerance. */
-export const isTooDeep = ({ depth, allowed }: Depth): boolean => allowed > 0 && depth > allowed + TOLD;
+export const isTooDeep = ({ depth, allowed }: Depth): boolean => allowed > 0 && depth > allowed + DEPTH_TOLERANCE;

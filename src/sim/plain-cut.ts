@@ -4,15 +4,15 @@ import { difference, intersection, isInside, offset } from "../kernel/area/clip.
 import { hypotenuse } from "../kernel/geometry/vectors.ts";
 import { isBar, tipDirection } from "../kernel/cutter/insert.ts";
 import { at, part, type Pt, type Ring } from "../kernel/geometry/point.ts";
-import { REAL_AREA, real } from "../kernel/area/real-area.ts";
+import { REAL_AREA, withoutSlivers } from "../kernel/area/real-area.ts";
 import type { Step } from "../kernel/time/step.ts";
 import { CHORD } from "../kernel/tolerance.ts";
 import type { Tool } from "../kernel/plan/tool.ts";
 import { merged, type Cutting } from "./cutting.ts";
-import { brokenApart, type WorkHold } from "./held.ts";
+import { brokenApart, type WorkHold } from "./work-holding.ts";
 import type { Outlines } from "./outlines.ts";
 import type { SimulatedOperation } from "./simulation.ts";
-import { sweptBy, turned } from "./sweep.ts";
+import { sweptBy, foldedAtAxis } from "./sweep.ts";
 
 /* Feed moves outside cycles may cut below the contour of a cycle on purpose. This module decides which of them do. */
 
@@ -128,7 +128,7 @@ function goesThrough({ line }: Surface, step: Step, insert: Ring): boolean {
 }
 
 /** What a plain cut is checked against, besides the stock. */
-export interface Beside {
+export interface PlainCutContext {
   readonly steps: readonly Step[];
   readonly surfaces: readonly Surface[];
   readonly hold: WorkHold | null;
@@ -148,7 +148,12 @@ export interface PlainCut {
  * finished surface by mistake when it makes none of the shapes that are cut on purpose: compensated, with a tool that
  * does not rough, or from outside the stock to outside of it.
  */
-export function judgePlainCut(index: number, area: readonly Ring[], cut: Cutting, beside: Beside): PlainCut | null {
+export function judgePlainCut(
+  index: number,
+  area: readonly Ring[],
+  cut: Cutting,
+  beside: PlainCutContext,
+): PlainCut | null {
   const { steps, surfaces, outlines } = beside;
   const step = steps[index] as Step;
   const stock = cut.stock();
@@ -162,7 +167,7 @@ export function judgePlainCut(index: number, area: readonly Ring[], cut: Cutting
   const [, last] = plainRun(steps, index);
   const end = (steps[last] as Step).move.to;
   const isOutside = () =>
-    real(intersection(stock, turned(insert.map((p) => at(p.z + end.z, p.r + end.r))))).length === 0;
+    withoutSlivers(intersection(stock, foldedAtAxis(insert.map((p) => at(p.z + end.z, p.r + end.r))))).length === 0;
   const isShape = step.intent === "compensated" || makesShape(step.tool) || isOutside();
   if (isShape && breaksEdge(area, stock)) return as("meant");
   return as(!isShape && touched.some((surface) => goesThrough(surface, step, insert)) ? "gouge" : "cutBelowContour");
@@ -176,7 +181,7 @@ function makesEnd(
   index: number,
   area: readonly Ring[],
   stock: readonly Ring[],
-  { steps, hold, outlines }: Beside,
+  { steps, hold, outlines }: PlainCutContext,
 ): boolean {
   const step = steps[index] as Step,
     { insert } = outlines(step.tool),
@@ -194,7 +199,7 @@ function makesEnd(
   const left = difference(stock, merged(after));
   const held = (hold && brokenApart(left, hold)?.held) ?? left;
   const front = { left: own.left + AGAINST, right: Infinity, low: -Infinity, high: Infinity };
-  return areaOf(real(inBox(held, front))) < REAL_AREA;
+  return areaOf(withoutSlivers(inBox(held, front))) < REAL_AREA;
 }
 
 /** Greatest length-to-width ratio of a chamfer or rounding, and the least turn of an edge, as a sine. */

@@ -55,7 +55,7 @@ function* coverOf({ area, openSide }: Plan, path: readonly Reach[], insert: Ring
 }
 
 /** Residual area of a region after a tool runs the deepest path of a plan made for it, mm²: compares tools. */
-export function staysAfter(region: Ring, plan: Plan, tool: Tool): number {
+export function residualAreaAfter(region: Ring, plan: Plan, tool: Tool): number {
   const { insert } = outlinesOf()(plan.tool ?? tool);
   const cut = cutting([region]);
   for (const swept of coverOf(plan, plan.reach, insert)) cut.add(swept);
@@ -108,8 +108,9 @@ const overThreads = (
     return regionsOf(stands, LEAST_RESIDUAL).map((region) => residualAt(region, operation, "overCrest", known));
   });
 
-const isAsked = ({ plan: { asked } }: SimulatedOperation, reason: Reason): boolean =>
-  asked !== undefined && ((reason === "oversize" && asked.oversize) || (reason === "insertRadius" && asked.corner));
+const isAsked = ({ plan: { intendedResidual } }: SimulatedOperation, reason: Reason): boolean =>
+  intendedResidual !== undefined &&
+  ((reason === "oversize" && intendedResidual.oversize) || (reason === "insertRadius" && intendedResidual.corner));
 
 const residualAt = (region: Region, operation: number, reason: Reason, { thickness }: KnownShapes): Residual => ({
   area: region.area,
@@ -138,7 +139,7 @@ function withinAreas(
 
   const blocked = after(left, reach);
   const free = without(left, blocked);
-  const oversize = areaOf(free) > LEAST_RESIDUAL ? after(free, (plan) => plan.kept) : free;
+  const oversize = areaOf(free) > LEAST_RESIDUAL ? after(free, (plan) => plan.oversizeReach) : free;
   const corrected = operations.some((o) => toolOf(o).correction !== undefined);
   const behind = corrected && areaOf(blocked) > LEAST_RESIDUAL ? after(blocked, reach, true) : blocked;
   const limited = operations.some((o) => o.plan.unlimited);

@@ -9,7 +9,7 @@ import type { Finished } from "./check.ts";
 import type { Cutting } from "./cutting.ts";
 import { sidesOf } from "./edges.ts";
 import type { MeasuredSoFar, StockMeasure } from "./measure.ts";
-import { sameHold, type Parted } from "./held.ts";
+import { sameHold, type Parted } from "./work-holding.ts";
 import type { Outlines } from "./outlines.ts";
 import { isPlainCut, plainSince, type Surface } from "./plain-cut.ts";
 import { sameRings, sameSteps } from "./same-step.ts";
@@ -33,7 +33,7 @@ export interface Snapshot {
 }
 
 /** The state of a simulation that the next one can reuse. */
-export interface Former {
+export interface PreviousRun {
   readonly input: SimulationInput;
   readonly snapshots: readonly Snapshot[];
   readonly marks: readonly Checkpoint[];
@@ -47,7 +47,7 @@ export interface Former {
 }
 
 /** The snapshot to resume from, and earlier steps to check again because the finished part differs there. */
-export interface Resumed {
+export interface ResumePoint {
   readonly from: Snapshot;
   readonly recheck: readonly number[];
 }
@@ -55,7 +55,7 @@ export interface Resumed {
 /** Whether two plans agree in everything that measuring uses. */
 const sameMeasure = ({ plan: a }: SimulatedOperation, { plan: b }: SimulatedOperation): boolean =>
   a.isParallel === b.isParallel &&
-  a.most === b.most &&
+  a.maxInfeed === b.maxInfeed &&
   a.infeed === b.infeed &&
   a.oversize?.r === b.oversize?.r &&
   a.oversize?.z === b.oversize?.z &&
@@ -102,15 +102,15 @@ export function sweptBox(outline: Ring, step: Step): Box | null {
 }
 
 /** True for boxes with nothing in common. */
-export const apart = (a: Box, b: Box): boolean =>
+export const areBoxesApart = (a: Box, b: Box): boolean =>
   a.right < b.left || b.right < a.left || a.high < b.low || b.high < a.low;
 
 /**
  * Steps before a limit to check again: those that sweep where the two finished parts differ, and those that cut into
  * the previous finished part.
  */
-function touching(
-  former: Former,
+function stepsToRecheck(
+  former: PreviousRun,
   input: SimulationInput,
   { rings: finished, surfaces }: Finished,
   until: number,
@@ -138,7 +138,7 @@ function touching(
     if (judged(i)) return [i];
     const { checked } = outlines(step.tool);
     const swept = box && sweptBox(checked, step);
-    if (!swept || apart(swept, box)) return [];
+    if (!swept || areBoxesApart(swept, box)) return [];
     return sweptBy(checked, step).pieces.some((piece) => edges.meets(piece)) ? [i] : [];
   });
 }
@@ -151,7 +151,7 @@ const sameBlank = (a: SimulationInput, b: SimulationInput): boolean =>
   sameRings(a.blank, b.blank) && sameHold(a.clamping?.clamping ?? null, b.clamping?.clamping ?? null);
 
 /** The first known run with the most leading steps in common with a new one. */
-export function nearestRun(known: readonly Former[], input: SimulationInput): Former | null {
+export function nearestRun(known: readonly PreviousRun[], input: SimulationInput): PreviousRun | null {
   const [first, ...others] = known;
   if (!first || others.length === 0) return first ?? null;
   const common = known.map((former) => (sameBlank(former.input, input) ? commonSteps(former.input, input) : -1));
@@ -159,12 +159,12 @@ export function nearestRun(known: readonly Former[], input: SimulationInput): Fo
 }
 
 /** Where a run can resume from a previous one; null without a common snapshot. */
-export function resumed(
-  former: Former,
+export function resumePoint(
+  former: PreviousRun,
   input: SimulationInput,
   finished: Finished,
   outlines: (tool: Step["tool"]) => Outlines,
-): Resumed | null {
+): ResumePoint | null {
   if (!sameBlank(former.input, input)) return null;
   const common = commonSteps(former.input, input);
   // A step of another operation has closed the measurement before it.
@@ -172,7 +172,7 @@ export function resumed(
     ({ step, measure }) =>
       step < common || (step === common && (input.steps[step]?.operation ?? null) === measure.operation),
   );
-  return from ? { from, recheck: touching(former, input, finished, from.step, outlines) } : null;
+  return from ? { from, recheck: stepsToRecheck(former, input, finished, from.step, outlines) } : null;
 }
 
 /** Least steps between two snapshots, and about the most snapshots. */

@@ -32,9 +32,11 @@ export function sameSteps(): (a: Step, b: Step) => boolean {
     return known;
   };
   const sameTool = (a: Tool, b: Tool): boolean => a === b || writing(a) === writing(b);
-  const sameBringing = (a: Step, b: Step): boolean => (a.broughtBy === undefined) === (b.broughtBy === undefined);
+  const sameBringing = (a: Step, b: Step): boolean => (a.positionedBy === undefined) === (b.positionedBy === undefined);
   const sameDemand = (a: Step, b: Step): boolean =>
-    a.idle?.how === b.idle?.how && a.idle?.by === b.idle?.by && a.hole?.radius === b.hole?.radius;
+    a.spindleFault?.how === b.spindleFault?.how &&
+    a.spindleFault?.by === b.spindleFault?.by &&
+    a.hole?.radius === b.hole?.radius;
   return (a, b) =>
     a === b ||
     (a.operation === b.operation &&

@@ -65,8 +65,8 @@ const run = (tool: Tool, start: Pt, moves: readonly Move[], plan?: Partial<Plan>
     part: [],
     openSide: at(0, 1),
     reach: [],
-    kept: [],
-    most: length(0),
+    oversizeReach: [],
+    maxInfeed: length(0),
     ...plan,
   };
   return simulate({
@@ -175,8 +175,8 @@ const EMPTY: Plan = {
   part: [],
   openSide: at(0, 1),
   reach: [],
-  kept: [],
-  most: length(0),
+  oversizeReach: [],
+  maxInfeed: length(0),
 };
 
 describe("holder", () => {

@@ -1,5 +1,5 @@
 import { curvatureUnknown } from "../kernel/cutter/insert.ts";
-import { Answers } from "../kernel/answers.ts";
+import { AnswerCache } from "../kernel/answer-cache.ts";
 import { areaOf } from "../kernel/area/area.ts";
 import { packed } from "../kernel/area/clip.ts";
 import type { Ring } from "../kernel/geometry/point.ts";
@@ -8,16 +8,16 @@ import { check, MOST_CONTACTS } from "./check.ts";
 import { clampContacts } from "./clamp-contacts.ts";
 import { collector } from "./collect.ts";
 import { inStock } from "./contact.ts";
-import { cutsAtRear, unheldAt } from "./behind.ts";
-import { cutting, near, type Cutting } from "./cutting.ts";
+import { cutsAtRear, unheldAt } from "./behind-blank.ts";
+import { cutting, ringsMeeting, type Cutting } from "./cutting.ts";
 import { thicknessOf } from "./extent.ts";
-import { cutEnds, holding, loosePieces, onLoosePieces, partsOff, type Parted } from "./held.ts";
+import { cutEnds, holding, loosePieces, onLoosePieces, partedOffPieces, type Parted } from "./work-holding.ts";
 import { marksOf } from "./marks.ts";
 import { measuring } from "./measure.ts";
 import { outlinesOf } from "./outlines.ts";
 import { setupsOf } from "./setups.ts";
 import { residualOf, type KnownShapes } from "./residual.ts";
-import { hasClamping, nearestRun, resumed, snapshotSteps, type Former, type Resumed } from "./resume.ts";
+import { hasClamping, nearestRun, resumePoint, snapshotSteps, type PreviousRun, type ResumePoint } from "./resume.ts";
 import type {
   AnyFinding,
   Depth,
@@ -29,7 +29,7 @@ import type {
   SimulationInput,
   Unheld,
 } from "./simulation.ts";
-import { statedBlanks } from "./stated.ts";
+import { statedBlanks } from "./stated-blanks.ts";
 import { sweptBy, type Sweep } from "./sweep.ts";
 
 /** Moves from one checkpoint to the next. */
@@ -70,8 +70,8 @@ function walk(from: Cutting, marked: number) {
 
 /** The damage of the steps before the resumed one, with the steps in `recheck` checked again. */
 function damageBefore(
-  { from, recheck }: Resumed,
-  former: Former,
+  { from, recheck }: ResumePoint,
+  former: PreviousRun,
   { blank, steps }: SimulationInput,
   look: Look,
 ): Map<number, readonly AnyFinding[]> {
@@ -94,9 +94,9 @@ function damageBefore(
   const ordered = [...new Set([...former.damage.keys(), ...again.keys()])]
     .filter((i) => i < from.step)
     .sort((a, b) => a - b);
-  const byBringing = (f: AnyFinding) => f.block === former.input.steps[f.step]?.broughtBy;
+  const byBringing = (f: AnyFinding) => f.block === former.input.steps[f.step]?.positionedBy;
   for (const i of ordered) {
-    const blockOf = (f: AnyFinding) => (byBringing(f) ? steps[i]?.broughtBy : steps[i]?.block) ?? f.block;
+    const blockOf = (f: AnyFinding) => (byBringing(f) ? steps[i]?.positionedBy : steps[i]?.block) ?? f.block;
     const found = again.get(i) ?? former.damage.get(i)?.map((f) => ({ ...f, block: blockOf(f) })) ?? [];
     if (found.length > 0) damage.set(i, found);
   }
@@ -117,24 +117,24 @@ interface Measuring {
 const COMPUTED: Measuring = { thickness: thicknessOf, residual: residualOf };
 
 /** Cached measurements. Reused plans are the same objects, as tools are. */
-const rememberedIn = (answers: Answers): Measuring => ({
-  thickness: (area) => answers.once(`thickness ${answers.written(area)}`, () => thicknessOf(area)),
+const cachedIn = (answers: AnswerCache): Measuring => ({
+  thickness: (area) => answers.cached(`thickness ${answers.serialized(area)}`, () => thicknessOf(area)),
   residual(final, all, shapes) {
     const operations = all.map(({ plan, tool }) => `${answers.labelOf(plan)} ${answers.labelOf(tool)}`);
-    return answers.once(`residual ${operations.join()} ${answers.written(final)}`, () =>
+    return answers.cached(`residual ${operations.join()} ${answers.serialized(final)}`, () =>
       residualOf(final, all, shapes),
     );
   },
 });
 
 /** Cuts the blank step by step, checking each before its cut. */
-export const simulate = (input: SimulationInput): Simulation => simulated(input, null, COMPUTED).simulation;
+export const simulate = (input: SimulationInput): Simulation => runSimulation(input, null, COMPUTED).simulation;
 
 /** Most cached runs, the newest first, and the most steps of all but the newest. */
 const [MOST_KNOWN, MOST_KNOWN_STEPS] = [4, 200_000];
 
 /** The cached runs after adding the newest. */
-function withNewest(newest: Former | null, known: readonly Former[]): readonly Former[] {
+function withNewest(newest: PreviousRun | null, known: readonly PreviousRun[]): readonly PreviousRun[] {
   let steps = 0;
   const others = known.filter(({ input }) => (steps += input.steps.length) <= MOST_KNOWN_STEPS);
   return newest ? [newest, ...others].slice(0, MOST_KNOWN) : others;
@@ -144,22 +144,22 @@ function withNewest(newest: Former | null, known: readonly Former[]): readonly F
  * Simulates successive runs with the results of `simulate`. A beginning in common with a recent run is neither cut nor
  * checked again.
  */
-export function simulating(answers = new Answers()): (input: SimulationInput) => Simulation {
-  let known: readonly Former[] = [];
-  const measuring = rememberedIn(answers);
+export function incrementalSimulator(answers = new AnswerCache()): (input: SimulationInput) => Simulation {
+  let known: readonly PreviousRun[] = [];
+  const measuring = cachedIn(answers);
   return (input) => {
     const before = nearestRun(known, input);
-    const { simulation, kept } = simulated(input, before, measuring);
+    const { simulation, kept } = runSimulation(input, before, measuring);
     known = withNewest(kept, known);
     return simulation;
   };
 }
 
-const fallen = (parted: readonly Parted[]): number =>
+const separatedArea = (parted: readonly Parted[]): number =>
   parted.reduce((sum, { loose }) => sum + loose.reduce((all, { area }) => all + area, 0), 0);
 
 /** A finding completed by the whole run; none where that shows it to be no fault. */
-function settled(
+function finalFindings(
   f: AnyFinding,
   loose: readonly LoosePiece[],
   blockOf: (operation?: number) => number | undefined,
@@ -173,11 +173,11 @@ const isRemark = (f: AnyFinding): f is StockFinding<StockRemark> =>
   f.kind === "cutBelowContour" || f.kind === "feedBehindBlank";
 const isFault = (f: AnyFinding): f is StockFinding => !isRemark(f);
 
-function simulated(
+function runSimulation(
   input: SimulationInput,
-  former: Former | null,
+  former: PreviousRun | null,
   { thickness, residual }: Measuring,
-): { readonly simulation: Simulation; readonly kept: Former | null } {
+): { readonly simulation: Simulation; readonly kept: PreviousRun | null } {
   const { blank, steps, operations, unproved } = input;
   const outlines = outlinesOf();
   const setups = setupsOf(operations, (stock, of) => residual(stock, of, { outlines, thickness }));
@@ -197,7 +197,7 @@ function simulated(
         }),
     };
   };
-  const resume = former && resumed(former, input, setups.atFirst, outlines);
+  const resume = former && resumePoint(former, input, setups.atFirst, outlines);
   const from = resume?.from;
   const held = holding(
     blank,
@@ -209,7 +209,7 @@ function simulated(
   const isContact = (found: readonly AnyFinding[]) => found.some((f) => CONTACTS.has(f.kind));
   let contacts = [...damage.values()].filter(isContact).length;
   // Where the check stops depends on all earlier findings, so this run cannot resume.
-  if (contacts >= MOST_CONTACTS && resume) return simulated(input, null, { thickness, residual });
+  if (contacts >= MOST_CONTACTS && resume) return runSimulation(input, null, { thickness, residual });
   const marks = marksOf(former && from ? former.marks.slice(0, from.marks) : [{ step: 0, stock: packed(blank) }]);
   const measure = measuring(
     operations,
@@ -219,27 +219,27 @@ function simulated(
   const snapshots = former && from ? former.snapshots.filter(({ step }) => step <= from.step) : [];
   const isKept = snapshotSteps(input);
   let byRapids = from?.byRapids ?? 0;
-  let unlooked: Proof["unlooked"] = null;
+  let uncheckedFrom: Proof["uncheckedFrom"] = null;
   const at = walk(from?.cut.copy() ?? cutting(blank), from?.marked ?? 0);
   const statements = statedBlanks(input.stated ?? []);
-  for (const parted of held.parted()) setups.partOff(partsOff(parted), parted.step);
+  for (const parted of held.parted()) setups.partOff(partedOffPieces(parted), parted.step);
   const unheld: Omit<Unheld, "block">[] = [];
   /** Whether nothing was cut since the last check for loose pieces. */
   let isWhole = false;
 
   /** Splits off loose pieces after a cut has ended. */
-  function lookWhole(i: number, isReplaced: boolean): void {
+  function separateLoose(i: number, isReplaced: boolean): void {
     if (isWhole || !cutEnds(steps, i)) return;
     isWhole = true;
-    const parted = held.look(i, at.present().cut.stock());
+    const parted = held.separate(i, at.present().cut.stock());
     if (!parted) return;
-    setups.partOff(partsOff(parted), i);
+    setups.partOff(partedOffPieces(parted), i);
     if (isReplaced) return;
     at.begin(i, parted.held);
     marks.add(i, parted.held, "isParted");
   }
   /** Checks that enough is left to grip, before another blank is stated or at the end. */
-  function lookHeld(stock: readonly Ring[], end: number): void {
+  function checkGrip(stock: readonly Ring[], end: number): void {
     const rear = held.hold()?.rear ?? null,
       place = unheldAt(held.blank(), stock, rear);
     const lastCut = place ? steps.findLastIndex(({ move }, k) => k < end && move.kind !== "rapid") : -1;
@@ -262,9 +262,9 @@ function simulated(
     const step = steps[i] as Step;
     if (isKept(i) && i > (from?.step ?? 0)) note(i, step.operation);
     const now = statements.at(i, at.present().cut);
-    lookWhole(i, now !== null);
+    separateLoose(i, now !== null);
     if (now) {
-      lookHeld(at.present().cut.stock(), i);
+      checkGrip(at.present().cut.stock(), i);
       setups.change(at.present().cut.stock(), i);
       held.change(now);
       at.begin(i, now);
@@ -276,16 +276,16 @@ function simulated(
       const found = checked(cut);
       if (found.length > 0) damage.set(i, found);
       if (isContact(found)) contacts += 1;
-    } else unlooked ??= { step: i, block: step.block };
+    } else uncheckedFrom ??= { step: i, block: step.block };
     measure.add(step, i, sweep, outlines(step.tool), cut);
-    if (step.move.kind === "rapid" && !unlooked) byRapids += areaOf(inStock([sweep], cut.present()));
-    isWhole &&= near(sweep, cut.present().meets).length === 0;
+    if (step.move.kind === "rapid" && !uncheckedFrom) byRapids += areaOf(inStock([sweep], cut.present()));
+    isWhole &&= ringsMeeting(sweep, cut.present().meets).length === 0;
     cut.add(sweep);
   }
   if (steps.length > (from?.step ?? 0)) note(steps.length, null);
-  lookWhole(steps.length, false);
+  separateLoose(steps.length, false);
   const { cut } = at.present();
-  lookHeld(cut.stock(), steps.length);
+  checkGrip(cut.stock(), steps.length);
   const last = statements.at(steps.length, cut);
   if (last) {
     setups.change(cut.stock(), steps.length);
@@ -297,12 +297,12 @@ function simulated(
   found.add(clampContacts(steps, input.clamping, outlines));
   const loose = held.parted().flatMap((parted) => loosePieces(parted, steps));
   const blockOf = (operation = -1) => steps[operations[operation]?.firstStep ?? -1]?.block;
-  const all = found.all().flatMap((f) => settled(f, loose, blockOf));
+  const all = found.all().flatMap((f) => finalFindings(f, loose, blockOf));
   const findings = all.filter(isFault);
   const measured = measure.results(steps);
   const startTimes = startTimesOf(steps);
   const checkpoints = marks.all();
-  const isKnown = unlooked === null && checkpoints.every(({ stock }) => stock !== null);
+  const isKnown = uncheckedFrom === null && checkpoints.every(({ stock }) => stock !== null);
   const simulation: Simulation = {
     blank,
     steps,
@@ -315,7 +315,7 @@ function simulated(
       gouge: total(findings, "gouge"),
       rapidInStock: total(findings, "rapidInStock"),
       residual: setups.residual(final),
-      cut: Math.max(0, areaOf(blank) + statements.added() - areaOf(final) - byRapids - fallen(held.parted())),
+      cut: Math.max(0, areaOf(blank) + statements.added() - areaOf(final) - byRapids - separatedArea(held.parted())),
       airPasses: measured.reduce((sum, o) => sum + o.airPasses, 0),
       deepest: measured.reduce<Depth | null>(
         (best, { deepest }) => (deepest && deepest.depth > (best?.depth ?? 0) ? deepest : best),
@@ -331,7 +331,7 @@ function simulated(
       loose,
       remarks: all.filter(isRemark),
       unheld: unheld.map((u) => ({ ...u, block: steps[u.step]?.block ?? 0 }))[0] ?? null,
-      unlooked,
+      uncheckedFrom,
       operations: measured,
     },
   };

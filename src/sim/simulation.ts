@@ -3,7 +3,7 @@ import type { Clamped, ClampPart } from "../kernel/area/clamping.ts";
 import type { Issue, Reason } from "../kernel/plan/issue.ts";
 import type { MachiningLimit, Plan } from "../kernel/plan/plan.ts";
 import type { Pt, Ring } from "../kernel/geometry/point.ts";
-import type { Idle, NeededHole, Stated, Step, Unproved } from "../kernel/time/step.ts";
+import type { SpindleFault, NeededHole, StatedBlank, Step, UnsimulatedBlock } from "../kernel/time/step.ts";
 import type { Tool } from "../kernel/plan/tool.ts";
 
 /** One executed cycle call: its plan and its steps, `firstStep` to `lastStep` included (none: lastStep < firstStep). */
@@ -20,13 +20,13 @@ export interface SimulatedOperation {
 export interface SimulationInput {
   readonly blank: readonly Ring[];
   /** Blanks that are stated later, in the order of their steps; none where absent. */
-  readonly stated?: readonly Stated[];
+  readonly stated?: readonly StatedBlank[];
   /** The clamping, where stated. */
   readonly clamping?: Clamped | null;
   readonly steps: readonly Step[];
   readonly operations: readonly SimulatedOperation[];
   /** What the run read and did not simulate. */
-  readonly unproved: readonly Unproved[];
+  readonly unproved: readonly UnsimulatedBlock[];
 }
 
 /** A moment of the run: a fraction 0 … 1 of the way of a step. The end is `{ step: steps.length, fraction: 0 }`. */
@@ -78,7 +78,7 @@ export interface StockFinding<Kind = StockFault> {
   readonly area: number;
   readonly rings: readonly Ring[];
   /** Why the spindle does not turn as required, where that is the fault. */
-  readonly idle?: Idle;
+  readonly idle?: SpindleFault;
   /** The hole that is missing, mm, and the number of the tool that needs it. */
   readonly hole?: NeededHole & { readonly tool: number };
   /** Number of moves with this finding in this place; `step` is the first. */
@@ -118,9 +118,9 @@ export interface StatedProof {
   readonly block: number;
   readonly what: string;
   /** Stock outside the stated outline, removed in an unknown way. */
-  readonly lacks: number;
+  readonly missingArea: number;
   /** Area of the stated outline where the stock had already been cut. */
-  readonly adds: number;
+  readonly extraArea: number;
 }
 
 /** A piece is in front of the held part, a ring around it, a slug inside it. */
@@ -159,8 +159,8 @@ export interface Proof {
    * From this step on, contour damage, rapids in stock and holder contacts were not checked, because there were too
    * many; null: all were checked.
    */
-  readonly unlooked: { readonly step: number; readonly block: number } | null;
-  readonly unproved: readonly Unproved[];
+  readonly uncheckedFrom: { readonly step: number; readonly block: number } | null;
+  readonly unproved: readonly UnsimulatedBlock[];
   readonly stated: readonly StatedProof[];
   /** Pieces that came off the held part, in the order of the run; they have left the stock. */
   readonly loose: readonly LoosePiece[];

@@ -1,7 +1,7 @@
 import { unpacked } from "../kernel/area/clip.ts";
 import type { Ring } from "../kernel/geometry/point.ts";
 import { cutting, type Cutting, type Present } from "./cutting.ts";
-import { isGiven } from "./marks.ts";
+import { isStockReplaced } from "./marks.ts";
 import { outlinesOf } from "./outlines.ts";
 import type { Checkpoint, PlayPosition, Simulation } from "./simulation.ts";
 import { sweptBy } from "./sweep.ts";
@@ -75,7 +75,7 @@ export function playerOf(simulation: Simulation): Player {
         now = {
           mark: now.mark + 1,
           next: now.next,
-          cut: cutting(isGiven(begun) ? unpacked(begun.stock ?? []) : now.cut.stock()),
+          cut: cutting(isStockReplaced(begun) ? unpacked(begun.stock ?? []) : now.cut.stock()),
         };
       if (step - now.next < RECENT_STEPS && !recent.has(now.next)) keep(now.next, now.cut.present());
       if (now.next >= step) return now.cut;

@@ -93,7 +93,7 @@ export function waypoints(step: Step, fraction: number, chord = CHORD): Pt[] {
 }
 
 /** The work rotates, so a sweep beyond the axis (r < 0) is mirrored to this side. There is no stock at r < 0. */
-export function turned(ring: Ring): Ring[] {
+export function foldedAtAxis(ring: Ring): Ring[] {
   let [lowest, highest] = [Infinity, -Infinity];
   for (const { r } of ring) {
     if (r < lowest) lowest = r;
@@ -107,7 +107,7 @@ export function turned(ring: Ring): Ring[] {
 const asItIs = (ring: Ring): Ring[] => [ring];
 
 /** Convex pieces for each chord between points: one, or two where it crosses the axis. */
-function alongPoints(outline: Ring, points: readonly Pt[], across: (ring: Ring) => Ring[] = turned): Ring[] {
+function alongPoints(outline: Ring, points: readonly Pt[], across: (ring: Ring) => Ring[] = foldedAtAxis): Ring[] {
   if (outline.length < 3 || !points.every(finite)) return [];
   return points.slice(1).flatMap((to, i) => across(hullAlong(outline, points[i] as Pt, to)));
 }
@@ -121,7 +121,7 @@ export interface Sweep {
   readonly rings: readonly Ring[];
 }
 
-function sweptAlong(outline: Ring, points: readonly Pt[], across: (ring: Ring) => Ring[] = turned): Sweep {
+function sweptAlong(outline: Ring, points: readonly Pt[], across: (ring: Ring) => Ring[] = foldedAtAxis): Sweep {
   const hulls = alongPoints(outline, points, across);
   return { pieces: piecesOf(hulls), rings: hulls.length < 3 ? hulls : across(trackAlong(outline, points)) };
 }
@@ -132,7 +132,7 @@ function stamped(outline: Ring, from: Pt, move: ThreadMove, fraction: number): S
     .filter((s) => s.fraction <= fraction)
     .map((s) => s.at);
   if (outline.length < 3 || !places.every(finite)) return { pieces: [], rings: [] };
-  const rings = places.flatMap((place) => turned(outline.map((p) => at(place.z + p.z, place.r + p.r))));
+  const rings = places.flatMap((place) => foldedAtAxis(outline.map((p) => at(place.z + p.z, place.r + p.r))));
   return { pieces: piecesOf(rings), rings };
 }
 

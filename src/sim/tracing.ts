@@ -2,7 +2,7 @@ import type { Clamping } from "../kernel/area/clamping.ts";
 import type { Ring } from "../kernel/geometry/point.ts";
 import type { Step } from "../kernel/time/step.ts";
 import { cutting } from "./cutting.ts";
-import { brokenApart, holdOf } from "./held.ts";
+import { brokenApart, holdOf } from "./work-holding.ts";
 import { outlinesOf } from "./outlines.ts";
 import { sweptBy } from "./sweep.ts";
 
@@ -13,7 +13,7 @@ interface Traced {
 }
 
 /** Starts cutting a blank without checking for damage. */
-export function tracing(blank: readonly Ring[], clamping: Clamping | null): Traced {
+export function traceStock(blank: readonly Ring[], clamping: Clamping | null): Traced {
   const outlines = outlinesOf();
   const hold = holdOf(blank, clamping);
   const standing = (stock: readonly Ring[]): Traced => ({

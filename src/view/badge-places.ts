@@ -1,5 +1,5 @@
 import type { Place } from "./camera.ts";
-import type { Seen } from "./edge-mark.ts";
+import type { VisibleArea } from "./edge-mark.ts";
 
 /** Offset of a badge from its place, pixels, so that the place itself stays visible. */
 const ASIDE = { x: 18, y: -18 };
@@ -44,7 +44,7 @@ interface Row {
   readonly pitch: number;
 }
 
-function rowOf(crowd: readonly Asked[], { left, right }: Seen): Row {
+function rowOf(crowd: readonly Asked[], { left, right }: VisibleArea): Row {
   const sorted = crowd.toSorted((a, b) => a.place.x - b.place.x);
   const room = WIDEST * (right - left);
   if (crowd.length * APART <= room) return { shares: sorted.map((each) => [each]), pitch: APART };
@@ -56,7 +56,7 @@ function rowOf(crowd: readonly Asked[], { left, right }: Seen): Row {
 }
 
 /** Places of the badges of a row: above the places they belong to, so that leaders hardly cross. */
-function rowOver({ shares, pitch }: Row, crowd: readonly Asked[], seen: Seen): readonly Place[] {
+function rowOver({ shares, pitch }: Row, crowd: readonly Asked[], seen: VisibleArea): readonly Place[] {
   const middle = crowd.reduce((sum, { place }) => sum + place.x, 0) / crowd.length + (crowd.length > 1 ? 0 : ASIDE.x);
   const over = Math.min(...crowd.map(({ place }) => place.y)) + ASIDE.y - Math.min(HIGHEST, RISE * (crowd.length - 1));
   const wide = (shares.length - 1) * pitch,
@@ -84,7 +84,7 @@ function seemsFar({ x, y }: Place): number {
  * another. In a row that is too long, neighbours share a badge. While there is room above or below, no badge covers
  * another or leaves the visible area.
  */
-export function badgePlaces(places: readonly Place[], seen: Seen): readonly Place[] {
+export function badgePlaces(places: readonly Place[], seen: VisibleArea): readonly Place[] {
   const put: (Place & { readonly pitch: number })[] = [],
     found: Place[] = places.map(({ x, y }) => ({ x: x + ASIDE.x, y: y + ASIDE.y }));
   for (const crowd of crowdsOf(places)) {

@@ -1,7 +1,7 @@
 import type { Place } from "./camera.ts";
 
 /** The visible area of a picture, CSS pixels. */
-export interface Seen {
+export interface VisibleArea {
   readonly left: number;
   readonly right: number;
   readonly top: number;
@@ -18,7 +18,7 @@ export interface EdgeMark {
 }
 
 /** The mark of a place outside the visible area; null if the place is visible. */
-export function edgeMark(place: Place, { left, right, top, bottom }: Seen): EdgeMark | null {
+export function edgeMark(place: Place, { left, right, top, bottom }: VisibleArea): EdgeMark | null {
   const at = { x: Math.min(right, Math.max(left, place.x)), y: Math.min(bottom, Math.max(top, place.y)) };
   if (at.x === place.x && at.y === place.y) return null;
   return { at, turn: (Math.atan2(place.y - at.y, place.x - at.x) * 180) / Math.PI };

@@ -4,7 +4,7 @@ import { pathOf } from "../kernel/time/time.ts";
 import type { PlayPosition } from "../sim/simulation.ts";
 
 /** Access to the steps of a path: the way of each, and whether it cuts. */
-export interface Looked<S> {
+export interface StepAccess<S> {
   readonly wayOf: (step: S) => Segment;
   readonly cuts: (step: S) => boolean;
 }
@@ -14,7 +14,7 @@ const boxes = new WeakMap<readonly unknown[], Float64Array>();
 
 const SIDES = 4;
 
-function boxesOf<S>(steps: readonly S[], { wayOf }: Looked<S>): Float64Array {
+function boxesOf<S>(steps: readonly S[], { wayOf }: StepAccess<S>): Float64Array {
   const known = boxes.get(steps);
   if (known) return known;
   const made = new Float64Array(steps.length * SIDES);
@@ -32,7 +32,7 @@ function boxesOf<S>(steps: readonly S[], { wayOf }: Looked<S>): Float64Array {
  */
 export function nearestStep<S>(
   steps: readonly S[],
-  looked: Looked<S>,
+  looked: StepAccess<S>,
   place: Pt,
   reach: number,
   shown: (step: number) => boolean = () => true,
@@ -67,7 +67,7 @@ export function fractionNear(way: Segment, place: Pt): number {
   return Math.min(ALMOST_DONE, Math.max(0, done));
 }
 
-const TURNED: Looked<Step> = {
+const TURNED: StepAccess<Step> = {
   wayOf: ({ from, move }) => pathOf(from, move),
   cuts: ({ move }) => move.kind !== "rapid",
 };

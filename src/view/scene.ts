@@ -36,9 +36,9 @@ export interface SceneParts {
   /** The known part of a contour that is not complete yet. */
   readonly sketch?: readonly Segment[];
   /** Further points that must be visible. */
-  readonly near?: readonly Pt[];
+  readonly framedPoints?: readonly Pt[];
   /** Position of a tool before there is a path, and the tool. */
-  readonly waits?: { readonly at: Pt; readonly tool: Tool | null } | null;
+  readonly parkedTool?: { readonly at: Pt; readonly tool: Tool | null } | null;
 }
 
 /** The static part of the picture, from back to front, and the box that contains all of it. */
@@ -152,13 +152,13 @@ export function sceneOf({
   path: drawn,
   ways,
   sketch = [],
-  near = [],
-  waits = null,
+  framedPoints = [],
+  parkedTool = null,
 }: SceneParts): Scene {
   const material = boundsOf(blank.flat());
   const all = ways ?? tipWays(steps),
     low = all.reduce((least, way) => Math.min(least, way.low), 0);
-  const outline = boundsOf([...contours, sketch].flatMap((c) => [...pointsOf(c)]).concat(near));
+  const outline = boundsOf([...contours, sketch].flatMap((c) => [...pointsOf(c)]).concat(framedPoints));
   const chuck = material ? chuckDrawing(blank, material, clamping) : null;
   const shapes: Shape[] = [];
   if (blank.length > 0) shapes.push({ role: "blank", d: ringData(blank) });
@@ -166,8 +166,8 @@ export function sceneOf({
   shapes.push(...contourShapes(contours), ...(drawn ?? toolpath(steps)));
   // On a tiny part an insert would fill most of the picture.
   const most = material ? material.high : Infinity;
-  const tip = boundsOf(waits ? [waits.at] : []),
-    standing = tip && waits?.tool ? insertBox(tip, waits.tool, most) : tip;
+  const tip = boundsOf(parkedTool ? [parkedTool.at] : []),
+    standing = tip && parkedTool?.tool ? insertBox(tip, parkedTool.tool, most) : tip;
   const seen =
     joined(joined(material, joined(joined(workingBox(framed(all), most), standing), outline)), chuck?.seen ?? null) ??
     EMPTY;

@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import { RULES } from "../../src/course/judge/judgement.ts";
 import { readTask } from "../../src/course/read-task.ts";
 import { taskSchema } from "../../src/course/task.ts";
-import { taskProblems } from "../../src/course/whole.ts";
+import { taskProblems } from "../../src/course/course-problems.ts";
 import { projectFile } from "../sources.ts";
 import { fieldsOf, neededFields, type Schema } from "./fields.ts";
 

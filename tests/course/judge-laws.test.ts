@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
-import { beyond } from "../../src/course/judge/difference.ts";
-import { wantedPart } from "../../src/course/wanted-part.ts";
+import { areaBeyond } from "../../src/course/judge/difference.ts";
+import { targetPart } from "../../src/course/target-part.ts";
 import { areaOf } from "../../src/kernel/area/area.ts";
 import { at } from "../../src/kernel/geometry/point.ts";
 import "../seed.ts";
@@ -159,7 +159,7 @@ describe("areas", () => {
     fc.assert(
       fc.property(stairs, stairs, (one, other) => {
         const blank = [`BLK FORM CYLINDER Z D${D} L${-BACK + 1} DIST+1`];
-        const [a, b] = [one, other].map((steps) => wantedPart({ blank, outside: lines(steps) }).rings);
+        const [a, b] = [one, other].map((steps) => targetPart({ blank, outside: lines(steps) }).rings);
         const cuts = [...new Set([0, ...ends(one), ...ends(other)])].sort((p, q) => q - p);
         let [out, back] = [0, 0];
         cuts.slice(1).forEach((z, i) => {
@@ -170,8 +170,8 @@ describe("areas", () => {
           else back -= gap * wide;
         });
         // Strips thinner than a sliver do not count.
-        expect(Math.abs(areaOf(beyond(a ?? [], b ?? [])) - out)).toBeLessThan(0.01 * 40 + 0.02);
-        expect(Math.abs(areaOf(beyond(b ?? [], a ?? [])) - back)).toBeLessThan(0.01 * 40 + 0.02);
+        expect(Math.abs(areaOf(areaBeyond(a ?? [], b ?? [])) - out)).toBeLessThan(0.01 * 40 + 0.02);
+        expect(Math.abs(areaOf(areaBeyond(b ?? [], a ?? [])) - back)).toBeLessThan(0.01 * 40 + 0.02);
       }),
       { numRuns: 60 },
     ));
@@ -183,9 +183,9 @@ describe("areas", () => {
         const bore = [`L X${d} Z+0`, `L Z-${deep}`, `L X${isTube ? hollow : 0}`];
         const hole = isTube ? hollow / 2 : 0;
         const whole = (D / 2 - hole) * 90;
-        const faced = wantedPart({ blank, outside: ["L X+0 Z+0", `L X${D}`], bore }).rings;
+        const faced = targetPart({ blank, outside: ["L X+0 Z+0", `L X${D}`], bore }).rings;
         expect(areaOf(faced)).toBeCloseTo(whole - (D / 2 - hole) * 1.5 - (d / 2 - hole) * deep, 2);
-        const bored = wantedPart({ blank, bore }).rings;
+        const bored = targetPart({ blank, bore }).rings;
         expect(areaOf(bored)).toBeCloseTo(whole - (d / 2 - hole) * (deep + 1.5), 2);
       }),
       { numRuns: 30 },
@@ -194,7 +194,7 @@ describe("areas", () => {
   test("of an outline that runs back on itself do not touch the neck behind the last point", () => {
     const blank = [`BLK FORM CYLINDER Z D60 L90 DIST+0`];
     // A collar of 7.3 mm, and a neck of ⌀31.4 from Z-20 that extends 4 mm behind the start of the unmachined blank.
-    const rings = wantedPart({
+    const rings = targetPart({
       blank,
       outside: ["L X+0 Z+0", "L X+48.6", "L Z-7.3", "L X+31.4", "L Z-24", "L X+60 Z-20"],
     }).rings;

@@ -1,8 +1,8 @@
 import { isDeepStrictEqual } from "node:util";
 import { describe, expect, test } from "vitest";
 import { lessonSchema, type Lesson } from "../../src/course/lesson.ts";
-import { stepsPlayed, valueIn, withSlid } from "../../src/course/played.ts";
-import { programOfLines } from "../../src/course/start-of.ts";
+import { stepsPlayed, parameterValueIn, withParameterValue } from "../../src/course/playback-range.ts";
+import { programOfLines } from "../../src/course/task-start.ts";
 import { taskSchema } from "../../src/course/task.ts";
 import { LESSON_LANGUAGES } from "../../src/i18n/languages.ts";
 import { radius, toDiameter } from "../../src/kernel/units.ts";
@@ -88,14 +88,17 @@ describe.each(named)("%s", (name, raw) => {
       const { slide } = pages[i] ?? {};
       if (!slide) return;
       const { q, from, to, step } = slide,
-        now = valueIn(program, q);
+        now = parameterValueIn(program, q);
       expect(now, `page ${i + 1}: ${q}`).not.toBeNull();
       expect(now, `page ${i + 1}: ${q}`).toBeGreaterThanOrEqual(from);
       expect(now, `page ${i + 1}: ${q}`).toBeLessThanOrEqual(to);
       const steps = ((now ?? 0) - from) / step;
       expect(steps, `page ${i + 1}: ${q} stands between two places of the slider`).toBeCloseTo(Math.round(steps), 6);
       for (const value of [from, to])
-        expect(ran(withSlid(program, q, value)).steps.length, `page ${i + 1}: ${q} = ${value}`).toBeGreaterThan(0);
+        expect(
+          ran(withParameterValue(program, q, value)).steps.length,
+          `page ${i + 1}: ${q} = ${value}`,
+        ).toBeGreaterThan(0);
     });
   });
 

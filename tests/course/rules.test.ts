@@ -2,7 +2,7 @@ import fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import { answerOf } from "../../src/course/judge/answer.ts";
 import { judge } from "../../src/course/judge/judge.ts";
-import { toolsOfTask } from "../../src/course/start-of.ts";
+import { toolsOfTask } from "../../src/course/task-start.ts";
 import type { Task } from "../../src/course/task.ts";
 import type { Tool } from "../../src/kernel/plan/tool.ts";
 import { length } from "../../src/kernel/units.ts";

@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { describe, expect, it } from "vitest";
-import { lessonProblems, taskProblems } from "../../src/course/whole.ts";
+import { lessonProblems, taskProblems } from "../../src/course/course-problems.ts";
 import { lessonSchema } from "../../src/course/lesson.ts";
 import { taskSchema } from "../../src/course/task.ts";
 

@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { lessonSchema } from "../../src/course/lesson.ts";
 import { taskSchema, type Task } from "../../src/course/task.ts";
-import { lessonProblems, taskProblems } from "../../src/course/whole.ts";
+import { lessonProblems, taskProblems } from "../../src/course/course-problems.ts";
 import { projectFile } from "../sources.ts";
 
 /* The checks of course files must detect faults: the example of the document, broken in one place at a time. */
@@ -11,7 +11,7 @@ const read = taskSchema.parse(JSON.parse(example));
 const whole: Task = { ...read, words: { en: read.words.en, de: read.words.en, fr: read.words.en, zh: read.words.en } };
 const problems = (change: Partial<Task>) => taskProblems({ ...whole, ...change }, "tasks/journal-52.json");
 const [wrong] = whole.wrong ?? [];
-const told = (more: object): Task["words"] => {
+const wordsWith = (more: object): Task["words"] => {
   const words = { ...read.words.en, ...more } as Task["words"]["en"];
   return { en: words, de: words, fr: words, zh: words };
 };
@@ -52,7 +52,7 @@ describe("a task that ships with the page", () => {
       {
         start: { program: whole.solution ?? [] },
         predict: [{ ask: "rapidPlace", within: 3 }],
-        words: told({ questions: ["Where?"] }),
+        words: wordsWith({ questions: ["Where?"] }),
       },
       "prediction 1: there is no such thing in the run",
     ],
@@ -61,7 +61,7 @@ describe("a task that ships with the page", () => {
       {
         start: { program: whole.solution ?? [] },
         predict: [{ ask: "block", right: [77] }],
-        words: told({ questions: ["Which?"] }),
+        words: wordsWith({ questions: ["Which?"] }),
       },
       "prediction 1: there is no such thing in the run",
     ],
@@ -70,7 +70,7 @@ describe("a task that ships with the page", () => {
       {
         start: { program: whole.solution ?? [] },
         predict: [{ ask: "seconds" }],
-        words: told({ questions: ["?"] }),
+        words: wordsWith({ questions: ["?"] }),
       },
       "prediction 1 needs `within`",
     ],
@@ -79,7 +79,7 @@ describe("a task that ships with the page", () => {
       {
         start: { program: whole.solution ?? [] },
         predict: [{ ask: "choice", right: 1 }],
-        words: told({ questions: ["?"], choices: [["one"]] }),
+        words: wordsWith({ questions: ["?"], choices: [["one"]] }),
       },
       "en: choices of prediction 1",
     ],

@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 import { markText } from "../../src/features/course/task/mark-words.ts";
 import { answerOf } from "../../src/course/judge/answer.ts";
 import { judge } from "../../src/course/judge/judge.ts";
-import { programOfLines } from "../../src/course/start-of.ts";
+import { programOfLines } from "../../src/course/task-start.ts";
 import { taskSchema, type Task } from "../../src/course/task.ts";
 import { texts } from "../../src/i18n/index.ts";
 import { courseTask } from "../../src/i18n/en/course-task.ts";
@@ -12,38 +12,40 @@ import rodFile from "../../src/course/tasks/l16-drawn-rod.json";
 const [shoulder, rod] = [shoulderFile, rodFile].map((file) => taskSchema.parse(file)) as [Task, Task];
 
 /** The messages for the solution with one change, the first one first. */
-function told(task: Task, from: string, to: string): string[] {
+function markTexts(task: Task, from: string, to: string): string[] {
   const right = programOfLines(task.solution ?? []);
   expect(right).toContain(from);
   const answer = answerOf(right.replace(from, to));
   const marks = judge(task, answer).marks.filter(({ passed }) => !passed);
   return marks.map((mark) => markText(mark, { t: courseTask, texts: texts("en"), language: "en", task, answer }));
 }
-const { turnedRound } = courseTask.wrong;
+const { wrongSide: turnedRound } = courseTask.wrong;
 
 test.each([
   ["a forgotten minus", "Q494=-27.4", "Q494=+27.4", "Z+27.4 is in front of the workpiece. -27.4?: block 7"],
   ["a diameter doubled", "Q493=+48.2", "Q493=+96.4", `${turnedRound.inside}: block 9`],
   ["a start within the steel", "8 L X+63.5 Z+2", "8 L X+40 Z+2", `${turnedRound.inside}: block 9`],
 ])("%s is reported by its effect on the cycle, not as a wrong tool", (_, from, to, said) => {
-  expect(told(shoulder, from, to)[0]).toBe(said);
+  expect(markTexts(shoulder, from, to)[0]).toBe(said);
 });
 
 test("every place with material left names the call that should have cut it; allowed residue is not marked", () => {
-  const places = told(shoulder, "8 L X+63.5 Z+2", "8 L X+63.5 Z-5").filter((line) => line.startsWith("Material left"));
+  const places = markTexts(shoulder, "8 L X+63.5 Z+2", "8 L X+63.5 Z-5").filter((line) =>
+    line.startsWith("Material left"),
+  );
   expect(places).toHaveLength(1);
   expect(places[0]).toMatch(/^Material left, up to 0\.2\d mm thick at ⌀48\.\d+, Z-0\.\d+: block 9$/);
   expect(
-    told(shoulder, "Q494=-27.4", "Q494=+27.4").filter(
+    markTexts(shoulder, "Q494=-27.4", "Q494=+27.4").filter(
       (line) => line.startsWith("Material left") && !line.endsWith("block 9"),
     ),
   ).toEqual([]);
 });
 
 test("a thread of another pitch is reported once, by its pitch; a missing one as missing", () => {
-  const pitch = told(rod, "Q472=+1.5", "Q472=+2").filter((line) => line.includes("Z-"));
+  const pitch = markTexts(rod, "Q472=+1.5", "Q472=+2").filter((line) => line.includes("Z-"));
   expect(pitch).toEqual(["Thread M30×1.5 has a pitch of 2 mm instead of 1.5 at ⌀30, Z-12: block 9"]);
-  expect(told(rod, "Q494=-24", "Q494=+24")).toContainEqual(
+  expect(markTexts(rod, "Q494=-24", "Q494=+24")).toContainEqual(
     expect.stringMatching(/^Thread M30×1\.5 is missing: no groove is cut .* at ⌀30, Z-12/),
   );
 });
@@ -52,7 +54,7 @@ test.each([
   ["Q215=+0", "Q215=+2"],
   ["Q483=+0.5", "Q483=+16"],
 ])("a finishing cut that takes what was never roughed is too deep: %s → %s", (from, to) => {
-  expect(told(shoulder, from, to)).toContainEqual(
+  expect(markTexts(shoulder, from, to)).toContainEqual(
     expect.stringMatching(/^A pass is 7\.\d+ mm deep; 2\.5 mm are allowed: block 9, finishing cut$/),
   );
 });

@@ -90,8 +90,8 @@ export function exampleResult({ fault, many }: { readonly fault: boolean; readon
     part,
     openSide: at(1, 0),
     reach: [],
-    kept: [],
-    most: length(2),
+    oversizeReach: [],
+    maxInfeed: length(2),
   };
   const seconds = steps.reduce((sum, s) => sum + s.seconds, 0);
   const operation: Operation = {

@@ -6,12 +6,12 @@ import { pointPlan } from "../../src/cycles/point-plan.ts";
 import { contourFrom } from "../../src/kernel/contour/contour.ts";
 import { axial, diameter, toRadius } from "../../src/kernel/units.ts";
 import type { Size } from "../../src/view/camera.ts";
-import type { Numbers, Speech } from "../../src/view/help/lettering.ts";
+import type { Numbers, HelpWords } from "../../src/view/help/lettering.ts";
 import type { Mark } from "../../src/view/help/marks.ts";
 import { helpDrawing, type HelpDrawing } from "../../src/view/help/picture.ts";
 
 /** English lettering, independent of the page's texts. */
-export const speech: Speech = {
+export const speech: HelpWords = {
   number: (value, decimals) => String(Number(value.toFixed(decimals))),
   element: ["none", "chamfer", "radius"],
   reserved: "(no function)",

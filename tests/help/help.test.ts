@@ -3,7 +3,7 @@ import { c852 } from "../../src/cycles/c852.ts";
 import { defineCycle, type Cycle } from "../../src/cycles/define.ts";
 import { choice, diameterParam, lengthParam, radial } from "../../src/cycles/params.ts";
 import { recessOutline } from "../../src/cycles/recess-outline.ts";
-import { empty } from "../../src/kernel/strategy/leveled.ts";
+import { emptyPlan } from "../../src/kernel/strategy/leveled.ts";
 import { axial, degrees, diameter, length } from "../../src/kernel/units.ts";
 import type { Numbers } from "../../src/view/help/lettering.ts";
 import { labelsOverlap } from "../../src/view/help/labels.ts";
@@ -63,7 +63,7 @@ const madeUp = defineCycle({
     const corners = { Q501: 0, Q502: length(0), Q500: length(1), Q503: v.Q3, Q504: v.Q4 };
     return recessOutline({ ...box, ...corners }, { transverse: false, signU: -1, signV: 1 });
   },
-  plan: () => empty([]),
+  plan: () => emptyPlan([]),
 });
 
 test.each(Object.keys(madeUp.params))("a cycle that the picture has never seen shows %s", (q) => {

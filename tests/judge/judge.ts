@@ -1,7 +1,7 @@
 import type { Move } from "../../src/kernel/plan/move.ts";
 import type { Tool } from "../../src/kernel/plan/tool.ts";
 import { areaOf, common, crossed, filled, lengthOf, shrunk, without, type Field, type Grid } from "./field.ts";
-import { heldIn } from "./held.ts";
+import { connectedToRear } from "./clamped.ts";
 import { hull, insertOf, type P } from "./insert.ts";
 
 /*
@@ -151,7 +151,7 @@ export function judge(
       } else cut += taken * grid.width;
     }
     for (const [i, left] of next) stock[i] = left;
-    if (whole(index)) stock = heldIn(grid, stock, rear, 0);
+    if (whole(index)) stock = connectedToRear(grid, stock, rear, 0);
     if (gouge > 0) faults.push({ kind: "gouge", motion: index, area: gouge });
     if (rapid > 0) faults.push({ kind: "rapid", motion: index, area: rapid });
   });

@@ -1,14 +1,14 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
-import { Answers } from "../../src/kernel/answers.ts";
+import { AnswerCache } from "../../src/kernel/answer-cache.ts";
 import { parse } from "../../src/nc/parse.ts";
-import { readingAgain } from "../../src/nc/reread.ts";
+import { incrementalParser } from "../../src/nc/reread.ts";
 import { run } from "../../src/program/run/run.ts";
-import { runningAgain } from "../../src/program/run/run-again.ts";
+import { incrementalRunner } from "../../src/program/run/incremental-run.ts";
 import { shippedTools } from "../../src/program/tools/shipped-tools.ts";
-import { simulate, simulating } from "../../src/sim/simulate.ts";
+import { simulate, incrementalSimulator } from "../../src/sim/simulate.ts";
 import type { Simulation } from "../../src/sim/simulation.ts";
-import { tracing } from "../../src/sim/tracing.ts";
+import { traceStock } from "../../src/sim/tracing.ts";
 import { movingPrograms } from "./moving-programs.ts";
 
 /*
@@ -135,20 +135,20 @@ function edited(before: readonly State[], [kind, which, by]: readonly [string, n
   return otherNumber(state, which, by);
 }
 
-const ran = ({ text, nose }: State) => run(parse(text), { ...shop(nose), tracing });
+const ran = ({ text, nose }: State) => run(parse(text), { ...shop(nose), tracing: traceStock });
 
 /** Runs one state after another incrementally. */
 function running(): typeof ran {
-  const [memory, read, runs] = [new Answers(), readingAgain(), runningAgain()];
+  const [memory, read, runs] = [new AnswerCache(), incrementalParser(), incrementalRunner()];
   return ({ text, nose }) => {
     memory.runEnded();
-    return runs(read(text), { ...shop(nose), tracing, memory }, []);
+    return runs(read(text), { ...shop(nose), tracing: traceStock, memory }, []);
   };
 }
 
 /** Edits a text step by step: each state must run and be proved as it is alone. */
 function holdsFor(text: string, changes: readonly (readonly [string, number, number])[]): void {
-  const [proved, runs] = [simulating(), running()];
+  const [proved, runs] = [incrementalSimulator(), running()];
   const states: State[] = [{ text, nose: 0 }];
   proved(runs({ text, nose: 0 }));
   let last: (typeof changes)[number] = ["number", 0, 1];
@@ -192,7 +192,7 @@ const kept = (a: Simulation, b: Simulation): number =>
 
 test("a changed end reuses the stock before it", () => {
   const text = textOf("shaft.h");
-  const proved = simulating();
+  const proved = incrementalSimulator();
   const before = proved(ran({ text, nose: 0 }));
   const threads = [...text.matchAll(/CYCL DEF 831[\s\S]*?Q460=\+([\d.]+)/g)];
   const last = threads.at(-1);
@@ -210,7 +210,7 @@ test("a changed end reuses the stock before it", () => {
 test("a proof is reused when a state returns, and when no move changes", () => {
   // Roughing alone leaves its oversize.
   const text = textOf("flange.h").replaceAll(/Q215=\+?0/g, "Q215=+1");
-  const [proved, runs] = [simulating(), running()];
+  const [proved, runs] = [incrementalSimulator(), running()];
   const simulationOf = (each: string) => proved(runs({ text: each, nose: 0 }));
   const before = simulationOf(text);
   const noted = simulationOf(text.replace("END PGM", "; a note\n$&"));

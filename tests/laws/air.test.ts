@@ -4,7 +4,7 @@ import type { Cycle } from "../../src/cycles/define.ts";
 import type { Ring } from "../../src/kernel/geometry/point.ts";
 import { areaOutside } from "../../src/kernel/area/real-area.ts";
 import { casesOf, situations, type Situation } from "./situation.ts";
-import { simulated, startsBadly } from "./worked-plans.ts";
+import { simulated, isStartInMaterial } from "./worked-plans.ts";
 
 /*
  * A traced blank: roughing without air cuts cuts the same stock as full roughing, in the blank and in the stock of an
@@ -12,14 +12,14 @@ import { simulated, startsBadly } from "./worked-plans.ts";
  */
 const CASES = Number(process.env["LAW_CASES"] ?? 8);
 
-function roughed(cycle: Cycle, s: Situation, blank: readonly Ring[], leavesOutAir: boolean) {
+function roughed(cycle: Cycle, s: Situation, blank: readonly Ring[], skipsAirPasses: boolean) {
   const setting = {
     tool: s.tool,
     start: s.start,
     feedUnit: "mm/rev" as const,
     autoFeed: null,
     stock: blank,
-    leavesOutAir,
+    skipsAirPasses,
   };
   const plan = cycle.plan(s.values as never, setting, s.given);
   return { plan, simulation: simulated([plan], { ...s, blank }) };
@@ -38,7 +38,7 @@ function bothWays(cycle: Cycle, s: Situation, blank: readonly Ring[]): readonly 
   // cut.
   if (full.simulation.proof.rapidInStock > 0) return null;
   expect(same(full.simulation.final, short.simulation.final)).toBeLessThan(0.05);
-  if (!startsBadly(full.plan)) expect(short.simulation.proof.rapidInStock).toBe(0);
+  if (!isStartInMaterial(full.plan)) expect(short.simulation.proof.rapidInStock).toBe(0);
   expect(short.plan.passes).toBeLessThanOrEqual(full.plan.passes);
   const counted = new Set(short.plan.moves.flatMap((m) => m.pass ?? []));
   expect([...counted].sort((a, b) => a - b)).toEqual(Array.from({ length: counted.size }, (_, i) => i + 1));

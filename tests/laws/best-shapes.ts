@@ -1,4 +1,4 @@
-import type { Draw } from "../../src/cycles/drawn-setup.ts";
+import type { Draw } from "../../src/cycles/random-setup.ts";
 import type { ContourElement } from "../../src/kernel/contour/contour.ts";
 import { at, type Pt } from "../../src/kernel/geometry/point.ts";
 import { UNDERCUT_FORMS, type RecessWords, type UndercutForm } from "../../src/kernel/contour/undercut.ts";

@@ -4,13 +4,13 @@ import { areaOf as polygonArea } from "../../src/kernel/area/area.ts";
 import { difference, intersection, offset } from "../../src/kernel/area/clip.ts";
 import { areaOutside } from "../../src/kernel/area/real-area.ts";
 import { at, type Segment } from "../../src/kernel/geometry/point.ts";
-import { cutEnds } from "../../src/sim/held.ts";
+import { cutEnds } from "../../src/sim/work-holding.ts";
 import { areaOf, common, each, filled, grown, without, withoutCrumbs, type Field, type Grid } from "../judge/field.ts";
-import { heldIn } from "../judge/held.ts";
+import { connectedToRear } from "../judge/clamped.ts";
 import type { P } from "../judge/insert.ts";
 import { judge, sumOf, THIN, type Verdict } from "../judge/judge.ts";
 import type { Finding, Situation } from "./situation.ts";
-import { startsBadly, stepsOf } from "./worked-plans.ts";
+import { isStartInMaterial, stepsOf } from "./worked-plans.ts";
 import { looseOf, partOf, WIDTH, worked, type Worked } from "./worked.ts";
 
 /*
@@ -42,7 +42,7 @@ const NO_BLANK: readonly string[] = ["longitudinal", "transverse", "recessTurnin
  * A path does not depend on BLK FORM: a blank that is higher than the start point, or beside the area, is ignored.
  * Where the start point is below the contour, part of the area is higher than the start point.
  */
-const standsBeside = ({ cycle, situation: { blank }, plans: [plan] }: Worked) =>
+const isBlankBeside = ({ cycle, situation: { blank }, plans: [plan] }: Worked) =>
   NO_BLANK.includes(cycle.group) &&
   plan !== undefined &&
   (plan.issues.some((i) => i.code === "startBelowContour") || areaOutside(blank, [plan.area, plan.part]) > REAL);
@@ -52,7 +52,7 @@ const standsBeside = ({ cycle, situation: { blank }, plans: [plan] }: Worked) =>
  * steps that roughing has left.
  */
 const rapidsAreFree: CutLaw = (w) => {
-  if (w.plans.length > 1 || w.verdicts.some((v) => v.inside) || standsBeside(w)) return null;
+  if (w.plans.length > 1 || w.verdicts.some((v) => v.inside) || isBlankBeside(w)) return null;
   const [ours, theirs] = [most(w, (v) => sumOf(v, "rapid")), w.simulation.proof.rapidInStock];
   return ours > REAL || theirs > REAL ? `rapid in stock ${mm2(theirs)}, by columns ${mm2(ours)}` : null;
 };
@@ -82,10 +82,11 @@ const judgesAgreeOnLoose: CutLaw = (w) => {
   const rear = Math.min(...w.situation.blank.flat().map(({ z }) => z));
   const least = (of: (v: Verdict) => number) => Math.min(...w.verdicts.map(of));
   const held = least(({ grid, final }) =>
-    areaOf(grid, each(heldIn(grid, final, rear - WIDTH, HANGS), filled(grid, looseOf(w)), common)),
+    areaOf(grid, each(connectedToRear(grid, final, rear - WIDTH, HANGS), filled(grid, looseOf(w)), common)),
   );
   // Where a cut has removed the clamped end, or left a point of it, the holding of the rest is unknown.
-  if (w.verdicts.every(({ grid, final }) => areaOf(grid, heldIn(grid, final, rear, -HANGS)) === 0)) return null;
+  if (w.verdicts.every(({ grid, final }) => areaOf(grid, connectedToRear(grid, final, rear, -HANGS)) === 0))
+    return null;
   const clamped = [at(rear, 0), at(rear + CLAMPED, 0), at(rear + CLAMPED, 1e4), at(rear, 1e4)];
   if (
     Math.max(
@@ -100,7 +101,7 @@ const judgesAgreeOnLoose: CutLaw = (w) => {
   const loose = least(({ grid, final }) =>
     beyond(
       grid,
-      withoutCrumbs(grid, each(final, heldIn(grid, final, rear, -HANGS), without), PIECE),
+      withoutCrumbs(grid, each(final, connectedToRear(grid, final, rear, -HANGS), without), PIECE),
       filled(grid, looseOf(w)),
     ),
   );
@@ -121,8 +122,8 @@ function verdictsWithout({ situation, plans, simulation, verdicts }: Worked): re
  */
 const judgesAgreeOnFaults: CutLaw = (w) => {
   const clear = 0.2;
-  const { gouge, rapidInStock, unlooked } = w.simulation.proof;
-  if (unlooked) return null;
+  const { gouge, rapidInStock, uncheckedFrom } = w.simulation.proof;
+  if (uncheckedFrom) return null;
   const seen = verdictsWithout(w);
   const [g, r] = (["gouge", "rapid"] as const).map((kind) => Math.max(...seen.map((v) => sumOf(v, kind)))) as [
     number,
@@ -167,7 +168,8 @@ const thickOf = (f: Field): Field =>
 
 /** Roughing and finishing leave nothing that the tool could reach; a tool that does not fit in is excepted. */
 const nothingReachableStays: CutLaw = ({ plans: [plan], situation: { values }, simulation }) => {
-  if (!plan || values["Q215"] !== 0 || values["Q479"] === 1 || plan.passes === 0 || startsBadly(plan)) return null;
+  if (!plan || values["Q215"] !== 0 || values["Q479"] === 1 || plan.passes === 0 || isStartInMaterial(plan))
+    return null;
   if (plan.issues.some((i) => i.code === "recessNarrowerThanTool")) return null;
   const left = simulation.proof.residual.find((r) => r.reason === "oversize" && r.area > 0.05);
   return left ? `${mm2(left.area)} stay that the tool could reach` : null;
@@ -183,7 +185,7 @@ const oversizeStays: CutLaw = (w) => {
     situation: { values, blank },
     simulation,
   } = w;
-  if (!plan || values["Q215"] !== 1 || plan.part.length === 0 || startsBadly(plan)) return null;
+  if (!plan || values["Q215"] !== 1 || plan.part.length === 0 || isStartInMaterial(plan)) return null;
   if (simulation.proof.operations[0]?.startInMaterial) return null;
   const cut = difference(blank, [...simulation.final, ...looseOf(w)]);
   const [dz, dr] = [values["Q484"] ?? 0, (values["Q483"] ?? 0) / 2];
@@ -210,7 +212,7 @@ const oversizeStays: CutLaw = (w) => {
  * Material cut beyond a machining limit, deeper than `NEWS`, is reported at the limit, and reported material was cut.
  * Material cut by rapids is reported separately.
  */
-const limitsHoldOrAreTold: CutLaw = (w) => {
+const limitsHoldOrAreReported: CutLaw = (w) => {
   const { values, start } = w.situation;
   const far = 1000;
   const [x, z] = [(values["Q480"] ?? 0) / 2, values["Q482"] ?? 0];
@@ -227,7 +229,7 @@ const limitsHoldOrAreTold: CutLaw = (w) => {
       .reduce((sum, b) => (b.limit.at === at ? sum + b.area : sum), 0);
   for (const [at, zone] of zones) {
     const taken = w.verdicts.map(({ grid, initial, final }) => {
-      const [news, behindIt] = [filled(grid, [zone(NEWS)], true), filled(grid, [zone(0)], true)];
+      const [news, behindIt] = [filled(grid, [zone(REPORTED_FROM)], true), filled(grid, [zone(0)], true)];
       return [
         beyond(grid, each(initial, news, common), final),
         areaOf(grid, each(each(initial, final, without), behindIt, common)),
@@ -245,7 +247,7 @@ const limitsHoldOrAreTold: CutLaw = (w) => {
   return null;
 };
 /** Cuts are reported from this depth beyond a limit, mm (decision 0034). */
-const NEWS = 0.1;
+const REPORTED_FROM = 0.1;
 /** Only one judge sees a strip one column wide along a limit, mm². */
 const LIMIT = 0.2;
 /** A strip: from a to b along one axis, from c to d along the other. */
@@ -290,17 +292,17 @@ const infeedIsKept: CutLaw = (w) => {
   const operation = w.simulation.proof.operations[0];
   if (
     plan.issues.some((i) => i.severity === "error") ||
-    startsBadly(plan) ||
-    standsBeside(w) ||
+    isStartInMaterial(plan) ||
+    isBlankBeside(w) ||
     operation?.startInMaterial ||
     !operation?.deepest
   )
     return null;
   const { depth, allowed } = operation.deepest;
-  return depth > allowed + TOLD ? `a cut of ${depth.toFixed(3)} mm where ${allowed} are allowed` : null;
+  return depth > allowed + UNREPORTED_EXCESS ? `a cut of ${depth.toFixed(3)} mm where ${allowed} are allowed` : null;
 };
 /** Smaller excess is not reported, mm. */
-const TOLD = 0.05;
+const UNREPORTED_EXCESS = 0.05;
 
 /** By name, so that a stored case can state the broken laws. */
 export const cutLaws: Readonly<Record<string, CutLaw>> = {
@@ -312,7 +314,7 @@ export const cutLaws: Readonly<Record<string, CutLaw>> = {
   judgesAgreeOnResidue,
   nothingReachableStays,
   oversizeStays,
-  limitsHoldOrAreTold,
+  limitsHoldOrAreTold: limitsHoldOrAreReported,
   facesAreClean,
 
   infeedIsKept,

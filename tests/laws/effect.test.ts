@@ -1,8 +1,8 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
-import { neutralOf, saysNothing } from "../../src/cycles/effect.ts";
+import { neutralValueOf, hasNoEffect } from "../../src/cycles/effect.ts";
 import { cuttingCycles } from "../../src/cycles/index.ts";
-import { kept } from "../../src/program/values/field.ts";
+import { roundedTo } from "../../src/program/values/field.ts";
 import type { Param } from "../../src/cycles/params.ts";
 import { casesOf, situations, type Situation } from "./situation.ts";
 import { planOf } from "./worked-plans.ts";
@@ -19,17 +19,17 @@ function valueAt({ kind, range: [min, max], choices, decimals }: Param, share: n
   if (kind === "feed" && share > 0.9) return "auto";
   // Sizes of a real part, within the range: nobody turns 99 m.
   const [low, high] = [Math.max(min, -300), Math.min(max, 300)];
-  return kept(low + share * (high - low), decimals);
+  return roundedTo(low + share * (high - low), decimals);
 }
 
 const share = fc.integer({ min: 0, max: 999 }).map((n) => n / 1000);
 
-const told = (cycle: (typeof cuttingCycles)[number], s: Situation) =>
+const describeResult = (cycle: (typeof cuttingCycles)[number], s: Situation) =>
   JSON.stringify([planOf(cycle, s), cycle.outline(s.values as never, s.given)]);
 
 for (const operation of [0, 1, 2, 3])
   describe.each(situations(operation))(`cycle $cycle.number, Q215 = ${operation}`, ({ cycle, arbitrary }) => {
-    const conditions = Object.values<Param>(cycle.params).flatMap((p) => (p.counts === null ? [] : [p.counts.q]));
+    const conditions = Object.values<Param>(cycle.params).flatMap((p) => (p.condition === null ? [] : [p.condition.q]));
     const set = [...new Set(conditions)].filter((q) => q !== "Q215" && cycle.params[q]?.choices);
 
     test("a value without effect changes nothing", () => {
@@ -39,13 +39,13 @@ for (const operation of [0, 1, 2, 3])
             set.map((q, i) => [q, valueAt(cycle.params[q] as Param, shares[i] as number)]),
           );
           const s = { ...drawn, values: { ...drawn.values, ...chosen } as Situation["values"] };
-          const quiet = Object.entries<Param>(cycle.params).filter(([, p]) => saysNothing(p, s.values));
+          const quiet = Object.entries<Param>(cycle.params).filter(([, p]) => hasNoEffect(p, s.values));
           if (quiet.length === 0) return;
           const other = Object.fromEntries(quiet.map(([q, p], i) => [q, valueAt(p, shares[10 + i] as number)]));
-          const neutral = Object.fromEntries(quiet.map(([q, p]) => [q, neutralOf(p)]));
-          const before = told(cycle, s);
-          expect(told(cycle, { ...s, values: { ...s.values, ...other } as never })).toBe(before);
-          expect(told(cycle, { ...s, values: { ...s.values, ...neutral } })).toBe(before);
+          const neutral = Object.fromEntries(quiet.map(([q, p]) => [q, neutralValueOf(p)]));
+          const before = describeResult(cycle, s);
+          expect(describeResult(cycle, { ...s, values: { ...s.values, ...other } as never })).toBe(before);
+          expect(describeResult(cycle, { ...s, values: { ...s.values, ...neutral } })).toBe(before);
         }),
         { numRuns: casesOf(cycle, CASES) },
       );
@@ -70,11 +70,11 @@ test.each(cuttingCycles.map((cycle) => [cycle.number, cycle] as const))(
           const p = cycle.params[q] as Param;
           const others = p.choices ?? [valueAt(p, at), p.example, p.range[0], p.range[1]];
           const counting =
-            p.counts === null || p.counts.q === "Q215"
+            p.condition === null || p.condition.q === "Q215"
               ? {}
-              : { [p.counts.q]: p.counts.among[k % p.counts.among.length] };
+              : { [p.condition.q]: p.condition.among[k % p.condition.among.length] };
           const plans = others.map((value) =>
-            told(cycle, { ...s, values: { ...s.values, ...counting, [q]: value } as never }),
+            describeResult(cycle, { ...s, values: { ...s.values, ...counting, [q]: value } as never }),
           );
           if (new Set(plans).size > 1) waiting.delete(q);
         }
@@ -86,8 +86,8 @@ test("a condition names a choice of the same list, and only values that it has",
   const wrong = cuttingCycles.flatMap((cycle) =>
     Object.entries<Param>(cycle.params)
       .filter(([, p]) => {
-        const on = p.counts === null ? undefined : cycle.params[p.counts.q];
-        return p.counts !== null && on !== undefined && !p.counts.among.every((n) => on.choices?.includes(n));
+        const on = p.condition === null ? undefined : cycle.params[p.condition.q];
+        return p.condition !== null && on !== undefined && !p.condition.among.every((n) => on.choices?.includes(n));
       })
       .map(([q]) => `${cycle.number} ${q}`),
   );

@@ -16,12 +16,12 @@ import { printJob } from "../../src/program/job/print-job.ts";
 import { run } from "../../src/program/run/run.ts";
 import { shippedTools } from "../../src/program/tools/shipped-tools.ts";
 import { listing } from "../../src/report/listing.ts";
-import { tracing } from "../../src/sim/tracing.ts";
+import { traceStock } from "../../src/sim/tracing.ts";
 import { projectFile } from "../sources.ts";
 import { statements } from "./statements.ts";
 
 const style = LAYOUTS.tnc7;
-const shop = { tools: shippedTools, rapid: 10_000, tracing };
+const shop = { tools: shippedTools, rapid: 10_000, tracing: traceStock };
 
 /** A Klartext text converted to DIN/ISO and back. */
 const through = (text: string, names?: IsoNames) => klartextOfIso(isoProgramText(parse(text)).text, style, names);

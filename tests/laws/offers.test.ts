@@ -10,22 +10,22 @@ import { catalogue } from "../../src/cycles/index.ts";
 import type { Params, Values } from "../../src/cycles/params.ts";
 import { contourFrom } from "../../src/kernel/contour/contour.ts";
 import type { Issue } from "../../src/kernel/plan/issue.ts";
-import { mends, offerOf } from "../../src/kernel/plan/offer.ts";
-import type { Setting } from "../../src/kernel/plan/plan.ts";
+import { fixesFinding, offerOf } from "../../src/kernel/plan/offer.ts";
+import type { PlanContext } from "../../src/kernel/plan/plan.ts";
 import { at } from "../../src/kernel/geometry/point.ts";
 import { axial, diameter, feed, toRadius } from "../../src/kernel/units.ts";
 import { cylinder } from "../../src/program/state/blank-form.ts";
 import { checkNumber } from "../../src/program/values/field.ts";
 import { shippedTools } from "../../src/program/tools/shipped-tools.ts";
-import { slipAtCall } from "../../src/program/values/slips.ts";
-import { judgeOf, triedOffers } from "../../src/program/values/tried.ts";
+import { dimensionSlip } from "../../src/program/values/dimension-slips.ts";
+import { judgeOf, testedOffers } from "../../src/program/values/tested-offers.ts";
 import { printed } from "../validation-rules.ts";
 import { situations } from "./situation.ts";
 
 type Numbers = Readonly<Record<string, number>>;
 
 /** The issues of a cycle's values as a call reports them, with tried proposals. */
-function saidOf(cycle: Cycle, values: Numbers, setting: Setting, given: Given) {
+function saidOf(cycle: Cycle, values: Numbers, setting: PlanContext, given: Given) {
   const judge = judgeOf(cycle, setting, given);
   if (!judge) return { judge, raw: [], said: [] };
   const ranges = Object.entries(cycle.params).flatMap(
@@ -35,16 +35,23 @@ function saidOf(cycle: Cycle, values: Numbers, setting: Setting, given: Given) {
   const slip =
     ranges.length > 0
       ? null
-      : slipAtCall({ cycle, values: values as unknown as Values<Params>, setting, judge, outlined: raw, planned: [] });
+      : dimensionSlip({
+          cycle,
+          values: values as unknown as Values<Params>,
+          setting,
+          judge,
+          outlined: raw,
+          planned: [],
+        });
   const usable = Object.fromEntries(Object.entries(values).filter(([q]) => !ranges.some((each) => each.at === q)));
-  return { judge, raw, said: slip ?? triedOffers(cycle.params, usable, raw, judge, given.start) };
+  return { judge, raw, said: slip ?? testedOffers(cycle.params, usable, raw, judge, given.start) };
 }
 
 /** Number of proposals checked. */
 const looked = { parameters: 0, signs: 0 };
 
 /** The faults of the proposals for a set-up, in words. */
-function faultsOf(cycle: Cycle, values: Numbers, setting: Setting, given: Given): string[] {
+function faultsOf(cycle: Cycle, values: Numbers, setting: PlanContext, given: Given): string[] {
   const { judge, raw, said } = saidOf(cycle, values, setting, given);
   return said.flatMap((found): string[] => {
     const [offer, q] = [offerOf(found), found.at];
@@ -56,7 +63,7 @@ function faultsOf(cycle: Cycle, values: Numbers, setting: Setting, given: Given)
     if (isSign) looked.signs += 1;
     if (param.drawn && !isSign) return [`${name}: a dimension of the drawing`];
     const judged = judge({ ...values, [q]: offer } as unknown as Values<Params>);
-    const out = mends(found, raw, judged.issues) ? [] : [`${name}: does not mend it`];
+    const out = fixesFinding(found, raw, judged.issues) ? [] : [`${name}: does not mend it`];
     const many = param.shown === "infeed" && (judged.passes ?? 0) > 100 ? [`${name}: ${judged.passes} passes`] : [];
     return [
       ...out,
@@ -68,7 +75,11 @@ function faultsOf(cycle: Cycle, values: Numbers, setting: Setting, given: Given)
   });
 }
 
-const settingOf = (tool: Setting["tool"], start: Setting["start"], blank: NonNullable<Setting["stock"]>): Setting => ({
+const settingOf = (
+  tool: PlanContext["tool"],
+  start: PlanContext["start"],
+  blank: NonNullable<PlanContext["stock"]>,
+): PlanContext => ({
   tool,
   start,
   feedUnit: "mm/rev",

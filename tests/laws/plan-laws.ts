@@ -98,7 +98,7 @@ export const mirrored = (s: Situation): Situation => ({
   blank: s.blank.map(ring),
 });
 /** A move as text, to a tenth of a micron. */
-const told = (m: Move, to: (p: Pt) => Pt) => {
+const describeMove = (m: Move, to: (p: Pt) => Pt) => {
   const places = m.kind === "arc" ? [m.to, m.centre] : [m.to];
   const numbers = places.map(to).flatMap((p) => [p.z, p.r].map((n) => Math.round(n * 1e4) / 1e4 + 0));
   return [m.kind, m.phase, m.pass, m.run, m.step, ...numbers].join(" ");
@@ -113,7 +113,7 @@ const isOnTheWay = (a: Pt, b: Pt, c: Pt) =>
  * All moves as text, two collinear lines joined: where a level meets its continuation, rounding decides whether there
  * are two. The same applies to the way up beside a steep wall, where feed changes to rapid.
  */
-const allTold = ({ moves }: Plan, start: Pt, to: (p: Pt) => Pt) =>
+const describeMoves = ({ moves }: Plan, start: Pt, to: (p: Pt) => Pt) =>
   moves
     .filter((m, i) => {
       const [before, next] = [moves[i - 1]?.to ?? start, moves[i + 1]];
@@ -126,7 +126,7 @@ const allTold = ({ moves }: Plan, start: Pt, to: (p: Pt) => Pt) =>
         (next.kind === m.kind || next.kind === "rapid");
       return !(same && isOnTheWay(before, m.to, next.to));
     })
-    .map((m) => told(m, to));
+    .map((m) => describeMove(m, to));
 
 /**
  * A set-up mirrored in Z, including the tool, must give the mirrored path. A free contour across the axis is open
@@ -136,7 +136,7 @@ const allTold = ({ moves }: Plan, start: Pt, to: (p: Pt) => Pt) =>
 const turnsRound: PlanLaw = (cycle, s, plan) => {
   if (cycle.contour !== "own" || (s.tool["T-ANGLE"] !== undefined && [2, 6].includes(s.tool.TO))) return null;
   const other = planOf(cycle, mirrored(s));
-  const [ours, theirs] = [allTold(plan, s.start, (p) => p), allTold(other, point(s.start), point)];
+  const [ours, theirs] = [describeMoves(plan, s.start, (p) => p), describeMoves(other, point(s.start), point)];
   const apart = ours.findIndex((line, i) => line !== theirs[i]);
   if (apart >= 0 || ours.length !== theirs.length)
     return `turned round, "${theirs[apart]}" stands where "${ours[apart]}" should`;
@@ -148,7 +148,7 @@ const turnsRound: PlanLaw = (cycle, s, plan) => {
 const isTurning = (cycle: Cycle) => cycle.group === "longitudinal" || cycle.group === "transverse";
 
 /** Only a traced blank changes a path: BLK FORM has no effect. */
-const blankIsNoMatter: PlanLaw = (cycle, s, plan) => {
+const blankDoesNotMatter: PlanLaw = (cycle, s, plan) => {
   if (!isTurning(cycle)) return null;
   const elsewhere = s.blank.map((r) => r.map((p) => at(p.z + 3, p.r + 2)));
   const other = planOf(cycle, { ...s, blank: elsewhere });
@@ -246,7 +246,7 @@ export const planLaws: Readonly<Record<string, PlanLaw>> = {
   pathIsBounded,
   divisionsAreExact,
   turnsRound,
-  blankIsNoMatter,
+  blankIsNoMatter: blankDoesNotMatter,
   boreStaysClear,
   floorsAreReached,
   cutLengthCountsInMaterial,

@@ -7,7 +7,7 @@ import { at, type Pt, type Ring } from "../../src/kernel/geometry/point.ts";
 import { parse } from "../../src/nc/parse.ts";
 import { NC_OUTPUTS } from "../../src/program/machine/nc-output.ts";
 import { run } from "../../src/program/run/run.ts";
-import { secondSide, turnedRound } from "../../src/program/edits/second-side.ts";
+import { secondSide, flippedPiece } from "../../src/program/edits/second-side.ts";
 import { shippedTools } from "../../src/program/tools/shipped-tools.ts";
 import { regionsOf } from "../../src/sim/region.ts";
 import { simulate } from "../../src/sim/simulate.ts";
@@ -65,9 +65,9 @@ test("a reversed part is read back unchanged, and reversed twice it is the origi
         const text = secondSide(FIRST(unit), piece, { allowance, output: OUTPUT });
         expect([...refusals(text, "tnc640"), ...refusals(text, "tnc7")]).toEqual([]);
         const second = blankOf(text);
-        expect(differences(turnedRound(piece, allowance), second, unit)).toEqual([]);
+        expect(differences(flippedPiece(piece, allowance), second, unit)).toEqual([]);
         const again = blankOf(secondSide(parse(text), second, { allowance: 0, output: OUTPUT }));
-        expect(differences(turnedRound(turnedRound(piece, 0), 0), again, unit)).toEqual([]);
+        expect(differences(flippedPiece(flippedPiece(piece, 0), 0), again, unit)).toEqual([]);
       }
     }),
     { numRuns: 60 },
@@ -85,6 +85,6 @@ test.each(programs)("the stock of %s is the blank of the next clamping", (_, tex
   for (const piece of pieces(stock)) {
     const second = secondSide(program, piece, { allowance: 0, output: OUTPUT });
     expect([...refusals(second, "tnc640"), ...refusals(second, "tnc7")]).toEqual([]);
-    expect(differences(turnedRound(piece, 0), blankOf(second), / INCH$/m.test(text) ? "INCH" : "MM")).toEqual([]);
+    expect(differences(flippedPiece(piece, 0), blankOf(second), / INCH$/m.test(text) ? "INCH" : "MM")).toEqual([]);
   }
 });

@@ -1,6 +1,6 @@
 import fc from "fast-check";
 import type { Cycle, Given } from "../../src/cycles/define.ts";
-import type { Draw, DrawnSetup, Setups } from "../../src/cycles/drawn-setup.ts";
+import type { Draw, RandomSetup, Setups } from "../../src/cycles/random-setup.ts";
 import { catalogue } from "../../src/cycles/index.ts";
 import { at, type Pt, type Ring } from "../../src/kernel/geometry/point.ts";
 import type { TipOrientation, Tool } from "../../src/kernel/plan/tool.ts";
@@ -35,7 +35,7 @@ const ROOM = 15;
  * Usually the drawn set-up; sometimes with a short cutting edge, another tool orientation, or a start point anywhere
  * round the blank.
  */
-function situationOf({ values, contour, tool: { T, ...changed }, start, blank }: DrawnSetup, draw: Draw): Situation {
+function situationOf({ values, contour, tool: { T, ...changed }, start, blank }: RandomSetup, draw: Draw): Situation {
   const tool = shippedTools.find((x) => x.T === T) as Tool;
   const share = () => draw.whole(0, 1000) / 1000;
   const [z0, z1, r1] = [

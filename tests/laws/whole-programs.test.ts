@@ -3,12 +3,12 @@ import { expect, test } from "vitest";
 import { parse } from "../../src/nc/parse.ts";
 import { run } from "../../src/program/run/run.ts";
 import { shippedTools } from "../../src/program/tools/shipped-tools.ts";
-import { cutEnds } from "../../src/sim/held.ts";
+import { cutEnds } from "../../src/sim/work-holding.ts";
 import { stockIssues } from "../../src/sim/issues.ts";
 import { simulate } from "../../src/sim/simulate.ts";
 import { areaOf, each, filled, grown, without } from "../judge/field.ts";
 import { gridOver, judge, THIN } from "../judge/judge.ts";
-import { TOLD, wholePrograms } from "./whole-programs.ts";
+import { EXPECTED_CODE, wholePrograms } from "./whole-programs.ts";
 
 const CASES = Number(process.env["LAW_CASES"] ?? 25);
 /** Column width, mm, and the area in which both judges may differ, mm². */
@@ -34,7 +34,7 @@ test("whole programs: intended cuts have no finding, a planted fault has its own
       expect(codes.filter((code) => code === "partedOff")).toHaveLength(parts);
       const told = codes.filter((code) => MEANT.includes(code));
       if (planted === null) expect(told).toEqual([]);
-      else expect(told).toContain(TOLD[planted]);
+      else expect(told).toContain(EXPECTED_CODE[planted]);
       const ends = (motion: number) => cutEnds(made.steps, motion + 1);
       const beyond = (["z", "r"] as const).map((along) => {
         const grid = gridOver(made.blank, along, WIDTH);

@@ -16,7 +16,7 @@ export type Planted =
   | "turned over the whole length";
 
 /** The finding code expected for each planted fault. */
-export const TOLD: Readonly<Record<Exclude<Planted, null>, string>> = {
+export const EXPECTED_CODE: Readonly<Record<Exclude<Planted, null>, string>> = {
   "turned after it was parted off": "cutOnLoosePiece",
   "groove that nobody meant": "cutBelowContour",
   "feed through a shoulder": "gouge",

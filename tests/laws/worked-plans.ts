@@ -1,12 +1,12 @@
 import type { Cycle } from "../../src/cycles/define.ts";
-import type { Plan, Setting } from "../../src/kernel/plan/plan.ts";
+import type { Plan, PlanContext } from "../../src/kernel/plan/plan.ts";
 import type { Step } from "../../src/kernel/time/step.ts";
 import { simulate } from "../../src/sim/simulate.ts";
 import type { Situation } from "./situation.ts";
 
 /** Plans a situation. `first`: nothing has cut the blank yet, so the stock is known. */
 export function planOf(cycle: Cycle, s: Situation, first = true): Plan {
-  const setting: Setting = {
+  const setting: PlanContext = {
     tool: s.tool,
     start: s.start,
     feedUnit: "mm/rev",
@@ -41,7 +41,7 @@ export function simulated(plans: readonly Plan[], s: Situation) {
 }
 
 /** Whether the plan reports that the start point is, or may be, in material. */
-export const startsBadly = (plan: Plan) =>
+export const isStartInMaterial = (plan: Plan) =>
   plan.issues.some((i) =>
     ["startInArea", "startInMaterial", "startInsideEnvelope", "startBelowContour"].includes(i.code),
   );

@@ -1,6 +1,6 @@
 import { c812 } from "../../src/cycles/c812.ts";
 import { defineCycle } from "../../src/cycles/define.ts";
-import { type Setups, shoulderSetups } from "../../src/cycles/drawn-setup.ts";
+import { type Setups, shoulderSetups } from "../../src/cycles/random-setup.ts";
 import { axial, degrees, length } from "../../src/kernel/units.ts";
 
 const { Q215, Q460, Q491, Q492, Q493, Q494, Q463, Q478, Q483, Q484, Q505, Q506 } = c812.params;

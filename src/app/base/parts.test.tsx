@@ -1,7 +1,7 @@
 import { act, render, screen } from "@testing-library/react";
 import { Suspense } from "react";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { dismissMissing, fetchMissing, followMissing, isMissing, lazyPart, untilHere, useMissing } from "./parts.ts";
+import { dismissMissing, fetchMissing, followMissing, isMissing, lazyPart, retryImport, useMissing } from "./parts.ts";
 
 const GONE = new TypeError("Failed to fetch dynamically imported module: http://host/assets/part-x.js");
 const server = { answers: false };
@@ -26,7 +26,7 @@ test.each([
 
 test("an error of our own is no failed import", async () => {
   expect(isMissing(new TypeError("x is undefined"))).toBe(false);
-  await expect(untilHere(() => Promise.reject(new TypeError("x is undefined")))).rejects.toThrow("x is undefined");
+  await expect(retryImport(() => Promise.reject(new TypeError("x is undefined")))).rejects.toThrow("x is undefined");
   expect(missing()).toBe("no");
 });
 
@@ -56,7 +56,7 @@ test("a component that cannot be loaded is announced, does not fail, and loads o
 test("a part that the server no longer has is announced as such", async () => {
   server.answers = true;
   const store = { has: false };
-  const part = untilHere(() => (store.has ? Promise.resolve("here") : Promise.reject(GONE)));
+  const part = retryImport(() => (store.has ? Promise.resolve("here") : Promise.reject(GONE)));
   await vi.waitFor(() => expect(missing()).toBe("gone"));
   store.has = true;
   fetchMissing();
@@ -87,7 +87,7 @@ test("a part waits for its style sheet, which is loaded again", async () => {
   document.head.append(link);
   link.dispatchEvent(new Event("error"));
   const got = { part: "" };
-  void untilHere(() => Promise.resolve("here")).then((part) => (got.part = part));
+  void retryImport(() => Promise.resolve("here")).then((part) => (got.part = part));
   const second = document.querySelector("link");
   expect(second).not.toBe(link);
   expect(second?.href).toBe(link.href);

@@ -27,7 +27,7 @@ const answers = (): Promise<boolean> =>
   );
 
 /** Announces that a part could not be loaded. */
-function miss(): void {
+function announceMissing(): void {
   const { missing } = useMissing.getState();
   if (missing === "no") useMissing.setState({ missing: "offline" });
   void answers().then((online) =>
@@ -69,7 +69,7 @@ export function fetchMissing(): void {
  * The part, however long it takes: a failure is announced, and the fetch repeated when the network is back or somebody
  * asks for it.
  */
-export async function untilHere<T>(fetchPart: () => Promise<T>): Promise<T> {
+export async function retryImport<T>(fetchPart: () => Promise<T>): Promise<T> {
   for (;;) {
     try {
       await mendStyles();
@@ -77,7 +77,7 @@ export async function untilHere<T>(fetchPart: () => Promise<T>): Promise<T> {
     } catch (error) {
       if (!isMissing(error)) throw error;
       const again = new Promise<void>((goOn) => waiting.add(goOn));
-      miss();
+      announceMissing();
       await again;
     }
   }
@@ -87,14 +87,14 @@ export async function untilHere<T>(fetchPart: () => Promise<T>): Promise<T> {
  * A component that is fetched when it is first shown. All of them are made here, so that none can fail by a failed
  * import.
  */
-export const lazyPart: typeof lazy = (fetchPart) => lazy(() => untilHere(fetchPart));
+export const lazyPart: typeof lazy = (fetchPart) => lazy(() => retryImport(fetchPart));
 
 /** Announces failed imports that follow a click. They are not retried: the click can be repeated. */
 export function followMissing(): void {
   addEventListener("unhandledrejection", (event) => {
     if (!isMissing(event.reason)) return;
     event.preventDefault();
-    miss();
+    announceMissing();
   });
   addEventListener("online", fetchMissing);
   addEventListener(

@@ -1,7 +1,7 @@
-import { keptText } from "./kept.ts";
+import { storedText } from "./storage.ts";
 
 /** Stored once the browser was asked for permanent storage, so that it is not asked again by itself. */
-const ASKED = keptText("persist");
+const ASKED = storedText("persist");
 
 const storage = (): StorageManager | undefined => (typeof navigator === "undefined" ? undefined : navigator.storage);
 

@@ -1,6 +1,6 @@
 import { create, type StoreApi, type UseBoundStore } from "zustand";
 import { z } from "zod/mini";
-import { jsonOf, keptText } from "./kept.ts";
+import { jsonOf, storedText } from "./storage.ts";
 import { isSameData } from "./same.ts";
 
 /** A stored value. `trouble`: the stored data could not be read and were set aside, or the device refuses changes. */
@@ -104,8 +104,8 @@ function keep<T>(
   { key, first, use, now, replace, isSame, write, read }: KeptRecord<T>,
   say: (trouble: "damaged" | "notKept") => void,
 ): void {
-  const text = keptText(key),
-    aside = keptText(`${key}/damaged`);
+  const text = storedText(key),
+    aside = storedText(`${key}/damaged`);
   const takeOver = (kept: string | null) => {
     const value = kept === null ? first : read(jsonOf(kept));
     if (value !== null) {

@@ -2,15 +2,22 @@ import { act, cleanup, fireEvent, render, screen } from "@testing-library/react"
 import { memo, startTransition, useLayoutEffect, useState } from "react";
 import { flushSync } from "react-dom";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { behindTyping, byAndBy, heldWhileTyping, Late, useTyping, whileTyping } from "./typing.ts";
+import {
+  deferWhileTyping,
+  renderDeferred,
+  createDeferredStore,
+  DeferredUntilPaint,
+  useTyping,
+  whileTyping,
+} from "./typing.ts";
 
 interface Held {
   readonly text: string;
   readonly other: number;
 }
 
-const useResult = heldWhileTyping(() => ({ of: "12.5", other: "3" }), "result");
-const useHeld = heldWhileTyping<Held>(() => ({ text: "12.5", other: 3 }));
+const useResult = createDeferredStore(() => ({ of: "12.5", other: "3" }), "result");
+const useHeld = createDeferredStore<Held>(() => ({ text: "12.5", other: 3 }));
 const Later = () => <output aria-label="later">{useHeld((s) => s.text)}</output>;
 const AtOnce = () => <output aria-label="at once">{useHeld.atOnce((s) => s.text)}</output>;
 const Result = () => <output aria-label="result">{useResult((s) => s.of)}</output>;
@@ -74,7 +81,7 @@ test("work, text and result update one after the other", async () => {
   act(() =>
     whileTyping(() => {
       useResult.setState({ of: "12.57" });
-      behindTyping(() => note("text"));
+      deferWhileTyping(() => note("text"));
       useHeld.setState({ text: "12.57" });
     }),
   );
@@ -92,7 +99,7 @@ test("a result that arrives meanwhile is queued, and an action finds it flushed"
 });
 
 test("an action during a deferred render finds the result rendered", () => {
-  byAndBy(() => useResult.setState({ of: "12.571" }));
+  renderDeferred(() => useResult.setState({ of: "12.571" }));
   expect(shown("result")).toBe("12.5");
   fireEvent.pointerDown(screen.getByRole("button"));
   expect(shown("result")).toBe("12.571");
@@ -171,15 +178,15 @@ test("a deferred part shows the previous state while a key is drawn", async () =
   const seen: string[] = [];
   const Shows = ({ text }: { readonly text: string }) => void seen.push(text);
   const { rerender } = render(
-    <Late>
+    <DeferredUntilPaint>
       <Shows text="12.5" />
-    </Late>,
+    </DeferredUntilPaint>,
   );
   flushSync(() =>
     rerender(
-      <Late>
+      <DeferredUntilPaint>
         <Shows text="12.57" />
-      </Late>,
+      </DeferredUntilPaint>,
     ),
   );
   expect(seen).toEqual(["12.5"]);

@@ -26,7 +26,7 @@ painted.port1.onmessage = () => {
  * Runs after the next frame is painted, or soon on a hidden page, which paints none. Returns a function that cancels
  * the call.
  */
-export function afterPicture(run: () => void): () => void {
+export function afterPaint(run: () => void): () => void {
   const tell = () => painted.port2.postMessage(null);
   if (afterPainting.size === 0) {
     if (document.hidden) tell();
@@ -40,10 +40,10 @@ export function afterPicture(run: () => void): () => void {
 }
 
 /** The value as of the last painted frame: it follows a moment after a key, whose frame does not wait for it. */
-export function useLater<T>(value: T): T {
+export function useDeferredUntilPaint<T>(value: T): T {
   const [late, follow] = useState({ value });
   const isLate = !Object.is(late.value, value);
-  useEffect(() => (isLate ? afterPicture(() => follow({ value })) : undefined), [isLate, value]);
+  useEffect(() => (isLate ? afterPaint(() => follow({ value })) : undefined), [isLate, value]);
   return late.value;
 }
 
@@ -51,7 +51,8 @@ export function useLater<T>(value: T): T {
  * Content that may follow a moment after a key, when the path is drawn; until then it shows the previous state. Never
  * for anything that is typed into: a field shows its key at once.
  */
-export const Late = ({ children }: { readonly children: ReactNode }): ReactNode => useLater(children);
+export const DeferredUntilPaint = ({ children }: { readonly children: ReactNode }): ReactNode =>
+  useDeferredUntilPaint(children);
 
 /** Functions that render each component with the newest state. */
 const followers = new Set<() => void>();
@@ -61,7 +62,7 @@ const followers = new Set<() => void>();
  * components that follow it change together. Zustand's own hook renders every change in one piece, however long that
  * takes on a slow device.
  */
-function useFollowed<S, T>(store: StoreApi<S>, select: (state: S) => T): T {
+function useStoreInTransition<S, T>(store: StoreApi<S>, select: (state: S) => T): T {
   const [seen, see] = useState(() => ({ state: store.getState() }));
   /** The state rendered last or about to be rendered. A state with an equal selection replaces it without a render. */
   const last = useRef(seen);
@@ -99,7 +100,7 @@ const held = {
 /** Number of complete flushes, and whether nothing is pending. */
 const passedOn = createStore<{ readonly count: number; readonly isAll: boolean }>(() => ({ count: 0, isAll: true }));
 
-function tellThose(turns: readonly Turn[]): void {
+function flushGroups(turns: readonly Turn[]): void {
   held.callOff();
   const due = [...held.tells].filter(([, turn]) => turns.includes(turn));
   for (const [tell] of due) held.tells.delete(tell);
@@ -108,26 +109,26 @@ function tellThose(turns: readonly Turn[]): void {
     passedOn.setState(({ count }) => ({ count: count + 1, isAll: true }));
 }
 
-function tellByTurns(): void {
+function flushNextGroup(): void {
   const next = TURNS.find((turn) => [...held.tells.values()].includes(turn));
   if (!next) return;
-  if (next === "result") byAndBy(() => tellThose([next]));
-  else tellThose([next]);
-  const timer = setTimeout(tellByTurns);
+  if (next === "result") renderDeferred(() => flushGroups([next]));
+  else flushGroups([next]);
+  const timer = setTimeout(flushNextGroup);
   held.callOff = () => clearTimeout(timer);
 }
 
 /**
  * Changes a result that does not come from a key: its followers render as a transition, or at once before an action.
  */
-export function byAndBy(change: () => void): void {
-  tellBeforeActing();
+export function renderDeferred(change: () => void): void {
+  flushBeforeActions();
   held.isBehind = true;
   startTransition(change);
 }
 
-function tellAll(): void {
-  tellThose(TURNS);
+function flushAll(): void {
+  flushGroups(TURNS);
   if (held.isBehind) for (const bring of followers) bring();
   held.isBehind = false;
 }
@@ -141,10 +142,10 @@ const typesOn = ({ key, ctrlKey, metaKey, altKey, target }: KeyboardEvent): bool
   (key.length === 1 || key === "Backspace" || key === "Delete");
 
 /** Flushes the pending updates before a key, click, or loss of focus does anything else. */
-const tellBeforeActing = once(() => {
+const flushBeforeActions = once(() => {
   const tell = (event: Event) => {
     if ((held.tells.size > 0 || held.isBehind) && !(event instanceof KeyboardEvent && typesOn(event)))
-      flushSync(tellAll);
+      flushSync(flushAll);
   };
   for (const act of ["keydown", "pointerdown", "click", "focusout", "paste", "drop"] as const)
     addEventListener(act, tell, { capture: true });
@@ -159,15 +160,15 @@ export function whileTyping(change: () => void): boolean {
     held.isTyping = false;
   }
   if (held.tells.size === 0) return false;
-  tellBeforeActing();
+  flushBeforeActions();
   passedOn.setState({ isAll: false });
   held.callOff();
-  held.callOff = afterPicture(tellByTurns);
+  held.callOff = afterPaint(flushNextGroup);
   return true;
 }
 
 /** Queues the update of a text while somebody types; false if nobody types and it is to be done at once. */
-export function behindTyping(run: () => void): boolean {
+export function deferWhileTyping(run: () => void): boolean {
   if (held.isTyping) held.tells.set(run, "text");
   return held.isTyping;
 }
@@ -176,7 +177,7 @@ export function behindTyping(run: () => void): boolean {
  * A store whose components update a moment after typing; everything else reads and hears of changes at once. A result
  * that arrives meanwhile is queued; any other change flushes all pending updates.
  */
-export function heldWhileTyping<S>(
+export function createDeferredStore<S>(
   begin: StateCreator<S>,
   of: "work" | "result" = "work",
 ): UseBoundStore<StoreApi<S>> & { readonly atOnce: UseBoundStore<StoreApi<S>> } {
@@ -186,9 +187,9 @@ export function heldWhileTyping<S>(
   store.subscribe(() => {
     const waits = held.isTyping || (of === "result" && held.tells.size > 0);
     held.tells.set(tell, of);
-    if (!waits) tellThose(TURNS);
+    if (!waits) flushGroups(TURNS);
   });
-  const follow = of === "result" ? useFollowed : useStore;
+  const follow = of === "result" ? useStoreInTransition : useStore;
   const bound = (api: StoreApi<S>) => Object.assign(<T>(selector: (state: S) => T) => follow(api, selector), store);
   return Object.assign(bound(shown) as UseBoundStore<StoreApi<S>>, {
     atOnce: bound(store) as UseBoundStore<StoreApi<S>>,

@@ -56,7 +56,7 @@ export const TYPING = {
 } as const;
 
 /** Delay before a calculation is announced. */
-export const ANNOUNCED = {
+export const ANNOUNCE_AFTER = {
   /** The mark of a shorter check would only flicker. */
   checking: 300,
   /** A shorter calculation is not worth a message. */

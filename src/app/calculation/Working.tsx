@@ -1,8 +1,8 @@
 import { useTexts } from "../base/settings/use-texts.ts";
-import { ANNOUNCED } from "../base/waits.ts";
+import { ANNOUNCE_AFTER } from "../base/waits.ts";
 import { calculation } from "./calculation.ts";
 import { STAGES, useOutcome } from "./outcome.ts";
-import { useLong } from "./use-long.ts";
+import { useLongerThan } from "./use-longer-than.ts";
 import "./working.css";
 
 /** Stage of a long calculation, over the picture, with a button that stops it. */
@@ -11,7 +11,7 @@ export function Working() {
   const stage = useOutcome((s) => s.stage);
   const planned = useOutcome((s) => s.planned !== null);
   const stopped = useOutcome((s) => s.stopped);
-  const long = useLong(stage !== null, planned ? ANNOUNCED.workingOverPath : ANNOUNCED.working);
+  const long = useLongerThan(stage !== null, planned ? ANNOUNCE_AFTER.workingOverPath : ANNOUNCE_AFTER.working);
   if (stage !== null && long)
     return (
       <div className="working panel" role="status">

@@ -1,14 +1,14 @@
-import type { Wanted } from "../../cycles/wanted.ts";
+import type { ShapeRequest } from "../../cycles/shape-request.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import type { SetJob } from "../../program/job/job.ts";
-import { tipAtCall } from "../../program/job/wanted-job.ts";
+import { tipAtCall } from "../../program/job/requested-job.ts";
 import type { ToolFit } from "../../program/tools/which-tool.ts";
 import { remedies, type Remedy } from "../../report/remedies.ts";
-import { tryWay, type Tried } from "../../report/which/try-way.ts";
+import { tryWay, type TriedOption } from "../../report/which/try-way.ts";
 import { waysFor, type Proposal } from "../../report/which/ways.ts";
 import type { Residual } from "../../sim/simulation.ts";
-import { engine, type Called } from "./engine.ts";
+import { engine, type CalledCycle } from "./engine.ts";
 import type { Request } from "./request.ts";
 
 /**
@@ -22,23 +22,23 @@ export const advice = {
   },
 
   /** The operations that could make a shape, to be tried one by one. */
-  ways(wanted: Wanted, stock: readonly Ring[] | null, tools: readonly Tool[]): readonly Proposal[] {
+  ways(wanted: ShapeRequest, stock: readonly Ring[] | null, tools: readonly Tool[]): readonly Proposal[] {
     return waysFor(wanted, stock, tools);
   },
 
   /** Simulates one of them. */
   tryWay(
     proposal: Proposal,
-    wanted: Wanted,
+    wanted: ShapeRequest,
     stock: readonly Ring[] | null,
     shop: Pick<Request, "table" | "rapid" | "control" | "machine">,
-  ): Tried {
+  ): TriedOption {
     const { table, rapid, control, machine } = shop;
     return tryWay(proposal, wanted, stock, { ...table, rapid, control, ...(machine && { machine }) });
   },
 
   /** Tools that would remove the residual material of a call, the one with the least left first. */
-  remediesOf(called: Called, left: Residual, tools: readonly Tool[]): readonly Remedy[] {
+  remediesOf(called: CalledCycle, left: Residual, tools: readonly Tool[]): readonly Remedy[] {
     return remedies(tools)(called, left);
   },
 };

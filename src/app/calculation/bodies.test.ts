@@ -40,8 +40,8 @@ test("bodies are made again only if stock or look have changed, or if the page h
 
 test("each buffer is transferred once, and never one that is shared", () => {
   const cut = made(turnedBodies(outcome, at(outcome.run.steps.length, 0)));
-  expect(cut.told.textures).toContain("thread");
-  expect(cut.told.rings).toBe(false);
+  expect(cut.notes.textures).toContain("thread");
+  expect(cut.notes.hasRings).toBe(false);
   const [buffers, others] = [buffersOf(cut), buffersOf(made(turnedBodies(outcome, at(first + 9, 0.5))))];
   expect(buffers.length).toBeGreaterThan(3);
   expect(new Set([...buffers, ...others]).size).toBe(buffers.length + others.length);

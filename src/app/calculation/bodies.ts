@@ -4,7 +4,7 @@ import { statedSteps } from "../../view/solid/bodies.ts";
 import {
   buffersOf,
   shownBodies,
-  type BodiesAsked,
+  type BodiesRequest,
   type ShownBodies,
   type TurnedRun,
 } from "../../view/solid/shown-bodies.ts";
@@ -13,7 +13,7 @@ import { surfacesOfRun } from "./moving.ts";
 import type { Outcome } from "./outcome.ts";
 
 /** Request of the page for each frame; `look` identifies everything but the stock that decides how it looks. */
-export interface BodiesWanted extends BodiesAsked {
+export interface BodiesWanted extends BodiesRequest {
   readonly look: string;
   /** The page still has the last bodies: unchanged ones are not made again. */
   readonly hasLast: boolean;

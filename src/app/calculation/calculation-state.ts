@@ -1,10 +1,10 @@
 import type { Run } from "../../program/state/run-types.ts";
-import type { Order, Part, Text, Told } from "./orders.ts";
+import type { Order, Part, Text, OrderEvent } from "./orders.ts";
 import type { Outcome, Planned, Stage } from "./outcome.ts";
 import { isQuick, UNKNOWN_PACE, type Pace } from "./pace.ts";
 
 /** Input of the calculation, from the open work. */
-export interface Wanted {
+export interface CalculationInput {
   /** Id of the work and file: answers for another one are ignored. */
   readonly of: string;
   /** Its task asks for a prediction before its run may be seen. */
@@ -31,9 +31,9 @@ export type Wait =
   | "leftWork";
 
 export type CalculationEvent =
-  | Told
+  | OrderEvent
   /** `again`: also if nothing has changed. */
-  | ({ readonly event: "edited"; readonly again?: boolean } & Wanted)
+  | ({ readonly event: "edited"; readonly again?: boolean } & CalculationInput)
   /** Somebody types in a text: half a word is no error yet. `pause`: time without a key that ends the typing, ms. */
   | { readonly event: "typed"; readonly pause: number }
   | { readonly event: "cancelled" }
@@ -69,7 +69,7 @@ export interface Planning extends Queued {
 }
 
 /** The text that the worker calculates. */
-export interface Ordered extends Queued {
+export interface WorkerTask extends Queued {
   readonly at: "beginning" | "plan" | "proof";
   readonly stage: Stage;
   /** Its result, held back while somebody types. */
@@ -91,7 +91,7 @@ export interface Calculation {
   readonly page: Planning | null;
   /** The next text for the worker. */
   readonly next: Queued | null;
-  readonly worker: Ordered | null;
+  readonly worker: WorkerTask | null;
   readonly isShown: boolean;
   readonly isPaused: boolean;
   readonly isStopped: boolean;

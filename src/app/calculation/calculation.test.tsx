@@ -3,7 +3,7 @@ import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job/job.ts";
 import { useSettings } from "../base/settings/settings.ts";
-import { begin, edit } from "../document/store.ts";
+import { openFirstWork, edit } from "../document/store.ts";
 import { createCalculation } from "./calculation.ts";
 import type { Wait } from "./calculation-state.ts";
 import { engine } from "./engine.ts";
@@ -75,11 +75,11 @@ function started() {
 
 let it: ReturnType<typeof started>;
 beforeEach(() => {
-  begin(exampleJob(first), "first");
+  openFirstWork(exampleJob(first), "first");
   it = started();
 });
 afterEach(() => {
-  begin(null, null);
+  openFirstWork(null, null);
   it.stop();
 });
 
@@ -95,15 +95,15 @@ async function plansHere(): Promise<void> {
 test("a work is calculated when it is opened, and shown while it is open", async () => {
   const { text } = await it.answer();
   expect(shown()).toBe(text);
-  begin(exampleJob(second), "second");
+  openFirstWork(exampleJob(second), "second");
   expect(shown()).toBeNull();
   expect((await it.answer()).text).not.toBe(text);
-  begin(null, null);
+  openFirstWork(null, null);
   expect([shown(), it.asked]).toEqual([null, []]);
 });
 
 test("another work of the same cycle is calculated anew", async () => {
-  begin({ ...exampleJob(first), name: "OTHER" }, "other");
+  openFirstWork({ ...exampleJob(first), name: "OTHER" }, "other");
   await it.answer();
   expect(shown()).toBeNull();
   const { text } = await it.answer();
@@ -165,7 +165,7 @@ test("a result waits while somebody types in a text", async () => {
 });
 
 test("the run of a task that asks first is hidden, and recalculated when it may be seen", async () => {
-  begin({ ...exampleJob(first), task: { id: "how-many", veiled: true } }, "task");
+  openFirstWork({ ...exampleJob(first), task: { id: "how-many", veiled: true } }, "task");
   await it.answer();
   await it.answer();
   await until(() => expect(shown()).toContain("BEGIN PGM"));
@@ -184,7 +184,7 @@ test("the run of a task that asks first is hidden, and recalculated when it may 
 test("a long program shows its beginning first, then its path, then its check", async () => {
   const cut = "L X+1.25 Y+3.5\nL X-2.75 Y+0.5\n";
   const text = `BEGIN PGM LONG MM\nTOOL CALL 1 Z S900 F300\nL X+0 Y+0 Z+2 R0 FMAX\n${cut.repeat(36_000)}END PGM LONG MM\n`;
-  begin({ name: "LONG.H", text, encoding: "utf-8" }, "long");
+  openFirstWork({ name: "LONG.H", text, encoding: "utf-8" }, "long");
   await it.answer();
   const beginning = await it.answer();
   expect(text.startsWith(beginning.text) && beginning.text.endsWith("\n")).toBe(true);

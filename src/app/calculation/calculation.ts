@@ -1,8 +1,8 @@
 import type { Run } from "../../program/state/run-types.ts";
 import { notice } from "../base/notices.ts";
-import { atRest } from "../base/rest.ts";
+import { scheduleIdle } from "../base/idle.ts";
 import { useSettings } from "../base/settings/settings.ts";
-import { afterPicture, byAndBy, whileTyping } from "../base/typing.ts";
+import { afterPaint, renderDeferred, whileTyping } from "../base/typing.ts";
 import { CALCULATING } from "../base/waits.ts";
 import { useEditor } from "../document/store.ts";
 import { useTools } from "../document/tool-store.ts";
@@ -20,22 +20,22 @@ import type { Executor, Order } from "./orders.ts";
 import { forgetOutcome, showBeginning, showProgress, takeOutcome, takePlanned } from "./outcome.ts";
 import { pageExecutor } from "./page-executor.ts";
 import { reduce } from "./reducer.ts";
-import { wantedNow } from "./wanted.ts";
+import { currentCalculationInput } from "./calculation-input.ts";
 import { workerExecutor } from "./worker-executor.ts";
 import { askAgain, stopWorker } from "./worker-life.ts";
 
 /** Called with the run of a long work that was planned while idle, to prepare its drawing. */
-export const hearsAhead = new Set<(run: Run) => void>();
+export const plannedAheadListeners = new Set<(run: Run) => void>();
 
 function show(effect: Show): void {
   if ("outcome" in effect) {
     const { outcome } = effect;
-    return effect.isBeginning ? showBeginning(outcome) : byAndBy(() => takeOutcome(outcome));
+    return effect.isBeginning ? showBeginning(outcome) : renderDeferred(() => takeOutcome(outcome));
   }
   const take = () => takePlanned(effect.planned);
   if (effect.as === "now") take();
   else if (effect.as === "typed") whileTyping(take);
-  else byAndBy(take);
+  else renderDeferred(take);
 }
 
 /** The executors and waits of a calculation. */
@@ -72,7 +72,7 @@ export function createCalculation({ page, worker, stopWorker, wait }: Means) {
         );
         return;
       case "prepare":
-        atRest(() => hearsAhead.forEach((hear) => hear(effect.run)), CALCULATING.rest);
+        scheduleIdle(() => plannedAheadListeners.forEach((hear) => hear(effect.run)), CALCULATING.rest);
         return;
       case "stopWorker":
         return stopWorker();
@@ -100,7 +100,7 @@ export function createCalculation({ page, worker, stopWorker, wait }: Means) {
   }
 
   const follow = (again = false) => {
-    const wanted = wantedNow();
+    const wanted = currentCalculationInput();
     dispatch(wanted ? { event: "edited", again, ...wanted } : { event: "left" });
   };
 
@@ -142,13 +142,13 @@ const soon = (then: () => void, ms?: number) => {
 function waitOnPage(wait: Wait, ms: number | undefined, then: () => void): () => void {
   switch (wait) {
     case "planner":
-      return atRest(() => void page.fetch().then(then));
+      return scheduleIdle(() => void page.fetch().then(then));
     case "rest":
-      return atRest(then, CALCULATING.rest);
+      return scheduleIdle(then, CALCULATING.rest);
     case "picture":
-      return afterPicture(then);
+      return afterPaint(then);
     case "digit": {
-      let callOff = afterPicture(() => (callOff = soon(then)));
+      let callOff = afterPaint(() => (callOff = soon(then)));
       return () => callOff();
     }
     case "slice":

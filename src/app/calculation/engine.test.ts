@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { findingsOf } from "../findings/findings.ts";
-import { judged } from "../findings/verdict.ts";
+import { shownVerdict } from "../findings/verdict.ts";
 import { verdictReasons, verdictTitle } from "../findings/verdict-words.ts";
 import { findingsShown, isDefinedIn } from "../document/shown-findings.ts";
 import { filesOf, type ProgramWork } from "../document/work.ts";
@@ -77,19 +77,19 @@ test("a finding in a called program names its file in the list and in the verdic
   const entries = findingsOf(null, outcome);
   const missing = entries.find(({ issue }) => issue.code === "labelMissing");
   expect(missing).toMatchObject({ block: 7, inFile: { file: "cut.h", block: 4, line: 3 } });
-  const verdict = judged(entries, outcome);
+  const verdict = shownVerdict(entries, outcome);
   expect(verdictTitle(words.verdict, "en", verdict)).toBe("2 errors, the first in cut.h");
-  const own = judged(findingsOf(null, update(work("CALL LBL 9"))), outcome);
+  const own = shownVerdict(findingsOf(null, update(work("CALL LBL 9"))), outcome);
   expect(verdictTitle(words.verdict, "en", own)).toBe("1 error");
 });
 
 test("an unverified part of a called program is named with its file", () => {
   const outcome = update(work("CALL PGM CUT", { "cut.h": pgm("6 CYCL DEF 19.0 WORKING PLANE\n7 CYCL DEF 19.1 B+10") }));
-  const verdict = judged(findingsOf(null, outcome), outcome);
+  const verdict = shownVerdict(findingsOf(null, outcome), outcome);
   expect(verdictTitle(words.verdict, "en", verdict)).toBe("cut.h not fully simulated");
   expect(verdictReasons(words.verdict, verdict)[0]).toContain("in cut.h is not simulated");
   const own = update(work("6 CYCL DEF 19.0 WORKING PLANE\n7 CYCL DEF 19.1 B+10"));
-  expect(verdictTitle(words.verdict, "en", judged(findingsOf(null, own), own))).toBe(words.verdict.unproved);
+  expect(verdictTitle(words.verdict, "en", shownVerdict(findingsOf(null, own), own))).toBe(words.verdict.unproved);
 });
 
 test("each text shows its own findings; the main program also those of called files, at the call", () => {

@@ -1,15 +1,15 @@
-import { Answers } from "../../kernel/answers.ts";
+import { AnswerCache } from "../../kernel/answer-cache.ts";
 import { cycleByNumber } from "../../cycles/index.ts";
 import { knownParameters } from "../../program/job/job-parameters.ts";
 import { readDraft } from "../../program/job/read-draft.ts";
 import { rankTools, type ToolFit } from "../../program/tools/which-tool.ts";
-import { simulate, simulating } from "../../sim/simulate.ts";
+import { simulate, incrementalSimulator } from "../../sim/simulate.ts";
 import type { FeedUnit } from "../../kernel/plan/move.ts";
 import type { Pt } from "../../kernel/geometry/point.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import type { SetJob } from "../../program/job/job.ts";
 import type { Operation } from "../../program/state/run-types.ts";
-import { givenOf } from "./given.ts";
+import { cycleGivens } from "./cycle-givens.ts";
 import type { Outcome, Stage } from "./outcome.ts";
 import { planned, planner } from "./plan.ts";
 import type { Request } from "./request.ts";
@@ -22,7 +22,7 @@ export interface Circumstances {
 }
 
 /** The data of a call that are needed to try other tools. */
-export type Called = Pick<Operation, "cycle" | "tool" | "feedUnit" | "call">;
+export type CalledCycle = Pick<Operation, "cycle" | "tool" | "feedUnit" | "call">;
 
 /** The functions that make a result. */
 interface Makers {
@@ -33,8 +33,8 @@ const FRESH: Makers = { planned, simulate };
 
 /** Functions for successive results of one work: unchanged parts are not planned, cut or checked again. */
 export function makersAgain(): Makers {
-  const answers = new Answers();
-  return { planned: planner(answers), simulate: simulating(answers) };
+  const answers = new AnswerCache();
+  return { planned: planner(answers), simulate: incrementalSimulator(answers) };
 }
 
 /** The slow calculations that every work needs, as pure functions of plain data. They run in a worker. */
@@ -54,13 +54,13 @@ export const engine = {
     const cycle = cycleByNumber(job.cycle);
     const values = cycle && readDraft(cycle, job.drafts[job.cycle] ?? {}, knownParameters(job)).values;
     if (!cycle || !values) return null;
-    const given = givenOf({ cycle, job });
+    const given = cycleGivens({ cycle, job });
     if (cycle.outline(values, given).issues.some((found) => found.severity === "error")) return null;
     return rankTools(cycle, values, given, { start, feedUnit, autoFeed: null, stock: null }, tools);
   },
 
   /** What each tool can do in place of the one that was called, best first; null while the call makes no contour. */
-  fitsOfCall({ cycle: number, call, feedUnit }: Called, tools: readonly Tool[]): readonly ToolFit[] | null {
+  fitsOfCall({ cycle: number, call, feedUnit }: CalledCycle, tools: readonly Tool[]): readonly ToolFit[] | null {
     const cycle = cycleByNumber(number);
     if (!cycle || !call) return null;
     return rankTools(

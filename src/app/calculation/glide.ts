@@ -1,5 +1,5 @@
 import type { PlayPosition } from "../../sim/simulation.ts";
-import type { WayBend } from "../../view/bends.ts";
+import type { DirectionChange } from "../../view/direction-changes.ts";
 import { positionAt, secondsAt, type Playback, type PlayedTrack } from "../../view/playback.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 
@@ -11,7 +11,7 @@ export interface GlideWay {
    * Bends of the path between two times, machine seconds, no closer than `fine` seconds. Between bends the path is
    * straight.
    */
-  readonly bends: (track: PlayedTrack, between: readonly [number, number], fine: number) => readonly WayBend[];
+  readonly bends: (track: PlayedTrack, between: readonly [number, number], fine: number) => readonly DirectionChange[];
   /**
    * Steps per second, if the element moves in steps: without a graphics card each frame redraws everything between two
    * moving elements.
@@ -22,7 +22,7 @@ export interface GlideWay {
 /** The handle of an element that follows a playback. */
 export interface Gliding {
   /** The path has changed: animates it again. */
-  readonly again: () => void;
+  readonly recompute: () => void;
   readonly end: () => void;
 }
 
@@ -46,7 +46,7 @@ export const isOnCourse = ({ track, rate, from, since }: PlayCourse, state: Play
   Math.abs(from - secondsAt(track, state.position) + (rate * (now - since)) / 1000) < (ASIDE * rate) / 1000;
 
 /** A part of the path that was sent to the browser. */
-interface Told extends PlayCourse {
+interface SentAnimation extends PlayCourse {
   readonly animation: Animation;
 }
 
@@ -76,7 +76,7 @@ function keyframes(
  * directly.
  */
 export function glide(element: HTMLElement, playback: PlaybackStore, way: GlideWay): Gliding {
-  let told: Told | null = null;
+  let told: SentAnimation | null = null;
   const rest = () => {
     const place = way.at(playback.shown());
     if (place !== null) element.style.transform = place;
@@ -102,7 +102,7 @@ export function glide(element: HTMLElement, playback: PlaybackStore, way: GlideW
     if (now === null || !("animate" in element)) return rest();
     if (!told || now - told.since > NEXT || !isOnCourse(told, state, now)) tell(state, now);
   };
-  const again = () => {
+  const recompute = () => {
     const now = playback.since();
     if (now === null || !told) rest();
     else tell(playback.get(), now);
@@ -110,7 +110,7 @@ export function glide(element: HTMLElement, playback: PlaybackStore, way: GlideW
   follow();
   const deaf = playback.subscribe(follow);
   return {
-    again,
+    recompute,
     end() {
       deaf();
       told?.animation.cancel();

@@ -1,7 +1,7 @@
 import { create } from "zustand";
 import type { MachineData } from "../../program/machine/machine-data.ts";
 import { rememberingLast } from "../base/once.ts";
-import { untilHere } from "../base/parts.ts";
+import { retryImport } from "../base/parts.ts";
 
 /** The reader of machine files, fetched for the first file: most devices have none. */
 export const useMachineReader = create<{ readonly read: ((text: string) => MachineData | null) | null }>(() => ({
@@ -9,7 +9,7 @@ export const useMachineReader = create<{ readonly read: ((text: string) => Machi
 }));
 
 async function fetchReader(): Promise<(text: string) => MachineData | null> {
-  const { machineOf } = await untilHere(() => import("../../program/machine/machine-file.ts"));
+  const { machineOf } = await retryImport(() => import("../../program/machine/machine-file.ts"));
   const read = rememberingLast(machineOf);
   useMachineReader.setState({ read });
   return read;
@@ -19,7 +19,7 @@ async function fetchReader(): Promise<(text: string) => MachineData | null> {
  * The machine of a stored text, null for none; undefined while the reader is being fetched, which `useMachineReader`
  * reports.
  */
-export function machineAtHand(text: string): MachineData | null | undefined {
+export function cachedMachine(text: string): MachineData | null | undefined {
   if (text === "") return null;
   const { read } = useMachineReader.getState();
   if (!read) void fetchReader();
@@ -27,5 +27,5 @@ export function machineAtHand(text: string): MachineData | null | undefined {
 }
 
 /** The same, after the reader is loaded. */
-export const machineRead = async (text: string): Promise<MachineData | null> =>
+export const loadMachine = async (text: string): Promise<MachineData | null> =>
   text === "" ? null : (await fetchReader())(text);

@@ -10,7 +10,7 @@ import { surfacesOf, type Surfaces } from "../../view/material/surfaces.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 
 /** A run on a playback, with the stock at any position. */
-export interface Moving extends PaintedRun {
+export interface PlayedScene extends PaintedRun {
   /** All blanks of the run: the stock never extends beyond them. */
   readonly blanks: readonly Ring[];
   /** The chip of the current cut; null if nothing is cut, and while the run is only planned. */
@@ -19,7 +19,7 @@ export interface Moving extends PaintedRun {
 }
 
 /** The scene before a run: blank, tool and start point. */
-export interface Waiting {
+export interface InitialScene {
   readonly blank: readonly Ring[];
   readonly tool: Tool | null;
   readonly start: Pt | null;
@@ -34,7 +34,7 @@ export const stepIndex = (steps: readonly Step[], position: PlayPosition): numbe
  * begin the same.
  */
 export const surfacesOfRun = ({ steps, spindles }: Run, before: Surfaces = surfacesOf([])): Surfaces =>
-  before.again(
+  before.forRun(
     steps,
     (step) => spindleAt(spindles, step),
     (step) => turnsBack(spindles, step),

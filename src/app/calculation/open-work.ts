@@ -1,7 +1,7 @@
 import { stopwatch } from "../base/clock.ts";
 import { engine, makersAgain } from "./engine.ts";
 import type { Outcome, Planned, Stage } from "./outcome.ts";
-import { provedBeside, type Proved } from "./proved.ts";
+import { proofDelta, type ProofDelta } from "./proof-delta.ts";
 import type { Request } from "./request.ts";
 
 /** Calculates successive states of the open work, reusing unchanged parts. Runs in the worker. */
@@ -39,9 +39,9 @@ export function openWork() {
      * The check of a request whose run the page has, without the checkpoints that the page has as well if `has` is the
      * version of the last answer.
      */
-    proved(request: Request, has: number | null, tell?: (stage: Stage) => void): Proved {
+    proved(request: Request, has: number | null, tell?: (stage: Stage) => void): ProofDelta {
       const before = newest?.version === has ? newest : null;
-      return provedBeside(update(request, tell).simulation, before?.simulation.checkpoints ?? []);
+      return proofDelta(update(request, tell).simulation, before?.simulation.checkpoints ?? []);
     },
 
     /** The newest result: later requests about it need not send it again. */

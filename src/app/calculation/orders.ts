@@ -18,7 +18,7 @@ export type Order =
   | { readonly do: "prove"; readonly request: Text; readonly planned: Planned | null; readonly isVeiled: boolean };
 
 /** Progress and result of an order. */
-export type Told =
+export type OrderEvent =
   | { readonly event: "began"; readonly version: number; readonly stage: Stage }
   /** `made`: null where planning failed, "part" where a slice was not the last. `took`: ms. */
   | {
@@ -31,10 +31,10 @@ export type Told =
   | { readonly event: "failed"; readonly version: number };
 
 /** Carries out orders and reports their results: the page at once, the worker later. */
-export type Executor<O extends Order = Order> = (order: O, tell: (told: Told) => void) => void;
+export type Executor<O extends Order = Order> = (order: O, tell: (told: OrderEvent) => void) => void;
 
 /** The fields of a result that identify its source besides the text. */
-export const ofText = ({ files, skipMarked }: Text): Pick<Outcome, "files" | "skipMarked"> => ({
+export const sourceFields = ({ files, skipMarked }: Text): Pick<Outcome, "files" | "skipMarked"> => ({
   ...(files && { files }),
   ...(skipMarked !== undefined && { skipMarked }),
 });

@@ -1,6 +1,6 @@
-import { chooseFinding } from "../document/chosen.ts";
+import { chooseFinding } from "../document/chosen-finding.ts";
 import { clearSelection } from "../document/selected.ts";
-import { heldWhileTyping } from "../base/typing.ts";
+import { createDeferredStore } from "../base/typing.ts";
 import { filesOf, type ProgramWork, type WorkFile } from "../document/work.ts";
 import type { Run } from "../../program/state/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
@@ -58,7 +58,7 @@ export interface OutcomeState {
   /** Prompts are incomplete; nothing is calculated until they are complete again. */
   readonly paused: boolean;
   /** A block of the text is half typed: it is calculated, but the picture stays. */
-  readonly keeps: boolean;
+  readonly isPictureHeld: boolean;
 }
 
 const none: OutcomeState = {
@@ -70,9 +70,9 @@ const none: OutcomeState = {
   stage: null,
   stopped: false,
   paused: false,
-  keeps: false,
+  isPictureHeld: false,
 };
-export const useOutcome = heldWhileTyping<OutcomeState>(() => none, "result");
+export const useOutcome = createDeferredStore<OutcomeState>(() => none, "result");
 
 /** True for a cycle with moves, or in a program without cycles for any move, turned or milled. */
 const makesPath = (made: Made | null) => {
@@ -84,13 +84,17 @@ const makesPath = (made: Made | null) => {
 };
 
 /** Whether a result replaces the shown one. */
-const replaces = (made: Made, { shown, keeps }: Pick<OutcomeState, "shown" | "keeps">): boolean =>
-  !makesPath(shown) || (!keeps && makesPath(made));
+const replaces = (made: Made, { shown, isPictureHeld }: Pick<OutcomeState, "shown" | "isPictureHeld">): boolean =>
+  !makesPath(shown) || (!isPictureHeld && makesPath(made));
 
 function settled(s: OutcomeState): OutcomeState {
   const { newest, shown, planned } = s;
   const pictured = planned && replaces(planned, s) ? planned : shown;
-  return { ...s, pictured, dimmed: pictured !== null && (s.paused || s.keeps || pictured !== (planned ?? newest)) };
+  return {
+    ...s,
+    pictured,
+    dimmed: pictured !== null && (s.paused || s.isPictureHeld || pictured !== (planned ?? newest)),
+  };
 }
 
 /** Stores a result, unless there is a newer one. */
@@ -122,11 +126,11 @@ export const showProgress = ({ stage, stopped, paused }: Pick<OutcomeState, "sta
   );
 
 /** Holds the picture while a block of the text is half typed; afterwards the newest result is shown. */
-export const holdPicture = (keeps: boolean): void =>
+export const holdPicture = (isPictureHeld: boolean): void =>
   useOutcome.setState((s) => {
-    if (s.keeps === keeps) return s;
+    if (s.isPictureHeld === isPictureHeld) return s;
     const { newest } = s,
-      now = { ...s, keeps };
+      now = { ...s, isPictureHeld };
     return settled({ ...now, shown: newest && replaces(newest, now) ? newest : s.shown });
   });
 

@@ -1,6 +1,6 @@
 import { stopwatch } from "../base/clock.ts";
-import { untilHere } from "../base/parts.ts";
-import { ofText, type Executor, type Order, type Text } from "./orders.ts";
+import { retryImport } from "../base/parts.ts";
+import { sourceFields, type Executor, type Order, type Text } from "./orders.ts";
 import type { planned, planner } from "./plan.ts";
 
 /** The first share of a text, in whole lines. */
@@ -22,7 +22,7 @@ export function pageExecutor(): { readonly execute: Executor<Order & { do: "plan
   };
   return {
     async fetch() {
-      const { planner, planned } = await untilHere(() => import("./plan.ts"));
+      const { planner, planned } = await retryImport(() => import("./plan.ts"));
       code = { plan: planner(), planAlone: planned };
     },
     execute(order, tell) {
@@ -31,7 +31,7 @@ export function pageExecutor(): { readonly execute: Executor<Order & { do: "plan
       let made: ReturnType<typeof make> = null;
       try {
         made = make(order);
-        if (made && made !== "part") made = { ...made, ...ofText(order.request) };
+        if (made && made !== "part") made = { ...made, ...sourceFields(order.request) };
       } catch {
         // The worker fails the same way and reports it.
       }

@@ -1,14 +1,14 @@
 import { parse } from "../../nc/parse.ts";
 import type { Program } from "../../nc/program.ts";
-import { readingAgain } from "../../nc/reread.ts";
-import { Answers } from "../../kernel/answers.ts";
+import { incrementalParser } from "../../nc/reread.ts";
+import { AnswerCache } from "../../kernel/answer-cache.ts";
 import { never } from "../../kernel/never.ts";
 import type { Run } from "../../program/state/run-types.ts";
 import type { Shop } from "../../program/state/shop.ts";
 import { filesByName } from "../../program/state/program-files.ts";
 import { run } from "../../program/run/run.ts";
-import { runningAgain } from "../../program/run/run-again.ts";
-import { tracing } from "../../sim/tracing.ts";
+import { incrementalRunner } from "../../program/run/incremental-run.ts";
+import { traceStock } from "../../sim/tracing.ts";
 import type { Planned, Stage } from "./outcome.ts";
 import type { Request } from "./request.ts";
 
@@ -16,7 +16,7 @@ import type { Request } from "./request.ts";
 interface By extends Pick<Shop, "tracing" | "memory"> {
   readonly read: (text: string) => Program;
 }
-const FRESH: By = { tracing, read: parse };
+const FRESH: By = { tracing: traceStock, read: parse };
 
 /** Reads a request and runs it; null if the run is not finished. */
 function planBy(
@@ -55,7 +55,7 @@ export const planned = (request: Request, atStage: (stage: Stage) => void = sile
 interface Planner {
   (request: Request, atStage?: (stage: Stage) => void): Planned;
   /**
-   * Continues planning a request while `goesOn` returns true at each point where it can pause; null until it is
+   * Continues planning a request while `continuesStep` returns true at each point where it can pause; null until it is
    * finished.
    */
   readonly part: (request: Request, goesOn: () => boolean) => Planned | null;
@@ -65,9 +65,9 @@ interface Planner {
  * A planner for one work: unchanged blocks are not parsed again, nothing before the first change is run again, and
  * unchanged cycles are not planned again. The result equals that of `planned`.
  */
-export function planner(memory = new Answers()): Planner {
-  const runs = runningAgain();
-  const by: By = { memory, tracing, read: readingAgain() };
+export function planner(memory = new AnswerCache()): Planner {
+  const runs = incrementalRunner();
+  const by: By = { memory, tracing: traceStock, read: incrementalParser() };
   const ended = <Made extends Planned | null>(made: Made): Made => {
     if (made) memory.runEnded();
     return made;
@@ -76,6 +76,6 @@ export function planner(memory = new Answers()): Planner {
     ended(planBy(request, atStage, by, runs)) ?? never("a run without an end", request);
   return Object.assign(whole, {
     part: (request: Request, goesOn: () => boolean) =>
-      ended(planBy(request, silent, by, (program, shop, beside) => runs.part(program, shop, beside, goesOn))),
+      ended(planBy(request, silent, by, (program, shop, beside) => runs.interruptible(program, shop, beside, goesOn))),
   });
 }

@@ -4,7 +4,7 @@ import { milledPainter, type MilledLook } from "../../view/approach/milled-paint
 import { trackOf, type PlayedTrack } from "../../view/playback.ts";
 import { cutFor, uncutStock } from "./cut-milled.ts";
 import type { Outcome } from "./outcome.ts";
-import { painted, playPainted, type PlayedCourse, type PlayedOn } from "./played.ts";
+import { painted, playPainted, type PlayedCourse, type PlaybackCanvas } from "./played.ts";
 
 interface Milled {
   readonly stock: MilledStock;
@@ -50,13 +50,13 @@ export async function milledPicture(
   if (!milled || !(await reaches(outcome, milled, position.step))) return null;
   const painter = milledPainter(outcome.run.plane, milled.stock);
   painter.goTo(position);
-  return painted(look.origin, look.ratio, (pen) => painter.all(pen, look));
+  return painted(look.origin, look.ratio, (pen) => painter.paintAll(pen, look));
 }
 
 /** Paints the milled stock during playback. Resolves after the first frame; false if it cannot be painted. */
 export async function playMilling(
   outcome: Outcome,
-  on: PlayedOn,
+  on: PlaybackCanvas,
   look: MilledLook,
   course: PlayedCourse,
 ): Promise<boolean> {

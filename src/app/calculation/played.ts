@@ -2,7 +2,7 @@ import type { PlayPosition } from "../../sim/simulation.ts";
 import { playerOf, sameBlank } from "../../sim/stock.ts";
 import type { Patch } from "../../view/material/pen.ts";
 import {
-  paintShop,
+  paintSurroundings,
   stockPainter,
   type PaintedRun,
   type StockLook,
@@ -25,7 +25,7 @@ export interface PlayedCourse {
 }
 
 /** The canvas of a playback, by its name; the canvas itself is sent the first time. */
-export interface PlayedOn {
+export interface PlaybackCanvas {
   readonly name: string;
   readonly canvas: OffscreenCanvas | null;
 }
@@ -80,8 +80,8 @@ export function stockPictures(outcome: Outcome, look: StockLook, position: PlayP
   const painter = stockPainter(playableOf(outcome).run);
   painter.goTo(position);
   return {
-    work: painted(look.origin, look.ratio, (pen) => painter.all(pen, look)),
-    shop: painted(look.ground, look.ratio, (pen) => paintShop(pen, look)),
+    work: painted(look.origin, look.ratio, (pen) => painter.paintAll(pen, look)),
+    shop: painted(look.ground, look.ratio, (pen) => paintSurroundings(pen, look)),
   };
 }
 
@@ -89,7 +89,7 @@ export function stockPictures(outcome: Outcome, look: StockLook, position: PlayP
 const MOST_EACH = 2_000_000;
 
 /** The canvas that was transferred last, by its name. */
-const here = new Map<string, OffscreenCanvas>();
+const canvases = new Map<string, OffscreenCanvas>();
 /** A playback ends when the next one begins. */
 const begin = onlyNewest();
 
@@ -101,8 +101,8 @@ const picture = (): Promise<number> => new Promise((done) => requestAnimationFra
 /** What is painted during playback. */
 interface Played<Look> {
   readonly painter: Pick<StockPainter, "goTo"> & {
-    readonly all: (pen: OffscreenCanvasRenderingContext2D, look: Look) => void;
-    readonly follow: (pen: OffscreenCanvasRenderingContext2D, look: Look, position: PlayPosition) => boolean;
+    readonly paintAll: (pen: OffscreenCanvasRenderingContext2D, look: Look) => void;
+    readonly paintChanges: (pen: OffscreenCanvasRenderingContext2D, look: Look, position: PlayPosition) => boolean;
   };
   readonly track: PlayedTrack;
 }
@@ -113,17 +113,17 @@ interface Played<Look> {
  */
 export async function playPainted<Look extends Pick<StockLook, "origin" | "ratio">>(
   { painter, track }: Played<Look>,
-  on: PlayedOn,
+  on: PlaybackCanvas,
   look: Look,
   course: PlayedCourse,
   until: (step: number) => Promise<boolean> = () => Promise.resolve(true),
 ): Promise<boolean> {
   const isNewest = begin();
   if (on.canvas) {
-    here.clear();
-    here.set(on.name, on.canvas);
+    canvases.clear();
+    canvases.set(on.name, on.canvas);
   }
-  const pen = ("requestAnimationFrame" in self && here.get(on.name)?.getContext("2d")) || null;
+  const pen = ("requestAnimationFrame" in self && canvases.get(on.name)?.getContext("2d")) || null;
   if (!pen) return false;
   const { canvas } = pen;
   const [width, height] = sized(look.origin, look.ratio);
@@ -132,12 +132,12 @@ export async function playPainted<Look extends Pick<StockLook, "origin" | "ratio
     positionAt(track, course.seconds + (course.rate * (dayMoment(now) - course.since)) / 1000);
   if (!(await until(at(stopwatch()).step)) || !isNewest()) return false;
   painter.goTo(at(stopwatch()));
-  painter.all(pen, look);
+  painter.paintAll(pen, look);
   await picture();
   void (async () => {
     while (isNewest()) {
       if (width * height > MOST_EACH) await picture();
-      painter.follow(pen, look, at(await picture()));
+      painter.paintChanges(pen, look, at(await picture()));
     }
   })();
   await picture();
@@ -145,7 +145,7 @@ export async function playPainted<Look extends Pick<StockLook, "origin" | "ratio
 }
 
 /** The same for the turned stock of a result. */
-export function play(outcome: Outcome, on: PlayedOn, look: StockLook, course: PlayedCourse): Promise<boolean> {
+export function play(outcome: Outcome, on: PlaybackCanvas, look: StockLook, course: PlayedCourse): Promise<boolean> {
   const { run, track } = playableOf(outcome);
   return playPainted({ painter: stockPainter(run), track }, on, look, course);
 }

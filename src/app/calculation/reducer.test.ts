@@ -7,7 +7,7 @@ import {
   type CalculationEvent,
   type Effect,
   type Wait,
-  type Wanted,
+  type CalculationInput,
 } from "./calculation-state.ts";
 import type { Outcome, Planned } from "./outcome.ts";
 import { reduce } from "./reducer.ts";
@@ -20,7 +20,10 @@ const LONG = "CYCL CALL\n".repeat(2400);
 const HUGE = "L X+1.25\n".repeat(120_000);
 const table = { tools: [], mills: [], refused: new Map() };
 
-const edit = (text: string | null = SHORT, more: Partial<Wanted> & { again?: boolean } = {}): CalculationEvent => ({
+const edit = (
+  text: string | null = SHORT,
+  more: Partial<CalculationInput> & { again?: boolean } = {},
+): CalculationEvent => ({
   event: "edited",
   of: "flange",
   isVeiled: false,

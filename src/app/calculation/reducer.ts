@@ -4,14 +4,14 @@ import {
   plansOnPage,
   type Calculation,
   type CalculationEvent,
-  type Ordered,
+  type WorkerTask,
   type Planning,
   type Queued,
   type Step,
   type Wait,
-  type Wanted,
+  type CalculationInput,
 } from "./calculation-state.ts";
-import type { Order, Part, Text, Told } from "./orders.ts";
+import type { Order, Part, Text, OrderEvent } from "./orders.ts";
 import type { Outcome, Planned } from "./outcome.ts";
 import { isQuick, isSlow, lengthOf, mayWarmUp, withRun, withRunInWorker } from "./pace.ts";
 
@@ -21,7 +21,7 @@ import { isQuick, isSlow, lengthOf, mayWarmUp, withRun, withRunInWorker } from "
  * from one of them, and the worker has one text at a time: of those queued only the newest counts.
  */
 
-const and = ([state, effects]: Step, next: (state: Calculation) => Step): Step => {
+const chain = ([state, effects]: Step, next: (state: Calculation) => Step): Step => {
   const [after, more] = next(state);
   return [after, [...effects, ...more]];
 };
@@ -46,7 +46,7 @@ function begin(state: Calculation): Step {
 }
 
 /** Orders the next step for a text: its beginning, its run if that is missing and not quick, or its check. */
-function orderFrom(state: Calculation, queued: Queued, from: Ordered["at"]): Step {
+function orderFrom(state: Calculation, queued: Queued, from: WorkerTask["at"]): Step {
   const { request, isVeiled, planned } = queued;
   const isPlannedFirst = !planned && !isVeiled && !isQuick(state.pace, lengthOf(request), state.warmUp !== null);
   const at = from === "plan" && !isPlannedFirst ? "proof" : from;
@@ -84,9 +84,9 @@ const isSliced = ({ canPlan, pace, warmUp }: Calculation, characters: number): b
 const isSame = (a: Omit<Text, "version">, b: Text): boolean =>
   Object.entries(a).every(([name, value]) => Object.is(b[name as keyof Text], value));
 
-function edited(state: Calculation, wanted: Wanted & { readonly again?: boolean }): Step {
+function edited(state: Calculation, wanted: CalculationInput & { readonly again?: boolean }): Step {
   const { of, isVeiled, request, again = false } = wanted;
-  if (state.of !== null && state.of !== of) return and(left(state), (now) => edited(now, wanted));
+  if (state.of !== null && state.of !== of) return chain(leaveWork(state), (now) => edited(now, wanted));
   if (request === undefined) return [{ ...state, of }, []];
   // A queued text is dropped: it is calculated if the same values come again.
   const isUndone = request === null && (state.next !== null || state.page !== null);
@@ -102,7 +102,7 @@ function edited(state: Calculation, wanted: Wanted & { readonly again?: boolean 
 }
 
 /** Another work, or none: drops all results, and those of the running calculation. */
-function left(state: Calculation): Step {
+function leaveWork(state: Calculation): Step {
   const worker = state.worker?.outcome ? null : state.worker;
   return [
     { ...state, ...NO_WORK, left: state.version, worker: worker && { ...worker, isGivenUp: true } },
@@ -113,7 +113,7 @@ function left(state: Calculation): Step {
   ];
 }
 
-type PlannedEvent = Told & { readonly event: "planned" };
+type PlannedEvent = OrderEvent & { readonly event: "planned" };
 
 function planned(state: Calculation, told: PlannedEvent): Step {
   const { page, worker, warmUp } = state;
@@ -137,7 +137,7 @@ function plannedOnPage(state: Calculation, page: Planning, told: PlannedEvent): 
       { do: "wait", for: "picture" },
     ],
   ];
-  return isInSlices ? and(step, (after) => inAllSlices(after, made)) : step;
+  return isInSlices ? chain(step, (after) => inAllSlices(after, made)) : step;
 }
 
 /** A long text has been planned on the page: from now on planning is quick. */
@@ -150,11 +150,11 @@ const inAllSlices = (state: Calculation, { run }: Planned): Step => [
   [{ do: "prepare", run }],
 ];
 
-function plannedInWorker(state: Calculation, worker: Ordered, { made, version }: PlannedEvent): Step {
+function plannedInWorker(state: Calculation, worker: WorkerTask, { made, version }: PlannedEvent): Step {
   if (!made || made === "part" || version <= state.left) return begin({ ...state, worker: null });
   const step: Step = [state, [{ do: "show", planned: made, as: "byItself" }]];
   // A text typed meanwhile is planned before anything is checked.
-  return and(step, (now) =>
+  return chain(step, (now) =>
     now.next ? begin({ ...now, worker: null }) : orderFrom(now, { ...worker, planned: made }, "proof"),
   );
 }
@@ -177,12 +177,12 @@ function warmUpOf(state: Calculation, request: Text): Step {
   return [{ ...state, warmUp: { request, parts } }, [{ do: "wait", for: "rest" }]];
 }
 
-function proved(state: Calculation, { version, outcome }: Told & { readonly event: "proved" }): Step {
+function proved(state: Calculation, { version, outcome }: OrderEvent & { readonly event: "proved" }): Step {
   const { worker } = state;
   if (worker?.request.version !== version) return [state, []];
   if (version <= state.left) return begin({ ...state, worker: null });
   if (worker.at === "beginning")
-    return and([state, [{ do: "show", outcome, isBeginning: true }]], (now) => orderFrom(now, worker, "plan"));
+    return chain([state, [{ do: "show", outcome, isBeginning: true }]], (now) => orderFrom(now, worker, "plan"));
   return state.isTyping ? [{ ...state, worker: { ...worker, outcome } }, []] : settled(state, worker.request, outcome);
 }
 
@@ -193,13 +193,13 @@ function settled(state: Calculation, request: Text, outcome: Outcome): Step {
   const paced = took === undefined ? now : { ...now, pace: withRunInWorker(now.pace, took) };
   const isOpened = took !== undefined && mayWarmUp(lengthOf(request), took);
   const step: Step = [paced, [{ do: "show", outcome }]];
-  return and(isOpened ? and(step, (after) => warmUpOf(after, request)) : step, begin);
+  return chain(isOpened ? chain(step, (after) => warmUpOf(after, request)) : step, begin);
 }
 
 /** Stops the worker's current task. */
-const stopped = (state: Calculation): Step => and([{ ...state, worker: null }, [{ do: "stopWorker" }]], begin);
+const stopped = (state: Calculation): Step => chain([{ ...state, worker: null }, [{ do: "stopWorker" }]], begin);
 
-function rested(state: Calculation, from: Wait): Step {
+function waitOver(state: Calculation, from: Wait): Step {
   const { page, worker, warmUp } = state;
   switch (from) {
     case "planner": {
@@ -256,8 +256,8 @@ export function reduce(state: Calculation, event: CalculationEvent): Step {
       return state.worker ? stopped(now) : [now, []];
     }
     case "left":
-      return left(state);
+      return leaveWork(state);
     case "rested":
-      return rested(state, event.from);
+      return waitOver(state, event.from);
   }
 }

@@ -3,9 +3,9 @@ import type { Operation } from "../../program/state/run-types.ts";
 import type { ToolFit } from "../../program/tools/which-tool.ts";
 import type { Remedy } from "../../report/remedies.ts";
 import type { Residual } from "../../sim/simulation.ts";
-import { setJobOf } from "../document/reading.ts";
+import { completeJob } from "../document/reading.ts";
 import { toolTable } from "../document/work-tools.ts";
-import type { Called } from "./engine.ts";
+import type { CalledCycle } from "./engine.ts";
 import type { Outcome } from "./outcome.ts";
 import { askAgain } from "./worker-life.ts";
 
@@ -14,7 +14,7 @@ import { askAgain } from "./worker-life.ts";
  * an operation.
  */
 
-const calledOf = ({ cycle, tool, feedUnit, call }: Operation): Called => ({ cycle, tool, feedUnit, call });
+const calledOf = ({ cycle, tool, feedUnit, call }: Operation): CalledCycle => ({ cycle, tool, feedUnit, call });
 
 /**
  * What each tool of the table can do in place of the one an operation called, best first; null if it cannot be
@@ -47,7 +47,7 @@ export async function fitsOf(job: Job, outcome: Outcome): Promise<readonly ToolF
   if (!call) return null;
   try {
     return await askAgain((engine) =>
-      engine.fits(setJobOf(job), { start: call.start, feedUnit: call.feedUnit, tools: toolTable().tools }),
+      engine.fits(completeJob(job), { start: call.start, feedUnit: call.feedUnit, tools: toolTable().tools }),
     );
   } catch {
     return null;

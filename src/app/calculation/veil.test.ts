@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { answerOf } from "../../course/judge/answer.ts";
-import { programOfLines } from "../../course/start-of.ts";
+import { programOfLines } from "../../course/task-start.ts";
 import { taskSchema } from "../../course/task.ts";
 import { stockIssues } from "../../sim/issues.ts";
 import { veil } from "./veil.ts";

@@ -1,8 +1,8 @@
 import { proxy } from "comlink";
-import { untilHere } from "../base/parts.ts";
-import { ofText, type Executor, type Order } from "./orders.ts";
+import { retryImport } from "../base/parts.ts";
+import { sourceFields, type Executor, type Order } from "./orders.ts";
 import type { Outcome, Stage } from "./outcome.ts";
-import { simulationOf } from "./proved.ts";
+import { simulationOf } from "./proof-delta.ts";
 import type { askAgain } from "./worker-life.ts";
 
 /**
@@ -15,7 +15,7 @@ export function workerExecutor(ask: typeof askAgain): Executor {
 
   async function outcomeOf({ request, planned }: Order & { do: "prove" }, tell: (stage: Stage) => void) {
     const made = await ask(async (engine): Promise<Outcome> => {
-      if (!planned) return { ...(await engine.update(request, proxy(tell))), ...ofText(request) };
+      if (!planned) return { ...(await engine.update(request, proxy(tell))), ...sourceFields(request) };
       const proof = await engine.proved(request, answered?.version ?? null, proxy(tell));
       return { ...planned, simulation: simulationOf(proof, planned.run, answered) };
     });
@@ -28,11 +28,11 @@ export function workerExecutor(ask: typeof askAgain): Executor {
     const began = (stage: Stage) => tell({ event: "began", version, stage });
     const done = async () => {
       if (order.do === "plan") {
-        const made = await untilHere(() => ask((engine) => engine.planned(order.request, proxy(began))));
-        tell({ event: "planned", version, made: { ...made, ...ofText(order.request) }, took: made.pace ?? 0 });
+        const made = await retryImport(() => ask((engine) => engine.planned(order.request, proxy(began))));
+        tell({ event: "planned", version, made: { ...made, ...sourceFields(order.request) }, took: made.pace ?? 0 });
       } else {
-        const made = await untilHere(() => outcomeOf(order, began));
-        const outcome = order.isVeiled ? (await untilHere(() => import("./veil.ts"))).veil(made) : made;
+        const made = await retryImport(() => outcomeOf(order, began));
+        const outcome = order.isVeiled ? (await retryImport(() => import("./veil.ts"))).veil(made) : made;
         tell({ event: "proved", version, outcome });
       }
     };

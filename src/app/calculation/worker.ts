@@ -9,7 +9,7 @@ import { engine } from "./engine.ts";
 import { loadRequestOf, type KnownMilling, type KnownOutcome, type LoadRequest } from "./load-request.ts";
 import { openWork } from "./open-work.ts";
 import type { Outcome } from "./outcome.ts";
-import type { PlayedCourse, PlayedOn, StockPictures } from "./played.ts";
+import type { PlayedCourse, PlaybackCanvas, StockPictures } from "./played.ts";
 import type { reported } from "./reported.ts";
 import { wireOutcomes } from "./wire.ts";
 
@@ -55,7 +55,7 @@ const served = {
     return request && (await import("./load.ts")).roughness(request);
   },
   /** Paints the stock of the newest result during playback; false if it cannot. */
-  async play(of: KnownOutcome, on: PlayedOn, look: StockLook, course: PlayedCourse): Promise<boolean> {
+  async play(of: KnownOutcome, on: PlaybackCanvas, look: StockLook, course: PlayedCourse): Promise<boolean> {
     const outcome = knownTurning(of);
     return outcome !== null && (await (await fetchPlayed()).play(outcome, on, look, course));
   },
@@ -75,7 +75,7 @@ const served = {
     return made === "same" ? made : transfer(made, buffersOf(made));
   },
   /** Paints the milled stock of the newest result during playback; false if it cannot. */
-  async playMilling(of: KnownMilling, on: PlayedOn, look: MilledLook, course: PlayedCourse): Promise<boolean> {
+  async playMilling(of: KnownMilling, on: PlaybackCanvas, look: MilledLook, course: PlayedCourse): Promise<boolean> {
     const outcome = knownMilling(of);
     return outcome !== null && (await (await fetchMilling()).playMilling(outcome, on, look, course));
   },

@@ -2,15 +2,15 @@ import { beforeEach, expect, test } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job/job.ts";
 import { setPrompt } from "./edits.ts";
-import { seen, showGuide, showSheet, showTools, showWhich, usePlace } from "../place/place.ts";
+import { shownPage, showGuide, showSheet, showTools, showWhich, usePlace } from "../place/place.ts";
 import { redoStep, undoStep } from "./history.ts";
-import { begin } from "./store.ts";
+import { openFirstWork } from "./store.ts";
 
 const [cycle] = cuttingCycles;
 if (!cycle) throw new Error("the catalogue is empty");
 const [q = "", other = ""] = Object.keys(cycle.params).filter((name) => !cycle.params[name]?.choices);
 
-beforeEach(() => begin(exampleJob(cycle), "work"));
+beforeEach(() => openFirstWork(exampleJob(cycle), "work"));
 
 test.each([
   ["undo", undoStep],
@@ -22,14 +22,14 @@ test.each([
   showGuide("guide", String(cycle.number), other);
   showWhich();
   go();
-  expect([seen(usePlace.getState()).page, usePlace.getState().over]).toEqual(["work", null]);
+  expect([shownPage(usePlace.getState()).page, usePlace.getState().over]).toEqual(["work", null]);
 });
 
 test("the page of the parameter itself stays: the change is seen there", () => {
   setPrompt(q, "1");
   showGuide("guide", String(cycle.number), q);
   undoStep();
-  expect(seen(usePlace.getState())).toEqual({ page: "guide", path: ["guide", String(cycle.number), q] });
+  expect(shownPage(usePlace.getState())).toEqual({ page: "guide", path: ["guide", String(cycle.number), q] });
 });
 
 test("the setup sheet stays: it shows the work", () => {
@@ -37,12 +37,12 @@ test("the setup sheet stays: it shows the work", () => {
   showSheet();
   showTools();
   undoStep();
-  expect(seen(usePlace.getState()).page).toBe("sheet");
+  expect(shownPage(usePlace.getState()).page).toBe("sheet");
 });
 
 test("with nothing to undo the page stays", () => {
-  begin(exampleJob(cycle), "other");
+  openFirstWork(exampleJob(cycle), "other");
   showGuide("guide", String(cycle.number), q);
   redoStep();
-  expect(seen(usePlace.getState()).page).toBe("guide");
+  expect(shownPage(usePlace.getState()).page).toBe("guide");
 });

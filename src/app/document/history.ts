@@ -1,5 +1,5 @@
 import { draftOf } from "./edits.ts";
-import { openPrompt, seen, showOwn, showTools, uncoverAll, usePlace } from "../place/place.ts";
+import { openPrompt, shownPage, showOwn, showTools, uncoverAll, usePlace } from "../place/place.ts";
 import { useOwn } from "./own-store.ts";
 import { redo, undo, useSteps, type Way } from "./steps.ts";
 import { useEditor } from "./store.ts";
@@ -27,7 +27,7 @@ function goAndShow(way: Way, run: () => void): void {
   const prompt = isSameWork
     ? Object.keys({ ...now, ...then }).find((q) => (now[q] ?? "") !== (then[q] ?? ""))
     : undefined;
-  const page = seen(usePlace.getState());
+  const page = shownPage(usePlace.getState());
   if (prompt !== undefined && page.page === "guide" && page.path.includes(prompt)) return;
   uncoverAll("sheet");
   if (own !== ownBefore) showOwn(changedIn(own, ownBefore));

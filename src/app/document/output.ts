@@ -3,7 +3,7 @@ import type { Job } from "../../program/job/job.ts";
 import type { NcOutput } from "../../program/machine/nc-output.ts";
 import { isoFile, manualText, printedText, type IsoFile } from "./printed.ts";
 import { useSettings } from "../base/settings/settings.ts";
-import { changeProgram, edit, handedOn, useEditor } from "./store.ts";
+import { changeProgram, edit, bundleOf, useEditor } from "./store.ts";
 
 /** Kind of the exported file. */
 export type FileKind = "tnc640" | "tnc7" | "iso";
@@ -14,7 +14,7 @@ const kindOf = (layout: Job["layout"]): FileKind => (layout === "manual" ? "tnc6
 /** The file kind of the open work: a job's own setting, for a program that of its control. */
 export function useFileKind(): FileKind {
   const layout = useEditor((s) => s.job?.layout ?? null);
-  const own = useEditor((s) => handedOn(s).control);
+  const own = useEditor((s) => bundleOf(s).control);
   const device = useSettings((s) => s.control);
   if (layout !== null) return kindOf(layout);
   return (own ?? device) === "TNC7" ? "tnc7" : "tnc640";

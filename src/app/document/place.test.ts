@@ -3,7 +3,7 @@ import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job/job.ts";
 import {
   cover,
-  seen,
+  shownPage,
   showElsewhere,
   showOwn,
   showSection,
@@ -16,12 +16,12 @@ import {
 } from "../place/place.ts";
 import { goHome, goToEntrance } from "./go-home.ts";
 import { redoStep, undoStep } from "./history.ts";
-import { begin, open, useEditor } from "./store.ts";
+import { openFirstWork, open, useEditor } from "./store.ts";
 
 const [cycle] = cuttingCycles;
 if (!cycle) throw new Error("the catalogue is empty");
 const job = exampleJob(cycle);
-const page = () => seen(usePlace.getState()).page;
+const page = () => shownPage(usePlace.getState()).page;
 const covers: readonly Cover[] = [
   { page: "sheet" },
   { page: "tools" },
@@ -30,12 +30,12 @@ const covers: readonly Cover[] = [
 ];
 
 beforeEach(() => {
-  begin(null, null);
+  openFirstWork(null, null);
   goHome();
 });
 
 test.each(covers)("whatever opens another work shows it, under $page too", (over) => {
-  begin(job, "first");
+  openFirstWork(job, "first");
   cover(over);
   showWhich();
   open(job, "second");
@@ -49,7 +49,7 @@ test.each(covers)("whatever opens another work shows it, under $page too", (over
 });
 
 test("covers are stacked and closed one by one; tools and own cycles replace each other", () => {
-  begin(job, "first");
+  openFirstWork(job, "first");
   showSheet();
   showTools("r5");
   cover({ page: "guide", path: ["guide"] });
@@ -80,7 +80,7 @@ test("closing a work leads back to the entrance that it was opened from", () => 
 });
 
 test("a work opens in a section that its kind has", () => {
-  begin(job, "first");
+  openFirstWork(job, "first");
   showSection("setup");
   open({ name: "P", text: "BEGIN PGM P MM\nEND PGM P MM\n", encoding: "utf-8" }, "program");
   expect(["structure", "text"]).toContain(usePlace.getState().section);

@@ -2,8 +2,8 @@ import { ncLabels } from "../../i18n/nc-labels.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import type { Job, SetJob } from "../../program/job/job.ts";
 import { printAsInManual, printJob } from "../../program/job/print-job.ts";
-import { untilHere } from "../base/parts.ts";
-import { setJobOf } from "./reading.ts";
+import { retryImport } from "../base/parts.ts";
+import { completeJob } from "./reading.ts";
 
 const printed = new WeakMap<SetJob, string>();
 
@@ -12,7 +12,7 @@ const printed = new WeakMap<SetJob, string>();
  * language, cached per state of the job. Its tools are by default those of the open work.
  */
 export function printedText(typed: Job, tools?: readonly Tool[]): string {
-  const job = setJobOf(typed, tools);
+  const job = completeJob(typed, tools);
   const known = printed.get(job);
   if (known !== undefined) return known;
   const text = printJob(job, ncLabels(job.ncLanguage));
@@ -22,7 +22,7 @@ export function printedText(typed: Job, tools?: readonly Tool[]): string {
 
 /** The program of a job in the layout of the printed manual, for reading. */
 export const manualText = (typed: Job): string => {
-  const job = setJobOf(typed);
+  const job = completeJob(typed);
   return printAsInManual(job, ncLabels(job.ncLanguage));
 };
 
@@ -34,15 +34,15 @@ export interface IsoFile {
 
 /** Converts a Klartext program to DIN/ISO; the printer is fetched on first use. */
 export async function isoFile(text: string): Promise<IsoFile> {
-  const [{ isoProgramText }, { parse }] = await untilHere(() =>
+  const [{ isoProgramText }, { parse }] = await retryImport(() =>
     Promise.all([import("../../nc/iso/print-iso.ts"), import("../../nc/parse.ts")]),
   );
   const made = isoProgramText(parse(text));
-  return { text: made.text, kept: made.kept.map(({ number }) => number) };
+  return { text: made.text, kept: made.untranslated.map(({ number }) => number) };
 }
 
 /** The exported text of a job: the file that its control loads, whatever layout is shown. */
-export async function leavingText(job: Job): Promise<string> {
+export async function exportedText(job: Job): Promise<string> {
   const text = printedText(job);
   return job.layout === "iso" ? (await isoFile(text)).text : text;
 }

@@ -42,7 +42,8 @@ function completedBy(job: Job, tools: readonly Tool[]): Completed {
 }
 
 /** The job with a complete set-up, for printing, drawing and running. */
-export const setJobOf = (job: Job, tools: readonly Tool[] = toolTable().tools): SetJob => completedBy(job, tools).job;
+export const completeJob = (job: Job, tools: readonly Tool[] = toolTable().tools): SetJob =>
+  completedBy(job, tools).job;
 
 const read = new WeakMap<SetJob, JobReading>();
 

@@ -9,7 +9,7 @@ import { printJob } from "../../program/job/print-job.ts";
 import { run } from "../../program/run/run.ts";
 import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { simulate } from "../../sim/simulate.ts";
-import { soughtAt } from "./asking.ts";
+import { operationRequestAt } from "./operation-request.ts";
 import { contourAt } from "./region.ts";
 import { regionOfResidual } from "./residual-region.ts";
 
@@ -26,10 +26,10 @@ test("residual material requests the contour section it lies on, in the present 
     if (!left || !operation) throw new Error("nothing stays");
     const region = regionOfResidual(left, operation, final);
     const whole = contourAt(made, 0);
-    expect(region?.begins).toBe("now");
-    const sought = region && soughtAt(region);
+    expect(region?.initialStock).toBe("now");
+    const sought = region && operationRequestAt(region);
     expect(sought?.rows.length).toBeGreaterThan(1);
-    expect(sought?.rows.length).toBeLessThanOrEqual((whole && soughtAt(whole))?.rows.length ?? 0);
+    expect(sought?.rows.length).toBeLessThanOrEqual((whole && operationRequestAt(whole))?.rows.length ?? 0);
   }
   expect(free.length).toBeGreaterThan(0);
 });

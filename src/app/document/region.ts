@@ -1,4 +1,4 @@
-import type { Site } from "../../cycles/wanted.ts";
+import type { Site } from "../../cycles/shape-request.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
 import type { Operation, Run } from "../../program/state/run-types.ts";
 import type { WhichRegion } from "../place/place.ts";
@@ -14,5 +14,12 @@ export function contourAt(run: Run, step: number, stock: readonly Ring[] = []): 
   const operation = run.operations[run.steps[step]?.operation ?? run.operations.length - 1];
   const contour = operation?.plan.contour ?? [];
   if (!operation || contour.length === 0) return null;
-  return { contour, first: 0, last: contour.length - 1, site: siteOfOperation(operation), stock, begins: "solid" };
+  return {
+    contour,
+    first: 0,
+    last: contour.length - 1,
+    site: siteOfOperation(operation),
+    stock,
+    initialStock: "solid",
+  };
 }

@@ -27,7 +27,7 @@ export function regionOfResidual({ ring }: Residual, operation: Operation, stock
   const { contour } = operation.plan;
   const touched = contour.flatMap((s, i) => (ring.some((p) => part.distanceTo(s, p) < TOUCHES) ? [i] : []));
   const [first, last] = [touched[0], touched.at(-1)];
-  const rest = { site: siteOfOperation(operation), stock, begins: "now" } as const;
+  const rest = { site: siteOfOperation(operation), stock, initialStock: "now" } as const;
   if (contour.length === 0) return null;
   if (first === undefined || last === undefined) return { ...rest, contour, first: 0, last: contour.length - 1 };
   const [opening, closing] = [contour[first] as Segment, contour[last] as Segment];

@@ -17,16 +17,17 @@ const shownOf = (program: ProgramWork, key: string | null): WorkFile =>
 export const shownFile = (program: ProgramWork): WorkFile => shownOf(program, useShownKey.getState().key);
 
 /** The shown file if it is not the main program, else null. */
-const besideOf = (program: ProgramWork | null, key: string | null): WorkFile | null =>
+const otherFileOf = (program: ProgramWork | null, key: string | null): WorkFile | null =>
   (program && key !== null && filesOf(program).find(({ name }) => fileKey(name) === key)) || null;
 
 /** The shown file of the open work if it is not the main program, else null. */
-export const shownBeside = (): WorkFile | null => besideOf(useEditor.getState().program, useShownKey.getState().key);
+export const shownOtherFile = (): WorkFile | null =>
+  otherFileOf(useEditor.getState().program, useShownKey.getState().key);
 
 /** Its name, as a hook. */
-export function useShownBeside(): string | null {
+export function useShownOtherFile(): string | null {
   const key = useShownKey((s) => s.key);
-  return useEditor((s) => besideOf(s.program, key)?.name ?? null);
+  return useEditor((s) => otherFileOf(s.program, key)?.name ?? null);
 }
 
 /** Name of the shown file, as a hook. */

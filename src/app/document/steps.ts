@@ -42,7 +42,7 @@ export const useSteps = create<Steps>(() => ({ past: [], future: [], place: null
 export const closeStep = (): void => useSteps.setState({ place: null });
 
 /** Whether a change at this place continues the last step. The place is remembered for the next change. */
-export function goesOn(place: string | null): boolean {
+export function continuesStep(place: string | null): boolean {
   const on = place !== null && place === useSteps.getState().place;
   useSteps.setState({ place });
   return on;
@@ -56,16 +56,16 @@ const joinedStep = (first: HistoryStep, second: HistoryStep): HistoryStep => ({
 });
 
 /** True for a step without a change, such as a digit typed and erased: undoing it would be invisible. */
-const leadsNowhere = ({ states }: HistoryStep): boolean => states !== undefined && isSameData(...states);
+const isNoChange = ({ states }: HistoryStep): boolean => states !== undefined && isSameData(...states);
 
 /** Records a change that was just made. `on`: it continues the last step. */
-export function note(step: HistoryStep, on = false): void {
+export function recordStep(step: HistoryStep, on = false): void {
   const { past } = useSteps.getState();
   const last = past.at(-1);
   const joined = on && last?.of === step.of;
   const before = joined ? past.slice(0, -1) : past,
     next = joined ? joinedStep(last, step) : step;
-  if (!leadsNowhere(next)) return useSteps.setState({ past: [...before, next].slice(-LIMIT), future: [] });
+  if (!isNoChange(next)) return useSteps.setState({ past: [...before, next].slice(-LIMIT), future: [] });
   // The next change at this place must not join the step that is now last.
   closeStep();
   if (joined) useSteps.setState({ past: before });
@@ -86,8 +86,8 @@ export function resumeSteps(past: readonly HistoryStep[], future: readonly Histo
 }
 
 /** Records that a state was replaced; `put` restores either state, and is the owner of the step. */
-export const noteChange = <S>(put: (state: S) => void, before: S, after: S, on = false): void =>
-  note(stepBetween(put, before, after), on);
+export const recordChange = <S>(put: (state: S) => void, before: S, after: S, on = false): void =>
+  recordStep(stepBetween(put, before, after), on);
 
 /** Removes the steps of an owner that was replaced from outside, or all steps. */
 export function forget(of: object | null = null): void {

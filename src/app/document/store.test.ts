@@ -6,9 +6,9 @@ import { shippedList } from "../../program/tools/tool-list.ts";
 import { draftOf, setBlank, setPrompt, setTool } from "./edits.ts";
 import { redoStep, undoStep } from "./history.ts";
 import { asOneStep, closeStep, redo, undo, useSteps } from "./steps.ts";
-import { begin, edit, open, useEditor } from "./store.ts";
+import { openFirstWork, edit, open, useEditor } from "./store.ts";
 import { setCell } from "../../features/tools/tool-edits.ts";
-import { seen, uncover, usePlace } from "../place/place.ts";
+import { shownPage, uncover, usePlace } from "../place/place.ts";
 import { toolRecord, useTools } from "./tool-store.ts";
 
 const [cycle] = cuttingCycles;
@@ -17,7 +17,7 @@ const [first = "", second = ""] = Object.keys(cycle.params).filter((q) => !cycle
 const value = (q: string) => draftOf(useEditor.getState().job ?? exampleJob(cycle))[q];
 const steps = () => useSteps.getState().past.length;
 
-beforeEach(() => begin(exampleJob(cycle), "work"));
+beforeEach(() => openFirstWork(exampleJob(cycle), "work"));
 
 test("typing in one field is one step of undo", () => {
   const before = value(first);
@@ -63,7 +63,7 @@ test("typing on after undo does not bring back what was undone", () => {
   expect(value(first)).toBe(exampleJob(cycle).drafts[cycle.number]?.[first]);
 });
 
-const seenPage = () => seen(usePlace.getState()).page;
+const seenPage = () => shownPage(usePlace.getState()).page;
 
 test("tools and work are undone in the order they were changed, and the changed one is shown", () => {
   const cell = () => cellOf(useTools.getState().list[1] ?? shippedList[0]!, "RS");

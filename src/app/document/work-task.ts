@@ -14,7 +14,7 @@ export function changeTask(change: (task: TaskWork) => TaskWork, place: string |
 }
 
 /** Sets the typed answer to one question. */
-export const setTold = (question: number, text: string): void =>
+export const setPrediction = (question: number, text: string): void =>
   changeTask((task) => {
     const told = [...(task.told ?? [])];
     while (told.length < question) told.push("");

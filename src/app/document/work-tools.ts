@@ -2,7 +2,7 @@ import type { HandedOn, TaskWork } from "../../program/job/job.ts";
 import type { Control } from "../../program/tools/plane-types.ts";
 import type { ToolList } from "../../program/tools/tool-list.ts";
 import { useSettings } from "../base/settings/settings.ts";
-import { handedOn, useEditor } from "./store.ts";
+import { bundleOf, useEditor } from "./store.ts";
 import { toolsOnDevice, useTools } from "./tool-store.ts";
 
 /** The tools of a work: its own, or the table of this device. */
@@ -22,7 +22,7 @@ export const machineTextOf = ({ machine, task }: TimedWork): string =>
 export const shopOf = (work: HandedOn) => ({ table: toolsOnDevice(listOf(work)).table, control: controlOf(work) });
 
 /** The tool list of the open work. */
-export const listInUse = (): ToolList => listOf(handedOn(useEditor.getState()));
+export const listInUse = (): ToolList => listOf(bundleOf(useEditor.getState()));
 
 /** The parsed tools of the open work: valid and rejected ones. */
 export const toolTable = () => toolsOnDevice(listInUse()).table;
@@ -30,12 +30,12 @@ export const toolTable = () => toolsOnDevice(listInUse()).table;
 /** The valid tools of the open work; follows the work and the table. */
 export function useToolList() {
   const shop = useTools((s) => s.list);
-  const own = useEditor((s) => handedOn(s).tools);
+  const own = useEditor((s) => bundleOf(s).tools);
   return toolsOnDevice(own ?? shop).table.tools;
 }
 
 /** How APPR and DEP move in the open work. */
-export const controlInUse = (): Control => controlOf(handedOn(useEditor.getState()));
+export const controlInUse = (): Control => controlOf(bundleOf(useEditor.getState()));
 
 /** The text of the machine file of the open work; empty for none. */
-export const machineInUse = (): string => machineTextOf(handedOn(useEditor.getState()));
+export const machineInUse = (): string => machineTextOf(bundleOf(useEditor.getState()));

@@ -35,7 +35,7 @@ export interface ProgramWork extends WorkFile, HandedOn {
 }
 
 /** Only the own tools, control and machine of a work. */
-export const broughtBy = ({ tools, control, machine }: HandedOn): HandedOn => ({
+export const onlyBundle = ({ tools, control, machine }: HandedOn): HandedOn => ({
   ...(tools && { tools }),
   ...(control && { control }),
   ...(machine !== undefined && { machine }),

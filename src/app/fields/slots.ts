@@ -15,10 +15,10 @@ import type { GuidePath } from "../place/place.ts";
 type Part<P> = ComponentType<P>;
 type Done = { readonly done: () => void };
 
-export const handOnSlot = slot<Part<Done & { readonly open: Work; readonly verdict: ShownVerdict }>>("handing on");
+export const shareSlot = slot<Part<Done & { readonly open: Work; readonly verdict: ShownVerdict }>>("handing on");
 export const exportSlot = slot<Part<Done & { readonly stem: string }>>("the export of a part");
 export const drawingSlot = slot<Part<Done & { readonly stem: string }>>("the drawing of a program");
-export const teachSlot =
+export const exerciseSlot =
   slot<Part<Done & ({ readonly text: string; readonly work: string } | { readonly task: Task })>>("making a task");
 export const promptMoreSlot = slot<Part<{ readonly page: GuidePath; readonly name: string }>>("more about a prompt");
 export const setupStartSlot =
@@ -36,7 +36,7 @@ export const contourTableSlot = slot<
 >("the table of a contour");
 
 /** Opens tasks and results from files. */
-export const taughtFilesSlot = slot<{
-  readonly areTaught: (files: readonly File[]) => Promise<boolean>;
+export const courseFilesSlot = slot<{
+  readonly areTaughtFiles: (files: readonly File[]) => Promise<boolean>;
   readonly openTaughtFiles: (files: readonly File[]) => Promise<void>;
 }>("files of tasks");

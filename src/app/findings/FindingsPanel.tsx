@@ -3,7 +3,7 @@ import { Icon } from "../base/Icon.tsx";
 import { issueText, placeInFile } from "../calculation/issue-text.ts";
 import { useLengths } from "../calculation/lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { chooseFinding, useChosen } from "../document/chosen.ts";
+import { chooseFinding, useChosenFinding } from "../document/chosen-finding.ts";
 import type { FindingEntry } from "./entry.ts";
 import type { FindingsHost } from "./host.ts";
 import { ResidueTools } from "./ResidueTools.tsx";
@@ -69,7 +69,7 @@ function Row({
           {entry.thickness !== null && ` ${lengths.words(t.findings.residue.thick(lengths.number(entry.thickness)))}`}
         </p>
         <div className="finding-ways">
-          {host.remediesOf(entry).map(({ name, apply }) => (
+          {host.fixesOf(entry).map(({ name, apply }) => (
             <button key={name} type="button" className="button small mend" onClick={apply}>
               {name}
             </button>
@@ -102,7 +102,7 @@ export function FindingsPanel({ host }: { readonly host: FindingsHost }) {
   } = useTexts();
   const entries = useListed();
   const verdict = useVerdict();
-  const chosen = useChosen((c) => c.id);
+  const chosen = useChosenFinding((c) => c.id);
   return (
     <div className="findings">
       <p className="findings-verdict">

@@ -57,12 +57,12 @@ export function ResidueTools({ entry, host }: { readonly entry: FindingEntry; re
         {Array.isArray(tools) && tools.length === 0 && <p className="small">{words.none}</p>}
         {Array.isArray(tools) && tools.length > 0 && (
           <ul>
-            {(tools as readonly Remedy[]).slice(0, MOST).map(({ tool, stays }) => {
+            {(tools as readonly Remedy[]).slice(0, MOST).map(({ tool, residualArea }) => {
               const name = `${tool.T} ${tool.NAME}`;
               return (
                 <li key={tool.T}>
                   <span className="small">
-                    {stays < NO_AREA ? words.all(name) : words.leaves(name, write.area(stays))}
+                    {residualArea < NO_AREA ? words.all(name) : words.leaves(name, write.area(residualArea))}
                   </span>
                   <button type="button" className="button small mend" onClick={() => host.takeTool(entry, tool.T)}>
                     {t.setup.tool.take(tool.T)}

@@ -1,6 +1,6 @@
 import { useEffect, useState } from "react";
 import type { ToolFit } from "../../program/tools/which-tool.ts";
-import { BY_TOOL } from "../../report/offered-tool.ts";
+import { FIXED_BY_TOOL } from "../../report/offered-tool.ts";
 import { fitsOfCall } from "../calculation/tool-questions.ts";
 import { useOutcome } from "../calculation/outcome.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
@@ -15,7 +15,7 @@ export function ToolOffer({ entry, host }: { readonly entry: FindingEntry; reado
   const t = useTexts().setup.tool;
   const newest = useOutcome((s) => s.newest);
   const [best, offer] = useState<ToolFit | null>(null);
-  const asked = BY_TOOL.has(entry.issue.code) && entry.issue.severity !== "info";
+  const asked = FIXED_BY_TOOL.has(entry.issue.code) && entry.issue.severity !== "info";
   useEffect(() => {
     const operation = asked && entry.operation !== null ? newest?.run.operations[entry.operation] : undefined;
     if (!operation) return undefined;

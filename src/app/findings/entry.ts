@@ -77,7 +77,7 @@ export const isAboutTool = (at: string | null): boolean => at !== null && toolPl
 const weight: Readonly<Record<Severity, number>> = { error: 0, warning: 1, info: 2 };
 
 /** Findings of the stock. They come after those of the program, and residual material last: causes before effects. */
-const found: ReadonlySet<string> = new Set([
+const stockFindings: ReadonlySet<string> = new Set([
   "gouge",
   "threadOverruns",
   "rapidInStock",
@@ -96,7 +96,7 @@ const found: ReadonlySet<string> = new Set([
 ]);
 function stage({ issue: { code } }: FindingEntry): number {
   if (QUESTIONS.has(code)) return -1;
-  return code === "materialLeft" ? 2 : Number(found.has(code));
+  return code === "materialLeft" ? 2 : Number(stockFindings.has(code));
 }
 
 /** Worst first; among equals causes before effects, then in the order of the text. */

@@ -10,7 +10,7 @@ import { printedText } from "../document/printed.ts";
 import { readJob } from "../document/reading.ts";
 import { isToDo } from "./entry.ts";
 import { findingsOf } from "./findings.ts";
-import { judged, toneOf } from "./verdict.ts";
+import { shownVerdict, toneOf } from "./verdict.ts";
 import { verdictReasons, verdictTitle } from "./verdict-words.ts";
 
 const outcomeOf = (text: string): Outcome =>
@@ -38,7 +38,7 @@ function found(job: Job) {
   const read = readJob(job);
   const outcome = read?.reading.values ? outcomeOf(printedText(job)) : null;
   const entries = findingsOf(read, outcome);
-  return { entries, verdict: judged(entries, outcome) };
+  return { entries, verdict: shownVerdict(entries, outcome) };
 }
 const codes = (job: Job) => found(job).entries.map(({ issue }) => issue.code);
 
@@ -81,7 +81,7 @@ test("many places with the same residual material are one finding with its total
   const stays = entries.filter(({ issue }) => issue.code === "materialLeft");
   expect(stays).toHaveLength(1);
   expect(stays[0]?.issue.data).toMatchObject({ places: 17, area: expect.closeTo(1.421, 3) });
-  expect(verdict.stays).toBeCloseTo(1.421, 3);
+  expect(verdict.residualArea).toBeCloseTo(1.421, 3);
   expect(stays[0]?.spot?.mark).toBe("A");
   const few = found(jobOf(812, withPrompt("Q500", "0"))).entries.filter(({ issue }) => issue.code === "materialLeft");
   expect(few.length).toBeGreaterThan(0);
@@ -155,7 +155,7 @@ test.each([
   const text = `0 BEGIN PGM A MM\n1 BLK FORM CYLINDER Z D60 L80 DIST+0\n2 FUNCTION MODE TURN\n3 TOOL CALL 1\n4 ${blocks}\n8 M30\n9 END PGM A MM\n`;
   const outcome = outcomeOf(text);
   const entries = findingsOf(null, outcome);
-  const verdict = judged(entries, outcome);
+  const verdict = shownVerdict(entries, outcome);
   expect(verdict.doubts.map((doubt) => doubt.kind)).toContain(kind);
   expect(toneOf(verdict)).not.toBe("good");
 });
@@ -173,7 +173,7 @@ test.each([
 ])("a program with %s: is there anything to verify", (_, blocks, tone) => {
   const outcome = outcomeOf(around(blocks));
   const entries = findingsOf(null, outcome),
-    verdict = judged(entries, outcome);
+    verdict = shownVerdict(entries, outcome);
   expect([verdict.state, toneOf(verdict)]).toEqual(["incomplete", tone]);
   // A part turned with single moves may be right: the verdict says what was checked and what could not be.
   const { verdict: words } = english;

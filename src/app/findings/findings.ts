@@ -1,7 +1,7 @@
 import { issue as contourIssue } from "../../kernel/plan/issue.ts";
 import type { AnyIssue } from "../../i18n/message-texts.ts";
 import { setupQuestions } from "../../program/job/setup-questions.ts";
-import { placesJoined, workOf } from "../../report/places.ts";
+import { joinPlaces, operationKey } from "../../report/places.ts";
 import { followsQuestion, QUESTIONS } from "../../sim/causes.ts";
 import { stockIssues } from "../../sim/issues.ts";
 import { contourProblems } from "../document/contour-problems.ts";
@@ -12,7 +12,7 @@ import { letterOf, spotOfProof, spotOfRun } from "./spots.ts";
 
 type Found = Omit<FindingEntry, "id">;
 
-const nowhere = {
+const NO_PLACE = {
   at: null,
   block: null,
   line: null,
@@ -27,14 +27,14 @@ const atOf = (issue: AnyIssue): string | null => ("at" in issue ? (issue.at ?? n
 function typed(read: JobReading): readonly Found[] {
   const { setup, cycle, job, reading, tools } = read;
   const asked = setup ? setupQuestions({ setup, cycle, job, partial: reading.partial, tools }) : [];
-  const prompts = [...reading.issues, ...asked].map((issue): Found => ({ ...nowhere, issue, at: issue.at ?? null }));
+  const prompts = [...reading.issues, ...asked].map((issue): Found => ({ ...NO_PLACE, issue, at: issue.at ?? null }));
   if (read.cycle.contour !== "free") return prompts;
   const { contour } = read.job;
   // While prompts are open, a contour not begun is no error, only not done yet.
   const missing = () =>
     contourIssue("contourMissing", read.reading.values ? "error" : "info", { label: "" }, "contour");
   const table = contour.length === 0 ? [missing()] : contourProblems(contour);
-  return [...prompts, ...table.map((issue): Found => ({ ...nowhere, issue, at: "contour" }))];
+  return [...prompts, ...table.map((issue): Found => ({ ...NO_PLACE, issue, at: "contour" }))];
 }
 
 /** Findings of the run and the stock. */
@@ -42,7 +42,7 @@ function calculated({ run, simulation }: Outcome): readonly Found[] {
   const ran = run.issues.map((f): Found => {
     const spot = spotOfRun(run, f);
     return {
-      ...nowhere,
+      ...NO_PLACE,
       issue: f.issue,
       at: atOf(f.issue),
       block: f.block,
@@ -56,7 +56,7 @@ function calculated({ run, simulation }: Outcome): readonly Found[] {
     const seen = spotOfProof(simulation, p);
     const operation = p.operation === null ? undefined : run.operations[p.operation];
     return {
-      ...nowhere,
+      ...NO_PLACE,
       issue: p.issue,
       at: atOf(p.issue),
       block: p.block ?? operation?.block ?? null,
@@ -87,7 +87,7 @@ const ofWrongTool: ReadonlySet<string> = new Set([
  * Removes findings that only follow from a listed one, or repeat it: "not verified from this block" says more than "not
  * simulated".
  */
-function withoutEchoes(all: readonly Found[]): readonly Found[] {
+function withoutConsequences(all: readonly Found[]): readonly Found[] {
   const unfit = new Set(
     all.flatMap(({ issue, operation }) => (issue.severity === "error" && wrongTool.has(issue.code) ? [operation] : [])),
   );
@@ -113,13 +113,13 @@ function withoutEchoes(all: readonly Found[]): readonly Found[] {
 const FEW = 5;
 
 /** Joins many places of one kind to one finding, as in the report. */
-function withoutRows(all: readonly Found[], operations: Outcome["run"]["operations"]): readonly Found[] {
+function groupPlaces(all: readonly Found[], operations: Outcome["run"]["operations"]): readonly Found[] {
   const placed = all.map((found) => {
     const operation = found.operation === null ? undefined : operations[found.operation];
-    return { ...found, work: workOf(found, operation) };
+    return { ...found, work: operationKey(found, operation) };
   });
-  return placesJoined(placed, FEW).map(({ work: _, together, ...found }) =>
-    together ? { ...found, thickness: thickest(together) } : found,
+  return joinPlaces(placed, FEW).map(({ work: _, joined, ...found }) =>
+    joined ? { ...found, thickness: thickest(joined) } : found,
   );
 }
 
@@ -143,13 +143,13 @@ function marked(entries: readonly FindingEntry[]): readonly FindingEntry[] {
  * Removes findings that follow from a dimension questioned by the prompts: the run has another set-up than the one
  * intended.
  */
-function withoutAnswers(early: readonly Found[], late: readonly Found[]): readonly Found[] {
+function withoutFollowing(early: readonly Found[], late: readonly Found[]): readonly Found[] {
   const isAsked = early.some(({ issue }) => QUESTIONS.has(issue.code));
   return isAsked ? late.filter(({ issue }) => !followsQuestion(issue.code)) : late;
 }
 
 /** Removes questions of the prompts that the program repeats, whose severity counts. */
-const once = (early: readonly Found[], late: readonly Found[]): readonly Found[] =>
+const withoutRepeated = (early: readonly Found[], late: readonly Found[]): readonly Found[] =>
   early.filter(
     ({ issue, at }) => !QUESTIONS.has(issue.code) || !late.some((l) => l.issue.code === issue.code && l.at === at),
   );
@@ -162,8 +162,8 @@ export function findingsOf(read: JobReading | null, outcome: Outcome | null): re
   const early = read ? typed(read) : [];
   const late = outcome && (!read || read.reading.values) ? calculated(outcome) : [];
   const all = new Map<string, FindingEntry>();
-  for (const found of withoutRows(
-    withoutEchoes([...once(early, late), ...withoutAnswers(early, late)]),
+  for (const found of groupPlaces(
+    withoutConsequences([...withoutRepeated(early, late), ...withoutFollowing(early, late)]),
     outcome?.run.operations ?? [],
   )) {
     const { issue, at, line, inFile } = found;

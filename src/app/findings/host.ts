@@ -1,7 +1,7 @@
 import type { FindingEntry } from "./entry.ts";
 
 /** A button that fixes a finding, in one step of undo. */
-export interface Mend {
+export interface Fix {
   readonly name: string;
   readonly apply: () => void;
 }
@@ -15,7 +15,7 @@ export interface Target {
 /** The workplace behind the list of findings: it knows prompts, blocks and how to change them. */
 export interface FindingsHost {
   readonly targetOf: (entry: FindingEntry) => Target | null;
-  readonly remediesOf: (entry: FindingEntry) => readonly Mend[];
+  readonly fixesOf: (entry: FindingEntry) => readonly Fix[];
   /** The cycle whose definition has the finding: it decides what the value at its place measures. */
   readonly cycleOf: (entry: FindingEntry) => number | null;
   /** Marks the place of a finding beside the list, without leaving the list. */

@@ -18,7 +18,7 @@ const ROUND = 2;
  * Share of the step at which a finding is shown: a rapid before it enters the material, the others once they have
  * happened.
  */
-const SEEN = {
+const SHOWN_AT = {
   rapidInStock: 0,
   gouge: 0.999,
   holderContact: 0.5,
@@ -55,14 +55,14 @@ export function boundsRound(rings: readonly Ring[], place: Pt): Bounds {
 const near = (a: number, b: number) => Math.abs(a - b) < JOINED;
 
 /** The spot of an issue of the check; for residual material also its index and thickness, mm. */
-interface Seen {
+interface ProofSpot {
   readonly spot: Unmarked;
   readonly residual?: number;
   readonly thickness?: number;
 }
 
 /** A spot at a position, with the rings around it. */
-const spotIn = (rings: readonly Ring[], place: Pt, position: Unmarked["position"]): Seen => ({
+const spotIn = (rings: readonly Ring[], place: Pt, position: Unmarked["position"]): ProofSpot => ({
   spot: { plane: "ZX", kind: "finding", place, bounds: boundsRound(rings, place), position },
 });
 
@@ -85,7 +85,7 @@ function spotOfMove({ steps }: Simulation, step: number): Unmarked | null {
 }
 
 /** The spot of an issue in the simulation; null if it has no place. */
-export function spotOfProof(simulation: Simulation, { issue, step }: ProofIssue): Seen | null {
+export function spotOfProof(simulation: Simulation, { issue, step }: ProofIssue): ProofSpot | null {
   const { findings, proof, steps } = simulation;
   const isAt =
     ({ x, z }: { readonly x: number; readonly z: number }) =>
@@ -107,7 +107,7 @@ export function spotOfProof(simulation: Simulation, { issue, step }: ProofIssue)
     }
     case "cutBehindLimit": {
       const b = proof.operations.flatMap((o) => o.behindLimits).find(isAt(issue.data));
-      return b ? spotIn([b.ring], b.place, { step: b.step, fraction: SEEN.cutBehindLimit }) : null;
+      return b ? spotIn([b.ring], b.place, { step: b.step, fraction: SHOWN_AT.cutBehindLimit }) : null;
     }
     case "cameLoose":
     case "partedOff": {
@@ -124,7 +124,7 @@ export function spotOfProof(simulation: Simulation, { issue, step }: ProofIssue)
     case "behindBlank": {
       const code = issue.code === "threadOverruns" ? "gouge" : issue.code;
       const f = [...findings, ...proof.remarks].find((each) => codeOf(each.kind) === code && isAt(issue.data)(each));
-      if (f) return spotIn(f.rings, f.place, { step: f.step, fraction: SEEN[f.kind] });
+      if (f) return spotIn(f.rings, f.place, { step: f.step, fraction: SHOWN_AT[f.kind] });
       const { unheld } = proof;
       return unheld && spotIn([], unheld.place, { step: steps.length, fraction: 0 });
     }

@@ -4,7 +4,7 @@ import { readJob, useReading, type JobReading } from "../document/reading.ts";
 import { useEditor } from "../document/store.ts";
 import { isToDo, type FindingEntry } from "./entry.ts";
 import { findingsOf } from "./findings.ts";
-import { judged, type ShownVerdict } from "./verdict.ts";
+import { shownVerdict, type ShownVerdict } from "./verdict.ts";
 import { rememberingLast } from "../base/once.ts";
 
 interface Findings {
@@ -20,7 +20,7 @@ const known = rememberingLast((read: JobReading | null, newest: Outcome | null):
   return {
     entries,
     listed: entries.filter((entry) => !isToDo(entry)),
-    verdict: judged(entries, newest && (!read || read.reading.values) ? newest : null),
+    verdict: shownVerdict(entries, newest && (!read || read.reading.values) ? newest : null),
   };
 });
 
@@ -30,17 +30,17 @@ export function presentFindings(): Findings {
   return known(job && readJob(job), useOutcome.getState().newest);
 }
 
-function useBoth(): Findings {
+function useCurrentFindings(): Findings {
   const read = useReading();
   const newest = useOutcome((s) => s.newest);
   return useMemo(() => known(read, newest), [read, newest]);
 }
 
 /** All findings of the open work, worst first; the same list while values and results do not change. */
-export const useFindings = (): readonly FindingEntry[] => useBoth().entries;
+export const useFindings = (): readonly FindingEntry[] => useCurrentFindings().entries;
 
 /** The findings in the list, which every count on the page uses. */
-export const useListed = (): readonly FindingEntry[] => useBoth().listed;
+export const useListed = (): readonly FindingEntry[] => useCurrentFindings().listed;
 
 /** The verdict on the open work. */
-export const useVerdict = (): ShownVerdict => useBoth().verdict;
+export const useVerdict = (): ShownVerdict => useCurrentFindings().verdict;

@@ -9,7 +9,7 @@ type Words = Texts["findings"]["verdict"];
 export function verdictTitle(
   t: Words,
   spoken: Spoken,
-  { state, doubts, faults, file, stays, warnings }: ShownVerdict,
+  { state, doubts, faults, file, residualArea, warnings }: ShownVerdict,
 ): string {
   if (state === "none") return t.none;
   if (state === "faults") return file === null ? t.faults(faults) : t.faultsIn(faults, file);
@@ -17,7 +17,7 @@ export function verdictTitle(
   if (first?.kind === "unproved" && first.file !== undefined) return t.unprovedIn(first.file);
   if (first?.kind === "noOperation" && first.turned) return t.noCycle;
   if (first) return t[first.kind];
-  if (stays > 0) return t.stays(writer(spoken).area(stays));
+  if (residualArea > 0) return t.stays(writer(spoken).area(residualArea));
   return warnings > 0 ? t.warnings(warnings) : t.proved;
 }
 

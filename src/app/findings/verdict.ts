@@ -33,7 +33,7 @@ export interface ShownVerdict {
   readonly open: number;
   readonly warnings: number;
   /** Residual material, mm². */
-  readonly stays: number;
+  readonly residualArea: number;
 }
 
 function doubtsOf(
@@ -74,17 +74,17 @@ function doubtsOf(
 }
 
 /** The verdict on the calculated program, with all reasons. Errors of the prompts count as well. */
-export function judged(entries: readonly FindingEntry[], outcome: Outcome | null): ShownVerdict {
+export function shownVerdict(entries: readonly FindingEntry[], outcome: Outcome | null): ShownVerdict {
   const errors = entries.filter(isError);
   const open = errors.filter(isToDo).length;
   const faults = errors.length - open;
   const file = errors.find((entry) => !isToDo(entry))?.inFile?.file ?? null;
   const warnings = entries.filter((e) => e.issue.severity === "warning" && e.issue.code !== "materialLeft").length;
-  const stays = entries.reduce(
+  const residualArea = entries.reduce(
     (sum, { issue }) => (issue.code === "materialLeft" && issue.severity !== "info" ? sum + issue.data.area : sum),
     0,
   );
-  const counts = { faults, file, open, warnings, stays };
+  const counts = { faults, file, open, warnings, residualArea };
   if (!outcome) return { state: faults > 0 ? "faults" : "none", doubts: [], ...counts };
   const { verdict, reasons } = verdictOf(outcome.run, outcome.simulation);
   const state = faults > 0 ? "faults" : verdict;
@@ -97,10 +97,15 @@ export function judged(entries: readonly FindingEntry[], outcome: Outcome | null
 }
 
 /** Green only if everything is verified and nothing is left unchecked or needs a look. An empty page is no doubt. */
-export function toneOf({ state, doubts, warnings, stays }: ShownVerdict): "good" | "plain" | "doubt" | "bad" | "none" {
+export function toneOf({
+  state,
+  doubts,
+  warnings,
+  residualArea,
+}: ShownVerdict): "good" | "plain" | "doubt" | "bad" | "none" {
   if (state === "none") return "none";
   if (state === "faults") return "bad";
   if (doubts.length > 0 && doubts.every((doubt) => doubt.kind === "noOperation" && !doubt.begun)) return "none";
   if (state === "incomplete" || doubts.length > 0) return "doubt";
-  return warnings > 0 || stays > 0 ? "plain" : "good";
+  return warnings > 0 || residualArea > 0 ? "plain" : "good";
 }

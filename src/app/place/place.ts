@@ -1,6 +1,6 @@
 import type { KeyPlace } from "../base/key-list.ts";
 import { create } from "zustand";
-import type { Site } from "../../cycles/wanted.ts";
+import type { Site } from "../../cycles/shape-request.ts";
 import type { LessonPage } from "../../course/progress.ts";
 import type { Ring, Segment } from "../../kernel/geometry/point.ts";
 import { thirdColumn } from "../base/use-media.ts";
@@ -51,7 +51,7 @@ export interface WhichRegion {
   /** The stock at the end of the work. */
   readonly stock: readonly Ring[];
   /** Default choice of the stock. */
-  readonly begins: "solid" | "now";
+  readonly initialStock: "solid" | "now";
 }
 /** Shows a block of the open work: by its index in one of its files (null: the main program), and by its number. */
 export type ShowBlock = (file: string | null, index: number, number: number) => void;
@@ -105,7 +105,7 @@ export const usePlace = create<Place>(() => ({
 }));
 
 /** The page on top. */
-export const seen = ({ pages }: Place): Page => pages.at(-1) ?? pages[0];
+export const shownPage = ({ pages }: Place): Page => pages.at(-1) ?? pages[0];
 const COVERS: Readonly<Record<Cover["page"], true>> = { sheet: true, tools: true, own: true, guide: true };
 /** Whether a page or an address is a cover. */
 export const isCover = <P extends { readonly page: string }>(
@@ -139,7 +139,7 @@ export const showNoWork = (): void => set(({ pages: [entrance] }) => ({ pages: [
 export const showElsewhere = (of: WorkElsewhere): void => showWorkPage({ page: "elsewhere", of });
 
 /** The shown work that another tab has, or null. */
-export const elsewhere = ({ pages }: Place): WorkElsewhere | null =>
+export const workElsewhere = ({ pages }: Place): WorkElsewhere | null =>
   pages.map((p) => (p.page === "elsewhere" ? p.of : null)).find((of) => of !== null) ?? null;
 
 /** Covers of one kind replace each other: tools and own cycles are tabs of one page. */
@@ -157,7 +157,7 @@ export const cover = (page: Cover): void =>
 export const uncover = (): void =>
   set((p) => {
     const [entrance, ...rest] = p.pages;
-    return isCover(seen(p)) ? { pages: [entrance, ...rest.slice(0, -1)], over: null } : { over: null };
+    return isCover(shownPage(p)) ? { pages: [entrance, ...rest.slice(0, -1)], over: null } : { over: null };
   });
 
 /** Closes every dialog and cover except those named, so that the work shows, or the entrance if none is open. */
@@ -194,7 +194,7 @@ export const showToolKind = (kind: ToolKind): void => set({ tools: { kind, row: 
 /** Shows the own cycles, with this row or the last open one; `fields`: focuses its first field. */
 export function showOwn(row?: string, fields = false): void {
   set((p) => ({
-    own: { row: row ?? p.own.row, focus: fields ? p.own.focus + 1 : seen(p).page === "own" ? p.own.focus : 0 },
+    own: { row: row ?? p.own.row, focus: fields ? p.own.focus + 1 : shownPage(p).page === "own" ? p.own.focus : 0 },
   }));
   cover({ page: "own" });
 }

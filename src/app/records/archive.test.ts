@@ -1,5 +1,5 @@
 import { answerOf } from "../../course/judge/answer.ts";
-import { proposedTask } from "../../course/made/made-task.ts";
+import { proposedTask } from "../../course/made/task-from-form.ts";
 import { RESULT_FORMAT } from "../../course/made/result.ts";
 import { TASK_FORMAT, taskSchema } from "../../course/task.ts";
 import fc from "fast-check";

@@ -5,7 +5,7 @@ import { isProgram, textsOf, type Work } from "../document/work.ts";
 import { isNewer, readSave, SAVE_VERSION, type SaveFile } from "./save-file.ts";
 
 /** Summary of a saved work for lists; the work itself stays on the device until it is opened. */
-export interface Kept {
+export interface WorkSummary {
   readonly work: string;
   /** Milliseconds since 1970. */
   readonly savedAt: number;
@@ -19,9 +19,9 @@ export interface Kept {
 }
 
 /** Everything found on the device. Only the operator deletes any of it. */
-export interface Found {
+export interface FoundWorks {
   /** Newest first. */
-  readonly works: readonly Kept[];
+  readonly works: readonly WorkSummary[];
   /** How many damaged saves were set aside while reading. */
   readonly setAside: number;
   /** Saves of a newer edition, which this one cannot read and leaves untouched. */
@@ -64,7 +64,7 @@ const sizeOf = (job: Work): number =>
     ? textsOf(job).reduce((sum, { name, text }) => sum + name.length + text.length, 0)
     : JSON.stringify(job).length;
 
-type Head = Omit<Kept, "work">;
+type Head = Omit<WorkSummary, "work">;
 const headOf = ({ savedAt, job }: SaveFile): Head => ({
   savedAt,
   name: job.name,
@@ -108,8 +108,8 @@ async function noteHead(work: string, head: Head | null): Promise<void> {
  * Lists the saved works. Those without a summary are read one after the other, so that only one is in memory. Damaged
  * ones are moved to their own store and stay there. Always answers.
  */
-export async function findWorks(): Promise<Found> {
-  const found: Kept[] = [];
+export async function findWorks(): Promise<FoundWorks> {
+  const found: WorkSummary[] = [];
   const fresh: [string, Head][] = [];
   let [setAside, newer, available] = [0, 0, true];
   try {

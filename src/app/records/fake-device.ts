@@ -1,6 +1,6 @@
 import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob, type Job } from "../../program/job/job.ts";
-import type { Found } from "./device.ts";
+import type { FoundWorks } from "./device.ts";
 
 /** Storage of a test, in place of the browser's. */
 export const device = {
@@ -13,7 +13,7 @@ export const device = {
   taken: new Set<string>(),
 };
 
-export const findWorks = (): Promise<Found> =>
+export const findWorks = (): Promise<FoundWorks> =>
   Promise.resolve({
     works: [...device.works]
       .map(([work, { savedAt, job }]) => {

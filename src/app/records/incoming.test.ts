@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job/job.ts";
-import { seen, showGuide, showTools, usePlace } from "../place/place.ts";
+import { shownPage, showGuide, showTools, usePlace } from "../place/place.ts";
 import { useEditor } from "../document/store.ts";
 import { showIncoming, takeIncoming, useIncoming } from "./incoming.ts";
 
@@ -14,6 +14,6 @@ test("a received work is shown once accepted, whatever page was open", () => {
   const work = { ...exampleJob(cycle), name: "RECEIVED" };
   showIncoming({ work, from: "link" });
   takeIncoming({ work, from: "link" });
-  expect([seen(usePlace.getState()).page, useIncoming.getState().incoming]).toEqual(["work", null]);
+  expect([shownPage(usePlace.getState()).page, useIncoming.getState().incoming]).toEqual(["work", null]);
   expect(useEditor.getState().job?.name).toBe("RECEIVED");
 });

@@ -1,4 +1,4 @@
-import { madeOf } from "../../sim/made.ts";
+import { producedParts } from "../../sim/produced-parts.ts";
 import { thumbnailOf } from "../../view/thumbnail.ts";
 import { isMadeFrom, useOutcome } from "../calculation/outcome.ts";
 import { useEditor } from "../document/store.ts";
@@ -15,7 +15,7 @@ export function startKeepingPictures(): () => void {
     timer = undefined;
     const { shown, dimmed } = useOutcome.getState();
     if (work === null || !shown || dimmed || shown.isBeginning || shown.run.operations.length === 0) return;
-    const made = thumbnailOf(shown.run.blank, madeOf(shown.simulation));
+    const made = thumbnailOf(shown.run.blank, producedParts(shown.simulation));
     if (made) keepPicture(work, made);
   };
   const stops = [

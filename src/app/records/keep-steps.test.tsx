@@ -6,7 +6,7 @@ import { draftOf, setContour, setPrompt, setRapid } from "../document/edits.ts";
 import {
   closeSession,
   dispatchEdit,
-  handOverText,
+  flushText,
   openBlock,
   openSession,
   sessionText,
@@ -15,7 +15,7 @@ import {
 } from "../fields/blocks/session.ts";
 import { closeStep, forget, redo, undo, useSteps } from "../document/steps.ts";
 import { editOwn, ownRecord, useOwn } from "../document/own-store.ts";
-import { beforeLeaving, begin, changeProgram, open, useEditor } from "../document/store.ts";
+import { pendingEdits, openFirstWork, changeProgram, open, useEditor } from "../document/store.ts";
 import { setCell } from "../../features/tools/tool-edits.ts";
 import { toolRecord, useTools } from "../document/tool-store.ts";
 import type { Work } from "../document/work.ts";
@@ -32,12 +32,12 @@ beforeEach(() => {
   sessionStorage.clear();
   toolRecord.replace(shippedList);
   ownRecord.replace([]);
-  beforeLeaving.add(handOverText);
+  pendingEdits.add(flushText);
   stop = startKeepingSteps();
 });
 afterEach(() => {
   stop();
-  beforeLeaving.delete(handOverText);
+  pendingEdits.delete(flushText);
   closeSession();
   forget();
 });
@@ -55,7 +55,7 @@ function reload(work = "w", elsewhere: Work | null = null): void {
   forget();
   // Reading a work may change the order of its fields.
   const entries = Object.entries(JSON.parse(JSON.stringify(content)) as object).reverse();
-  begin(Object.fromEntries(entries) as unknown as Work, work);
+  openFirstWork(Object.fromEntries(entries) as unknown as Work, work);
   const { program } = useEditor.getState();
   if (program) openSession(program, work);
   else takeKeptSteps();
@@ -63,7 +63,7 @@ function reload(work = "w", elsewhere: Work | null = null): void {
 const lengths = () => [useSteps.getState().past.length, useSteps.getState().future.length];
 
 test("after a reload a typed number is undone in one step and redone, also after another reload", () => {
-  begin(job, "w");
+  openFirstWork(job, "w");
   const first = value();
   typed("-41.37");
   typed("7.25", other);
@@ -94,7 +94,7 @@ test("after a reload a typed number is undone in one step and redone, also after
 const toolCell = () => useTools.getState().list.find(({ id }) => id === "r2")?.cells.RS;
 
 test("steps of the tool table and of own cycles are restored in order between those of the work", () => {
-  begin(job, "w");
+  openFirstWork(job, "w");
   const [first, radius] = [value(), toolCell()];
   typed("-41.37");
   setCell("r2", "RS", "0.7");
@@ -115,7 +115,7 @@ test("steps of the tool table and of own cycles are restored in order between th
 });
 
 test("steps of a table that changed meanwhile are not restored, those of the work are", () => {
-  begin(job, "w");
+  openFirstWork(job, "w");
   const first = value();
   typed("-41.37");
   setCell("r2", "RS", "0.7");
@@ -125,7 +125,7 @@ test("steps of a table that changed meanwhile are not restored, those of the wor
   toolRecord.replace([]);
   const now = useEditor.getState().job;
   forget();
-  begin(now, "w");
+  openFirstWork(now, "w");
   sessionStorage.setItem("turnwise/steps", note);
   takeKeptSteps();
   expect(lengths()).toEqual([2, 0]);
@@ -135,7 +135,7 @@ test("steps of a table that changed meanwhile are not restored, those of the wor
 });
 
 test("changes of the tools are restored without an open work", () => {
-  begin(null, null);
+  openFirstWork(null, null);
   const radius = toolCell();
   setCell("r2", "RS", "0.9");
   dispatchEvent(new Event("pagehide"));
@@ -146,7 +146,7 @@ test("changes of the tools are restored without an open work", () => {
 });
 
 test("a work opened before is no part of the history", () => {
-  begin({ ...job, name: "BEFORE" }, "v");
+  openFirstWork({ ...job, name: "BEFORE" }, "v");
   typed("1.5");
   open(job, "w");
   typed("-41.37");
@@ -155,11 +155,11 @@ test("a work opened before is no part of the history", () => {
 });
 
 test("a work that changed meanwhile, or another one, has no history", () => {
-  begin(job, "w");
+  openFirstWork(job, "w");
   typed("-41.37");
   reload("w", { ...job, rapid: "9125" });
   expect(lengths()).toEqual([0, 0]);
-  begin(job, "w");
+  openFirstWork(job, "w");
   typed("-41.37");
   reload("copy");
   expect(lengths()).toEqual([0, 0]);
@@ -168,7 +168,7 @@ test("a work that changed meanwhile, or another one, has no history", () => {
 test.each(["", "{", "3", '{"work":"w"}', '{"work":"w","print":1,"past":3}'])(
   "a damaged history %j is ignored",
   (note) => {
-    begin(job, "w");
+    openFirstWork(job, "w");
     sessionStorage.setItem("turnwise/steps", note);
     takeKeptSteps();
     expect(lengths()).toEqual([0, 0]);
@@ -176,7 +176,7 @@ test.each(["", "{", "3", '{"work":"w"}', '{"work":"w","print":1,"past":3}'])(
 );
 
 test("a program's text, its files and the cursor are restored with their history", () => {
-  begin({ name: "A.h", text: TEXT, encoding: "utf-8" }, "w");
+  openFirstWork({ name: "A.h", text: TEXT, encoding: "utf-8" }, "w");
   openSession(useEditor.getState().program!, "w");
   const at = TEXT.indexOf("-3.25");
   dispatchEdit({ changes: { from: at, to: at + 5, insert: "-4.75" } }, null);

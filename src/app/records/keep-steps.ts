@@ -1,6 +1,6 @@
-import { jsonOf, keptText } from "../base/kept.ts";
+import { jsonOf, storedText } from "../base/storage.ts";
 import { undoneRecords } from "../base/record.ts";
-import { handOver, OF_FILES, putJob, putProgram, useEditor } from "../document/store.ts";
+import { flushEdits, OF_FILES, putJob, putProgram, useEditor } from "../document/store.ts";
 import { resumeSteps, stepBetween, useSteps, type HistoryStep } from "../document/steps.ts";
 import type { Work } from "../document/work.ts";
 import { withDifference, differenceOf, fingerprint, type Difference, type Json } from "./difference.ts";
@@ -10,7 +10,7 @@ import { withDifference, differenceOf, fingerprint, type Difference, type Json }
  * closes, so that typing never waits for it, and used only for the same state.
  */
 
-const KEPT = keptText("steps", "tab");
+const KEPT = storedText("steps", "tab");
 
 /** Most steps in one direction, and characters in total. */
 const MOST = { steps: 200, size: 2_000_000 };
@@ -82,7 +82,7 @@ const printsOfTables = (): Readonly<Record<string, string>> =>
   Object.fromEntries(undoneRecords().map(({ key, now }) => [key, fingerprint(now())]));
 
 function write(): void {
-  handOver();
+  flushEdits();
   const { job, program, work } = useEditor.getState();
   const present = job ?? program;
   try {

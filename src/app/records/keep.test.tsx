@@ -2,9 +2,9 @@ import { useNotices } from "../base/notices.ts";
 import { beforeEach, expect, test, vi } from "vitest";
 import type { Job } from "../../program/job/job.ts";
 import { setTool } from "../document/edits.ts";
-import { begin, useEditor } from "../document/store.ts";
+import { openFirstWork, useEditor } from "../document/store.ts";
 import { device, emptyDevice, someJob as job } from "./fake-device.ts";
-import { refreshWorks, startKeeping, startWork, unkeptWorks, useKeeping } from "./keep.ts";
+import { refreshWorks, startAutosave, startWork, unsavedWorks, useSavedWorks } from "./keep.ts";
 import { resume } from "../../shell/resume.ts";
 
 vi.mock("./device.ts", () => import("./fake-device.ts"));
@@ -13,20 +13,20 @@ const settle = () => new Promise((done) => setTimeout(done, 0));
 
 beforeEach(() => {
   emptyDevice();
-  begin(null, null);
-  useKeeping.setState({ works: [], damaged: 0, ready: false });
+  openFirstWork(null, null);
+  useSavedWorks.setState({ works: [], damaged: 0, ready: false });
   useNotices.setState({ notices: [] });
 });
 
 test("an empty device opens the start page", async () => {
   await resume();
   expect(useEditor.getState().job).toBeNull();
-  expect(useKeeping.getState().ready).toBe(true);
+  expect(useSavedWorks.getState().ready).toBe(true);
   expect(useNotices.getState().notices).toEqual([]);
 });
 
 test("every change is saved under the name of the work", async () => {
-  const stop = startKeeping();
+  const stop = startAutosave();
   startWork(job);
   setTool(7);
   stop();
@@ -37,7 +37,7 @@ test("every change is saved under the name of the work", async () => {
 });
 
 test("a new program leaves the previous one on the device", async () => {
-  const stop = startKeeping();
+  const stop = startAutosave();
   startWork(job);
   await settle();
   startWork({ ...job, name: "SECOND" });
@@ -47,14 +47,14 @@ test("a new program leaves the previous one on the device", async () => {
 });
 
 test("the list shows works that are closed before they are written", async () => {
-  const stop = startKeeping();
+  const stop = startAutosave();
   startWork({ ...job, name: "FIRST" });
   startWork({ ...job, name: "SECOND" });
-  begin(null, null);
+  openFirstWork(null, null);
   await refreshWorks();
   stop();
   expect(
-    useKeeping
+    useSavedWorks
       .getState()
       .works.map(({ name }) => name)
       .sort(),
@@ -80,7 +80,7 @@ test("a reload returns to the work of this tab, or to its start page", async () 
 });
 
 test("a state not written before the page closed is there after a reload, unless a newer one is", async () => {
-  const stop = startKeeping();
+  const stop = startAutosave();
   startWork(job);
   setTool(8);
   dispatchEvent(new Event("pagehide"));
@@ -98,7 +98,7 @@ test("a state not written before the page closed is there after a reload, unless
 test("a page that closes during writing stores that state for the next page, and another work too", async () => {
   let done: () => void = () => undefined;
   device.slow = new Promise((resolve) => (done = resolve));
-  const stop = startKeeping();
+  const stop = startAutosave();
   startWork({ ...job, name: "FIRST" });
   startWork(job);
   setTool(8);
@@ -119,7 +119,7 @@ test("a page that closes during writing stores that state for the next page, and
 
 test("of a work that the device refused, only the newest state is stored for the next page", async () => {
   device.refuses = "full";
-  const stop = startKeeping();
+  const stop = startAutosave();
   startWork(job);
   setTool(5);
   document.dispatchEvent(new Event("visibilitychange"));
@@ -140,21 +140,21 @@ test("of a work that the device refused, only the newest state is stored for the
 test("a device without storage, and damaged saves, give a notice and stop nothing", async () => {
   Object.assign(device, { refuses: "refused", setAside: 2 });
   await resume();
-  expect(useKeeping.getState()).toMatchObject({ ready: true, damaged: 2 });
+  expect(useSavedWorks.getState()).toMatchObject({ ready: true, damaged: 2 });
   expect(useNotices.getState().notices).toEqual(["notKept"]);
 });
 
 test("a refused state gives a notice, stays in memory, and is saved as soon as there is space", async () => {
   device.refuses = "full";
-  const stop = startKeeping();
+  const stop = startAutosave();
   startWork(job);
   setTool(9);
   stop();
   await settle();
   expect(useNotices.getState().notices).toEqual(["storageFull"]);
-  expect(unkeptWorks()).toMatchObject([{ tool: 9 }]);
+  expect(unsavedWorks()).toMatchObject([{ tool: 9 }]);
   const leaving = new Event("beforeunload", { cancelable: true });
-  const again = startKeeping();
+  const again = startAutosave();
   dispatchEvent(leaving);
   again();
   expect(leaving.defaultPrevented).toBe(true);
@@ -162,7 +162,7 @@ test("a refused state gives a notice, stays in memory, and is saved as soon as t
   device.refuses = null;
   await refreshWorks();
   expect(device.works.get(useEditor.getState().work ?? "")?.job).toMatchObject({ tool: 9 });
-  expect(unkeptWorks()).toEqual([]);
+  expect(unsavedWorks()).toEqual([]);
   expect(useNotices.getState().notices).toEqual([]);
 });
 
@@ -173,7 +173,7 @@ test("saves of a newer edition give a notice", async () => {
 });
 
 test("a state restored by undo before its successor is written is the one saved", async () => {
-  const stop = startKeeping();
+  const stop = startAutosave();
   startWork(job);
   const rested = () => new Promise((done) => setTimeout(done, 120));
   await rested();

@@ -1,5 +1,5 @@
 import { z } from "zod/mini";
-import { keptData } from "../base/kept.ts";
+import { storedData } from "../base/storage.ts";
 import type { Thumbnail } from "../../view/thumbnail.ts";
 
 /** Most thumbnails, and characters of one path. */
@@ -8,7 +8,7 @@ const MOST = { works: 100, path: 6000 };
 const box = z.tuple([z.number(), z.number(), z.number(), z.number()]);
 const path = z.string().check(z.maxLength(MOST.path), z.regex(/^[MLZ\d .-]*$/));
 /** Thumbnails by work. Losing them loses no work. */
-const KEPT = keptData<Readonly<Record<string, Thumbnail>>>(
+const KEPT = storedData<Readonly<Record<string, Thumbnail>>>(
   "pictures",
   z.record(z.string(), z.object({ box, part: path, blank: path })),
 );

@@ -10,13 +10,13 @@ import { LARGEST_PROGRAM } from "../base/limits.ts";
 import { plainWork } from "./save-file.ts";
 import type { ProgramWork, Work } from "../document/work.ts";
 import { LINK_MARK, linkOf, readLink } from "./link.ts";
-import { COMMON } from "./words-of-links.ts";
+import { LINK_DICTIONARY } from "./link-dictionary.ts";
 
 const PAGE = "https://example.org/page";
 const hashOf = (work: Work) => new URL(linkOf(PAGE, work)).hash;
 const coded = (bytes: Uint8Array) => Buffer.from(bytes).toString("base64url");
 const packed = (text: string, mark = LINK_MARK) =>
-  mark + coded(deflateSync(strToU8(text), /^#h/.test(mark) ? { dictionary: COMMON } : {}));
+  mark + coded(deflateSync(strToU8(text), /^#h/.test(mark) ? { dictionary: LINK_DICTIONARY } : {}));
 
 const CELLS: readonly CellName[] = [...new Set<CellName>([...TOOL_COLUMNS, ...MILL_COLUMNS, ...HOLDER_CELLS])];
 const anyText = fc.string({ unit: "grapheme", maxLength: 40 });

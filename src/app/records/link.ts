@@ -4,7 +4,7 @@ import { fileNameOf } from "../base/file-name.ts";
 import { LARGEST_PROGRAM } from "../base/limits.ts";
 import { plainWork } from "./save-file.ts";
 import type { Work } from "../document/work.ts";
-import { COMMON } from "./words-of-links.ts";
+import { LINK_DICTIONARY } from "./link-dictionary.ts";
 
 /** Start of the hash, which names the link format. Newer formats have higher numbers. */
 export const LINK_FORM = 2;
@@ -27,11 +27,11 @@ const fromBase64Url = (text: string): Uint8Array =>
 
 /** Packs plain data for a link. */
 export const packedForLink = (value: unknown): string =>
-  toBase64Url(deflateSync(strToU8(JSON.stringify(value)), { level: 9, mem: 12, dictionary: COMMON }));
+  toBase64Url(deflateSync(strToU8(JSON.stringify(value)), { level: 9, mem: 12, dictionary: LINK_DICTIONARY }));
 
 /** Unpacks the text of `packedForLink`; null if longer than `most`. Throws if invalid. */
 export const unpackedFromLink = (packed: string, most = LARGEST_PROGRAM): string | null =>
-  unpackedText(fromBase64Url(packed), most, COMMON);
+  unpackedText(fromBase64Url(packed), most, LINK_DICTIONARY);
 
 /**
  * A link that contains a work with its tools and settings; nothing is stored anywhere. `page`: address without hash.
@@ -63,7 +63,7 @@ export function readLink(hash: string, most = LARGEST_PROGRAM): ReadLink {
     const text = unpackedText(
       fromBase64Url(hash.slice(mark.length)),
       most,
-      mark === LINK_MARK || mark === WORK_MARK ? COMMON : null,
+      mark === LINK_MARK || mark === WORK_MARK ? LINK_DICTIONARY : null,
     );
     if (text === null) return { kind: "tooLarge" };
     const work = workIn(mark, text);

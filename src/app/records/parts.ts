@@ -9,10 +9,10 @@ import { changeLanguage, changeSettings, readSettings, useSettings, type Setting
 import { editRecord } from "../document/edit-record.ts";
 import { ownRecord } from "../document/own-store.ts";
 import { toolRecord, toolsOnDevice } from "../document/tool-store.ts";
-import { mergedResults, resultRecord } from "./course/gathered.ts";
+import { mergedResults, resultRecord } from "./course/collected-results.ts";
 import { formRecord, mergedForms } from "./course/kept-form.ts";
 import { progressRecord } from "./course/progress.ts";
-import { mergedTasks, taughtRecord } from "./course/taught.ts";
+import { mergedTasks, taskRecord } from "./course/saved-tasks.ts";
 import { countWork, mergedWorked, workedRecord } from "./course/working-time.ts";
 
 /** Tables offered for restoring: keep mine, add what is missing, or replace. Each is one part. */
@@ -26,7 +26,7 @@ export interface Part<T> {
   /** Group in which it is offered. */
   readonly group: Group;
   /** The value of this device. */
-  here(): T;
+  current(): T;
   /** Data to archive; `read` gets data that anybody may have written, and returns null if they are damaged. */
   write(value: T): object;
   read(raw: unknown): T | null;
@@ -36,19 +36,19 @@ export interface Part<T> {
   /** Merges restored data into mine. `nameHere`: name here of a work that had another name there. */
   merge(mine: T, brought: T, nameHere: ReadonlyMap<string, string>): T;
   /** Applies a value. */
-  take(value: T): void | Promise<void>;
+  apply(value: T): void | Promise<void>;
   /** Copies for people and other programs: texts by path. */
   files?(value: T): Readonly<Record<string, string>>;
 }
 
 /** A record as a part; restoring it is one step of undo. */
 const ofRecord = <T>(record: KeptRecord<T>, more: Pick<Part<T>, "group" | "merge"> & Partial<Part<T>>): Part<T> => ({
-  here: record.now,
+  current: record.now,
   write: record.write,
   read: record.read,
   isEmpty: (value) => record.isSame(value, record.first),
   isSame: record.isSame,
-  take: (value) => editRecord(record, () => value),
+  apply: (value) => editRecord(record, () => value),
   ...more,
 });
 
@@ -57,7 +57,7 @@ const ownNumber = (entry: OwnEntry) => readOwn(entry).number ?? entry.number.tri
 /** Settings are no record: each change is saved at once, other tabs keep theirs, and there is no undo. */
 const settingsPart: Part<Settings> = {
   group: "settings",
-  here: useSettings.getState,
+  current: useSettings.getState,
   write: (settings) => settings,
   read: readSettings,
   isEmpty: () => false,
@@ -68,7 +68,7 @@ const settingsPart: Part<Settings> = {
     cutting: brought.cutting || mine.cutting,
     machine: brought.machine || mine.machine,
   }),
-  async take({ language, ...others }) {
+  async apply({ language, ...others }) {
     changeSettings(others);
     await changeLanguage(language);
   },
@@ -110,11 +110,11 @@ const parts = {
     files: (list) => ({ "tools/CYCLES.json": writeLibrary(list) }),
   }),
   course: ofRecord(progressRecord, { group: "course", merge: mergedProgress }),
-  taught: ofRecord(taughtRecord, { group: "course", merge: mergedTasks }),
+  taught: ofRecord(taskRecord, { group: "course", merge: mergedTasks }),
   forms: ofRecord(formRecord, { group: "course", merge: mergedForms }),
   worked: ofRecord(workedRecord, {
     group: "course",
-    here() {
+    current() {
       countWork();
       return workedRecord.now();
     },

@@ -2,7 +2,7 @@ import { create } from "zustand";
 import { z } from "zod/mini";
 import { parseAddress } from "../place/address.ts";
 import { time } from "../base/clock.ts";
-import { keptData } from "../base/kept.ts";
+import { storedData } from "../base/storage.ts";
 import { isMissing } from "../base/parts.ts";
 
 /** A fault of the page, stored on this device. It is never sent by itself, and contains no program. */
@@ -22,7 +22,7 @@ export type FaultReport = Readonly<z.output<typeof shape>>;
 /** Most reports, and characters of one field. */
 const MOST = { reports: 8, text: 4000 };
 
-const KEPT = keptData<readonly FaultReport[]>("reports", z.array(shape));
+const KEPT = storedData<readonly FaultReport[]>("reports", z.array(shape));
 
 /** Newest first. */
 export const useReports = create<{ readonly list: readonly FaultReport[] }>(() => ({

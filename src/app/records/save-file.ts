@@ -5,7 +5,7 @@ import { at } from "../../kernel/geometry/point.ts";
 import { NUMBER_PARAMETER } from "../../nc/value.ts";
 import { CLAMPING_KINDS } from "../../program/clamping/words.ts";
 import type { ContourRow, Job, TaskWork } from "../../program/job/job.ts";
-import { EARLIER_OUTPUT, isNcOutput, JOB_LAYOUTS, type NcOutput } from "../../program/machine/nc-output.ts";
+import { LEGACY_OUTPUT, isNcOutput, JOB_LAYOUTS, type NcOutput } from "../../program/machine/nc-output.ts";
 import { toolRows } from "../document/tool-rows.ts";
 import {
   LONGEST_MACHINE,
@@ -179,7 +179,7 @@ function withBlankSet(job: unknown): unknown {
 
 function withLayoutKept(job: unknown): unknown {
   if (typeof job !== "object" || job === null || !("layout" in job)) return job;
-  return { ...job, layout: job.layout === "tnc640" ? "manual" : job.layout, output: EARLIER_OUTPUT };
+  return { ...job, layout: job.layout === "tnc640" ? "manual" : job.layout, output: LEGACY_OUTPUT };
 }
 
 /** Upgrades a saved work of any version; other data is returned unchanged. */

@@ -1,5 +1,5 @@
 import { afterEach, expect, test, vi } from "vitest";
-import { claimWork, releaseWork, worksElsewhere } from "./tab.ts";
+import { claimWork, releaseWork, worksInOtherTabs } from "./tab.ts";
 
 /** Locks as in browsers: released, and reported, a moment after they are let go. */
 function browserLocks(elsewhere: readonly string[]) {
@@ -25,10 +25,10 @@ afterEach(() => vi.unstubAllGlobals());
 test("a work that this tab is releasing is not open elsewhere, one that another tab has is", async () => {
   vi.stubGlobal("navigator", { locks: browserLocks(["turnwise B"]) });
   expect([await claimWork("A"), await claimWork("B")]).toEqual([true, false]);
-  const asked = worksElsewhere();
+  const asked = worksInOtherTabs();
   releaseWork("A");
   expect([...(await asked)]).toEqual(["B"]);
-  expect([...(await worksElsewhere())]).toEqual(["B"]);
+  expect([...(await worksInOtherTabs())]).toEqual(["B"]);
 });
 
 test("a work that was released and claimed by another tab is open there", async () => {
@@ -38,5 +38,5 @@ test("a work that was released and claimed by another tab is open there", async 
   releaseWork("C");
   await vi.waitFor(async () => expect((await locks.query()).held).toEqual([]));
   void locks.request("turnwise C", {}, () => new Promise(() => undefined));
-  expect([...(await worksElsewhere())]).toEqual(["C"]);
+  expect([...(await worksInOtherTabs())]).toEqual(["C"]);
 });

@@ -1,15 +1,15 @@
-import { drawnId } from "../base/chance.ts";
-import { jsonOf, keptText } from "../base/kept.ts";
+import { randomId } from "../base/random-id.ts";
+import { jsonOf, storedText } from "../base/storage.ts";
 import { once } from "../base/once.ts";
 
 /**
  * Only the tab that holds the lock of a work writes it; the lock ends with the tab. The open work of a tab survives a
  * reload in the session storage. Over a channel a tab requests a work, and its owner replies with the newest state.
  */
-const OPEN = keptText("work", "tab");
+const OPEN = storedText("work", "tab");
 
 /** States that could not be written before the page closed. */
-const PENDING = keptText("pending", "tab");
+const PENDING = storedText("pending", "tab");
 
 const LOCK = "turnwise ";
 
@@ -34,7 +34,7 @@ export function rememberWork(work: string | null): void {
 }
 
 /** The last state of a work in the save format. */
-export interface Behind {
+export interface PendingState {
   readonly work: string;
   readonly file: unknown;
 }
@@ -43,18 +43,18 @@ export interface Behind {
  * Stores unsaved states for the next page of this tab, replacing earlier ones, since saving takes longer than closing.
  * Without space for all, the largest are left out.
  */
-export function leaveBehind(states: readonly Behind[]): void {
+export function storePending(states: readonly PendingState[]): void {
   const parts = states.map((state) => JSON.stringify(state)).sort((a, b) => a.length - b.length);
   while (!PENDING.set(parts.length > 0 ? `[${parts.join(",")}]` : null) && parts.length > 0) parts.pop();
 }
 
 /** States left by the previous page. */
-export function leftBehind(): readonly Behind[] {
+export function readPending(): readonly PendingState[] {
   const raw = jsonOf(PENDING.get());
   return Array.isArray(raw) ? raw.filter(isBehind) : [];
 }
 
-const isBehind = (raw: unknown): raw is Behind =>
+const isBehind = (raw: unknown): raw is PendingState =>
   typeof raw === "object" && raw !== null && "work" in raw && "file" in raw && typeof raw.work === "string";
 
 /** Messages between tabs. `to` is the requesting tab. */
@@ -115,7 +115,7 @@ function answer<T>(
 const PATIENCE = { who: 200, give: 3000 };
 
 /** Tells the other tabs that the list of works or their locks changed. */
-export const sayChanged = (): void => say({ kind: "changed" });
+export const announceChange = (): void => say({ kind: "changed" });
 export const onChanged = (listener: () => void): (() => void) => hear(({ kind }) => kind === "changed" && listener());
 
 /**
@@ -145,7 +145,7 @@ export async function claimWork(work: string, steal = false): Promise<boolean> {
     };
     const held = Promise.resolve(locks.request(LOCK + work, steal ? { steal } : { ifAvailable: true }, hold));
     void held
-      .finally(() => going.delete(work) && sayChanged())
+      .finally(() => going.delete(work) && announceChange())
       .catch(() => {
         resolve(false);
         if (mine.delete(work)) {
@@ -172,7 +172,7 @@ export function releaseWork(work: string): void {
  * Works open in other tabs; none if the browser does not say. Locks that this tab is releasing are excluded, since the
  * browser still reports them.
  */
-export async function worksElsewhere(): Promise<ReadonlySet<string>> {
+export async function worksInOtherTabs(): Promise<ReadonlySet<string>> {
   try {
     const own = new Set([...mine.keys(), ...going]);
     const { held = [] } = await navigator.locks.query();
@@ -184,22 +184,22 @@ export async function worksElsewhere(): Promise<ReadonlySet<string>> {
 }
 
 /** Requests a work from its tab. Returns its newest state, null if that is saved, undefined without an answer. */
-export function askFor(work: string): Promise<unknown> {
-  const to = drawnId();
+export function requestWork(work: string): Promise<unknown> {
+  const to = randomId();
   return answer({ kind: "give", work, to }, PATIENCE.give, (m) =>
     m.kind === "given" && m.to === to ? m.state : undefined,
   );
 }
 
 /** Starts answering the requests of other tabs. `give` closes a work here and returns its newest state. */
-export function answerOthers(give: (work: string) => Promise<unknown>): () => void {
+export function answerRequests(give: (work: string) => Promise<unknown>): () => void {
   return hear((message) => {
     if (message.kind === "who" && owns(message.work)) say({ kind: "have", work: message.work });
     if (message.kind !== "give" || !owns(message.work)) return;
     const { work, to } = message;
     void give(work).then((state) => {
       releaseWork(work);
-      sayChanged();
+      announceChange();
       say({ kind: "given", work, to, state: state ?? null });
     });
   });

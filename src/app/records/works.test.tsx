@@ -2,18 +2,18 @@ import { useNotices } from "../base/notices.ts";
 import { beforeEach, expect, test, vi } from "vitest";
 import { setTool } from "../document/edits.ts";
 import { redo, undo, useSteps } from "../document/steps.ts";
-import { begin, open, useEditor } from "../document/store.ts";
-import { elsewhere, usePlace } from "../place/place.ts";
+import { openFirstWork, open, useEditor } from "../document/store.ts";
+import { workElsewhere, usePlace } from "../place/place.ts";
 import { device, emptyDevice, someJob as job } from "./fake-device.ts";
 import {
   copyWork,
   openWork,
   refreshWorks,
-  startKeeping,
+  startAutosave,
   startWork,
   takeOver,
-  unkeptWorks,
-  useKeeping,
+  unsavedWorks,
+  useSavedWorks,
 } from "./keep.ts";
 import { resume } from "../../shell/resume.ts";
 import { duplicateWork, freeName, removeWorks, renameWork } from "./works.ts";
@@ -29,10 +29,10 @@ const heard = () => new Promise((done) => setTimeout(done, 30));
 
 beforeEach(() => {
   emptyDevice();
-  begin(null, null);
+  openFirstWork(null, null);
   answers.length = 0;
   other.onmessage = null;
-  useKeeping.setState({ works: [], damaged: 0, ready: false });
+  useSavedWorks.setState({ works: [], damaged: 0, ready: false });
   useNotices.setState({ notices: [] });
 });
 
@@ -41,10 +41,10 @@ test("a work open in another tab is not opened, with a message; copying it leave
   device.taken.add("turnwise shared");
   await resume();
   expect(useEditor.getState()).toMatchObject({ work: null, job: null });
-  expect(elsewhere(usePlace.getState())).toEqual({ work: "shared", name: job.name, cause: "isOpen" });
-  const stop = startKeeping();
+  expect(workElsewhere(usePlace.getState())).toEqual({ work: "shared", name: job.name, cause: "isOpen" });
+  const stop = startAutosave();
   await copyWork("shared", (name) => `${name}_2`);
-  expect(elsewhere(usePlace.getState())).toBeNull();
+  expect(workElsewhere(usePlace.getState())).toBeNull();
   setTool(9);
   stop();
   await settle();
@@ -63,7 +63,7 @@ test("a work is taken over with the newest state of the other tab, which the dev
     device.taken.clear();
     other.postMessage({ kind: "given", work: "asked", to: data.to, state: { ...job, rapid: "4321" } });
   };
-  const stop = startKeeping();
+  const stop = startAutosave();
   expect(await takeOver("asked")).toBe(true);
   expect(useEditor.getState()).toMatchObject({ work: "asked", job: { rapid: "4321" } });
   stop();
@@ -83,7 +83,7 @@ test("a tab that does not answer loses the work in its saved state", async () =>
 });
 
 test("a work requested by another tab goes there with the last key, and is closed here with its steps", async () => {
-  const stop = startKeeping();
+  const stop = startAutosave();
   startWork(job);
   const { work } = useEditor.getState();
   await heard();
@@ -93,27 +93,27 @@ test("a work requested by another tab goes there with the last key, and is close
   expect(device.works.get(work ?? "")?.job).toMatchObject({ tool: 6 });
   expect(answers).toContainEqual({ kind: "given", work, to: "me", state: null });
   expect(useEditor.getState().work).toBeNull();
-  expect(elsewhere(usePlace.getState())).toMatchObject({ work, cause: "wasTaken" });
+  expect(workElsewhere(usePlace.getState())).toMatchObject({ work, cause: "wasTaken" });
   expect(useSteps.getState().past).toEqual([]);
   stop();
 });
 
 test("a state that the device refused goes to the other tab in the answer", async () => {
   device.refuses = "full";
-  const stop = startKeeping();
+  const stop = startAutosave();
   startWork(job);
   const { work } = useEditor.getState();
   setTool(4);
   other.postMessage({ kind: "give", work, to: "me" });
   await heard();
   expect(answers).toContainEqual({ kind: "given", work, to: "me", state: expect.objectContaining({ tool: 4 }) });
-  expect(unkeptWorks()).toEqual([]);
+  expect(unsavedWorks()).toEqual([]);
   device.refuses = null;
   stop();
 });
 
 test("undo into a released work claims it again in its present state", async () => {
-  const stop = startKeeping();
+  const stop = startAutosave();
   startWork(job);
   const { work = "" } = useEditor.getState();
   const rested = () => new Promise((done) => setTimeout(done, 120));
@@ -129,7 +129,7 @@ test("undo into a released work claims it again in its present state", async () 
   await rested();
   undo();
   await rested();
-  expect(elsewhere(usePlace.getState())).toMatchObject({ work, cause: "isOpen" });
+  expect(workElsewhere(usePlace.getState())).toMatchObject({ work, cause: "isOpen" });
   expect(device.works.get(work ?? "")?.job).toMatchObject({ rapid: "5432" });
   stop();
 });
@@ -138,20 +138,20 @@ test("works are deleted only on request, and undo restores them unchanged", asyn
   for (let i = 0; i < 150; i += 1) device.works.set(`w${i}`, { savedAt: i, job: { ...job, name: `N${i}` } });
   device.taken.add("turnwise w9");
   await refreshWorks();
-  expect(useKeeping.getState().works.length).toBe(150);
+  expect(useSavedWorks.getState().works.length).toBe(150);
   expect(await removeWorks(["w3", "w9", "w41", "none"])).toMatchObject({
     gone: [{ work: "w3" }, { work: "w41" }],
     leftOut: 1,
   });
-  expect(useKeeping.getState().works.map(({ work }) => work)).not.toContain("w41");
-  expect(useKeeping.getState().works.length).toBe(148);
+  expect(useSavedWorks.getState().works.map(({ work }) => work)).not.toContain("w41");
+  expect(useSavedWorks.getState().works.length).toBe(148);
   undo();
   await heard();
-  expect(useKeeping.getState().works.length).toBe(150);
+  expect(useSavedWorks.getState().works.length).toBe(150);
   expect(device.works.get("w41")).toEqual({ savedAt: 41, job: { ...job, name: "N41" } });
   redo();
   await heard();
-  expect(useKeeping.getState().works.length).toBe(148);
+  expect(useSavedWorks.getState().works.length).toBe(148);
   await openWork("w0");
   expect(useEditor.getState().job).toMatchObject({ name: "N0" });
 });

@@ -1,17 +1,17 @@
 import { fileKey } from "../../program/state/program-files.ts";
-import { drawnId } from "../base/chance.ts";
+import { randomId } from "../base/random-id.ts";
 import { time } from "../base/clock.ts";
-import { note } from "../document/steps.ts";
+import { recordStep } from "../document/steps.ts";
 import { isProgram, textsOf, type Work } from "../document/work.ts";
 import { forgetWork, keepWork, readWork } from "./device.ts";
-import { forgetUnkept, keepState, newestState, refreshWorks } from "./keep.ts";
-import { claimWork, owns, releaseWork, sayChanged } from "./tab.ts";
+import { forgetUnsaved, keepState, newestState, refreshWorks } from "./keep.ts";
+import { claimWork, owns, releaseWork, announceChange } from "./tab.ts";
 
 /** Owner of the undo steps that change the list of works. */
 const OF_WORKS = {};
 
 /** A work as stored on the device. */
-interface Lying {
+interface StoredWork {
   readonly work: string;
   readonly job: Work;
   readonly savedAt: number;
@@ -26,31 +26,31 @@ async function withWork(work: string, run: () => Promise<void>): Promise<boolean
   return true;
 }
 
-async function shown(change: Promise<unknown>): Promise<void> {
+async function refreshAfter(change: Promise<unknown>): Promise<void> {
   await change;
   await refreshWorks();
-  sayChanged();
+  announceChange();
 }
 
 /** Adds a step of undo for a change of the list. */
 function noteStep(back: () => Promise<unknown>, forth: () => Promise<unknown>): void {
   const way = (change: () => Promise<unknown>) => () => {
-    void shown(change());
+    void refreshAfter(change());
     return true;
   };
-  note({ of: OF_WORKS, back: way(back), forth: way(forth) });
+  recordStep({ of: OF_WORKS, back: way(back), forth: way(forth) });
 }
 
-const forgetAll = (gone: readonly Lying[]): Promise<unknown> =>
+const forgetAll = (gone: readonly StoredWork[]): Promise<unknown> =>
   Promise.all(
     gone.map(({ work }) => {
-      forgetUnkept(work);
+      forgetUnsaved(work);
       return forgetWork(work);
     }),
   );
 
 /** Restores works. If that fails they stay in memory, with a notice. */
-const putBackAll = (gone: readonly Lying[]): Promise<unknown> =>
+const restoreAll = (gone: readonly StoredWork[]): Promise<unknown> =>
   Promise.all(
     gone.map(async ({ work, job, savedAt }) => {
       if ((await keepWork(work, job, savedAt)) !== "kept") await keepState(work, job);
@@ -60,8 +60,8 @@ const putBackAll = (gone: readonly Lying[]): Promise<unknown> =>
 /** Deletes works as one step of undo, except those open in other tabs. */
 export async function removeWorks(
   works: readonly string[],
-): Promise<{ readonly gone: readonly Lying[]; readonly leftOut: number }> {
-  const gone: Lying[] = [];
+): Promise<{ readonly gone: readonly StoredWork[]; readonly leftOut: number }> {
+  const gone: StoredWork[] = [];
   const done = await Promise.all(
     works.map((work) =>
       withWork(work, async () => {
@@ -74,10 +74,10 @@ export async function removeWorks(
     ),
   );
   const leftOut = done.filter((free) => !free).length;
-  await shown(Promise.resolve());
+  await refreshAfter(Promise.resolve());
   if (gone.length > 0)
     noteStep(
-      () => putBackAll(gone),
+      () => restoreAll(gone),
       () => forgetAll(gone),
     );
   return { gone, leftOut };
@@ -86,7 +86,7 @@ export async function removeWorks(
 /** Result of changing one work. */
 export type WorkChange = "done" | "elsewhere" | "nameTaken" | "failed";
 
-async function put(work: string, job: Work, savedAt: number): Promise<WorkChange> {
+async function writeWork(work: string, job: Work, savedAt: number): Promise<WorkChange> {
   let done: WorkChange = "elsewhere";
   await withWork(work, async () => {
     done = (await keepWork(work, job, savedAt)) === "kept" ? "done" : "failed";
@@ -108,12 +108,12 @@ export async function renameWork(work: string, name: string): Promise<WorkChange
   )
     return "nameTaken";
   const renamed = { ...job, name };
-  const done = await put(work, renamed, savedAt);
-  await shown(Promise.resolve());
+  const done = await writeWork(work, renamed, savedAt);
+  await refreshAfter(Promise.resolve());
   if (done !== "done") return done;
   noteStep(
-    () => put(work, job, savedAt),
-    () => put(work, renamed, savedAt),
+    () => writeWork(work, job, savedAt),
+    () => writeWork(work, renamed, savedAt),
   );
   return done;
 }
@@ -133,29 +133,29 @@ export function freeName(name: string, taken: readonly string[]): string {
 }
 
 /** Duplicates a work under a free name, as one step of undo; null if it cannot be saved. */
-export async function duplicateWork(work: string, names: readonly string[]): Promise<Lying | null> {
+export async function duplicateWork(work: string, names: readonly string[]): Promise<StoredWork | null> {
   const job = await newestState(work);
   if (!job) return null;
-  const copy: Lying = { work: drawnId(), job: { ...job, name: freeName(job.name, names) }, savedAt: time() };
-  const done = await put(copy.work, copy.job, copy.savedAt);
-  await shown(Promise.resolve());
+  const copy: StoredWork = { work: randomId(), job: { ...job, name: freeName(job.name, names) }, savedAt: time() };
+  const done = await writeWork(copy.work, copy.job, copy.savedAt);
+  await refreshAfter(Promise.resolve());
   if (done !== "done") return null;
   noteStep(
     () => forgetAll([copy]),
-    () => putBackAll([copy]),
+    () => restoreAll([copy]),
   );
   return copy;
 }
 
 /** Adds the works of a backup as one step of undo; returns how many could be saved. */
-export async function addWorks(works: readonly Lying[]): Promise<number> {
-  const kept: Lying[] = [];
-  for (const each of works) if ((await put(each.work, each.job, each.savedAt)) === "done") kept.push(each);
-  await shown(Promise.resolve());
+export async function addWorks(works: readonly StoredWork[]): Promise<number> {
+  const kept: StoredWork[] = [];
+  for (const each of works) if ((await writeWork(each.work, each.job, each.savedAt)) === "done") kept.push(each);
+  await refreshAfter(Promise.resolve());
   if (kept.length > 0)
     noteStep(
       () => forgetAll(kept),
-      () => putBackAll(kept),
+      () => restoreAll(kept),
     );
   return kept.length;
 }

@@ -16,7 +16,8 @@ const LEAST = 0.005;
 const MOST = 12;
 
 /** The area of one half section outside another, without slivers of chords and grid. */
-export const beyond = (one: readonly Ring[], other: readonly Ring[]): Ring[] => opened(difference(one, other), SLIVER);
+export const areaBeyond = (one: readonly Ring[], other: readonly Ring[]): Ring[] =>
+  opened(difference(one, other), SLIVER);
 
 /** How far a point is from an area, mm; 0 inside it. */
 export function distanceTo(rings: readonly Ring[], p: Pt): number {
@@ -29,7 +30,7 @@ export function distanceTo(rings: readonly Ring[], p: Pt): number {
 const shared = (one: readonly Ring[], other: readonly Ring[]): number => areaOf(intersection(one, other));
 
 /** The first step that removed part of an area, and its block; empty where no tool came there. */
-export function firstInto(
+export function firstStepInto(
   area: readonly Ring[],
   { run, simulation }: Answer,
 ): Pick<TaskMark, "step" | "block" | "operation"> {
@@ -112,7 +113,7 @@ export const missingMarks = (
   made: readonly Ring[],
   limit: number,
   answer: Answer,
-): TaskMark[] => marksOf("missing", beyond(wanted, made), limit, (outline) => firstInto([outline], answer));
+): TaskMark[] => marksOf("missing", areaBeyond(wanted, made), limit, (outline) => firstStepInto([outline], answer));
 
 /** Excess material on the target part: each place with the operation that should have cut it. */
 export const residueMarks = (
@@ -120,4 +121,4 @@ export const residueMarks = (
   made: readonly Ring[],
   limit: number,
   answer: Answer,
-): TaskMark[] => marksOf("residue", beyond(made, wanted), limit, (outline) => ownerOf(outline, answer));
+): TaskMark[] => marksOf("residue", areaBeyond(made, wanted), limit, (outline) => ownerOf(outline, answer));

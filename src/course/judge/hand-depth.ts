@@ -27,7 +27,7 @@ const isFinishAlong = ({ operation, move, from, tool }: Step): boolean =>
  * Moves outside cycles, and finishing cuts, that cut deeper than `limit` mm square to their path: each once, with its
  * greatest depth.
  */
-export function unknownDepths(answer: Answer, limit: number): Partial<TaskMark>[] {
+export function depthsBeyondLimit(answer: Answer, limit: number): Partial<TaskMark>[] {
   const { steps } = answer.run;
   const isLooked = (step: Step) => (step.operation === null ? step.move.kind !== "rapid" : isFinishAlong(step));
   if (!steps.some(isLooked)) return [];

@@ -1,17 +1,17 @@
-import { madeOf } from "../../sim/made.ts";
+import { producedParts } from "../../sim/produced-parts.ts";
 import { REAL_AREA } from "../../kernel/area/real-area.ts";
 import { stockIssues } from "../../sim/issues.ts";
 import type { RunFinding } from "../../program/state/run-types.ts";
 import type { StockFinding } from "../../sim/simulation.ts";
 import type { Task } from "../task.ts";
-import { beyond, distanceTo, missingMarks, residueMarks } from "./difference.ts";
+import { areaBeyond, distanceTo, missingMarks, residueMarks } from "./difference.ts";
 import { areaOf } from "../../kernel/area/area.ts";
 import { RULES, type Answer, type TaskJudgement, type TaskMark, type RuleName } from "./judgement.ts";
 import { ruleMarks } from "./rules.ts";
 import { scoreOf } from "./score.ts";
 import { sizeMarks } from "./sizes.ts";
 import { threadMarks } from "./threads.ts";
-import { wantedPart, type WantedPart } from "../wanted-part.ts";
+import { targetPart, type TargetPart } from "../target-part.ts";
 
 /** Default limits of excess and missing material, mm², where a task states none. */
 const RESIDUE = 0.05;
@@ -42,7 +42,7 @@ const ofFinding = (rule: RuleName, f: StockFinding): TaskMark => ({
  * Findings of the stock that are never allowed. With a target part, a cut into a cycle's own contour counts as missing
  * material.
  */
-function foundMarks({ simulation }: Answer, wanted: WantedPart | null): TaskMark[] {
+function foundMarks({ simulation }: Answer, wanted: TargetPart | null): TaskMark[] {
   return (["rapid", "holder", "gouge"] as const).flatMap((rule): TaskMark[] => {
     if (rule === "gouge" && wanted) return [];
     const found = simulation.findings.filter((f) => FOUND[f.kind] === rule);
@@ -99,7 +99,7 @@ const errorMarks = (answer: Answer, { clean = false, seconds }: Task["rules"]): 
   );
 
 /** With a target part, residual material is judged against that part alone. */
-const cleanMarks = (answer: Answer, wanted: WantedPart | null): TaskMark[] =>
+const cleanMarks = (answer: Answer, wanted: TargetPart | null): TaskMark[] =>
   issueMarks("clean", answer, ({ code, severity }) => severity === "warning" && !(wanted && code === "materialLeft"));
 
 /** After a block that is not simulated nothing is known, so nothing can be judged right. */
@@ -119,10 +119,10 @@ function unprovedMarks({ run, simulation }: Answer): TaskMark[] {
 }
 
 /** Compares the made part with the target part. */
-function partMarks(task: Task, wanted: WantedPart, answer: Answer): TaskMark[] {
+function partMarks(task: Task, wanted: TargetPart, answer: Answer): TaskMark[] {
   const { run, simulation } = answer,
-    final = madeOf(simulation);
-  const [lacks, adds] = [beyond(wanted.blank, run.blank), beyond(run.blank, wanted.blank)];
+    final = producedParts(simulation);
+  const [lacks, adds] = [areaBeyond(wanted.blank, run.blank), areaBeyond(run.blank, wanted.blank)];
   const other = [...lacks, ...adds];
   const isOther = run.blank.length === 0 || areaOf(lacks) + areaOf(adds) > REAL_AREA;
   const blank: TaskMark = { rule: "blank", passed: !isOther, ...(isOther && other.length > 0 && { rings: other }) };
@@ -149,7 +149,7 @@ const ordered = (marks: readonly TaskMark[]): TaskMark[] => {
  * part within the rules passes, however it is written.
  */
 export function judge(task: Task, answer: Answer): TaskJudgement {
-  const wanted = task.part ? wantedPart(task.part) : null;
+  const wanted = task.part ? targetPart(task.part) : null;
   const marks = ordered([
     ...errorMarks(answer, task.rules),
     ...unprovedMarks(answer),

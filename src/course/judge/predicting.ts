@@ -1,11 +1,11 @@
-import { madeOf } from "../../sim/made.ts";
+import { producedParts } from "../../sim/produced-parts.ts";
 import { areaOf } from "../../kernel/area/area.ts";
 import { part, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 import { ROUND } from "../../kernel/tolerance.ts";
 import type { Prediction, Task } from "../task.ts";
-import { wantedPart } from "../wanted-part.ts";
+import { targetPart } from "../target-part.ts";
 import { regionsOf } from "../../sim/region.ts";
-import { beyond, distanceTo } from "./difference.ts";
+import { areaBeyond, distanceTo } from "./difference.ts";
 import { middleOf } from "./middle.ts";
 import type { Answer } from "./judgement.ts";
 import { roughingPasses, hasRoughing } from "./rules.ts";
@@ -35,7 +35,7 @@ export interface TrueBlock {
 export type Truth = TrueNumber | TruePlace | TrueChoice | TrueBlock;
 
 /** A learner's prediction: a number, a place on the part, a choice from 0, or the number of a block. */
-export type Foretold = number | Pt;
+export type PredictedAnswer = number | Pt;
 
 /** Sizes and infeeds are read to two decimals, mm; counts are whole. */
 const READ_OFF = 0.005;
@@ -48,7 +48,7 @@ const placeOf = (rings: readonly Ring[]): Truth => {
 
 /** Excess material on the target part; without one, the material that the operations should have cut. */
 function residue({ part: wanted }: Pick<Task, "part">, { simulation }: Answer, operation?: number): readonly Ring[] {
-  if (wanted && operation === undefined) return beyond(madeOf(simulation), wantedPart(wanted).rings);
+  if (wanted && operation === undefined) return areaBeyond(producedParts(simulation), targetPart(wanted).rings);
   return simulation.proof.residual
     .filter((r) => operation === undefined || r.operation === operation)
     .map((r) => r.ring);
@@ -56,7 +56,7 @@ function residue({ part: wanted }: Pick<Task, "part">, { simulation }: Answer, o
 
 /** Material missing from the target part; without one, the cuts into the contours of the cycles. */
 function missing({ part: wanted }: Pick<Task, "part">, { simulation }: Answer): readonly Ring[] {
-  if (wanted) return beyond(wantedPart(wanted).solid, madeOf(simulation));
+  if (wanted) return areaBeyond(targetPart(wanted).solid, producedParts(simulation));
   return simulation.findings.flatMap((f) => (f.kind === "gouge" ? f.rings : []));
 }
 
@@ -79,7 +79,7 @@ export function truthOf(prediction: Prediction, task: Pick<Task, "part">, answer
     case "diameter":
     case "bore":
     case "face":
-      return number(sizeOn(madeOf(simulation), prediction.ask, prediction.at)?.value);
+      return number(sizeOn(producedParts(simulation), prediction.ask, prediction.at)?.value);
     case "residuePlace":
       return placeOf(residue(task, answer));
     case "gougePlace":
@@ -100,7 +100,7 @@ const withinOf = (prediction: Prediction): number =>
   ("within" in prediction ? prediction.within : undefined) ?? (prediction.ask === "passes" ? 0 : READ_OFF);
 
 /** Whether a prediction is right. A place is right inside the region or within the tolerance of it. */
-export function isRight(prediction: Prediction, truth: Truth, said: Foretold): boolean {
+export function isRight(prediction: Prediction, truth: Truth, said: PredictedAnswer): boolean {
   if (typeof said === "object") {
     const within = withinOf(prediction);
     if (truth.kind !== "place" || truth.rings.length === 0) return false;

@@ -16,7 +16,7 @@ function showsAt({ place, rings }: TaskMark, x: number, z: number): boolean {
 }
 
 /** Whether a wrong answer fails the rule that its file states, at the stated place or in the stated block. */
-export function refuses(task: Task, { rule, at: where, block }: WrongAnswer, answer: Answer): boolean {
+export function isRefusedAsStated(task: Task, { rule, at: where, block }: WrongAnswer, answer: Answer): boolean {
   return judge(task, answer).marks.some((mark) => {
     if (mark.passed || mark.rule !== rule) return false;
     const definedIn = mark.operation === undefined ? undefined : answer.run.operations[mark.operation]?.definedIn;

@@ -1,4 +1,4 @@
-import { madeOf } from "../../sim/made.ts";
+import { producedParts } from "../../sim/produced-parts.ts";
 import { REAL_AREA } from "../../kernel/area/real-area.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { parse } from "../../nc/parse.ts";
@@ -7,9 +7,9 @@ import type { Operation } from "../../program/state/run-types.ts";
 import { roughnessOf } from "../../sim/load/roughness.ts";
 import type { TaskRules } from "../task.ts";
 import type { Answer, TaskMark, RuleName } from "./judgement.ts";
-import { unknownDepths } from "./hand-depth.ts";
+import { depthsBeyondLimit } from "./hand-depth.ts";
 import { foreignToolMarks, secondsOfAnswer } from "./shop.ts";
-import { wordMarks } from "./words-in.ts";
+import { wordMarks } from "./word-rule.ts";
 
 /** Tolerance of a measured depth, mm: passes are levelled, and the stock consists of chords. */
 const DEPTH_SLACK = 0.02;
@@ -37,7 +37,7 @@ function depth(limit: number, answer: Answer): TaskMark[] {
     const by = deepest && deepest.depth >= infeed ? { step: deepest.step } : {};
     return { value: Math.max(deepest?.depth ?? 0, infeed), limit, ...by, ...ofCall(operation, index) };
   });
-  const all = [...found, ...unknownDepths(answer, limit + DEPTH_SLACK).map((mark) => ({ ...mark, limit }))];
+  const all = [...found, ...depthsBeyondLimit(answer, limit + DEPTH_SLACK).map((mark) => ({ ...mark, limit }))];
   const most = all.reduce((sum, { value = 0 }) => Math.max(sum, value), 0);
   return marks(
     "depth",
@@ -116,7 +116,7 @@ function passes(limit: number, { run }: Answer): TaskMark[] {
 
 /** The greatest Rz of the made surface between two Z. A stretch without a known feed per revolution is too rough. */
 function rz(asked: NonNullable<TaskRules["rz"]>, { run, simulation }: Answer): TaskMark[] {
-  const all = roughnessOf(madeOf(simulation), run.steps, run.spindles);
+  const all = roughnessOf(producedParts(simulation), run.steps, run.spindles);
   return asked.map(({ from, to, most }, entry): TaskMark => {
     const [low, high] = [Math.min(from, to), Math.max(from, to)];
     const inside = all.filter(({ points, rz: height, by }) => {

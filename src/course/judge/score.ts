@@ -1,7 +1,7 @@
 import { areaOf } from "../../kernel/area/area.ts";
 import type { Task } from "../task.ts";
-import type { WantedPart } from "../wanted-part.ts";
-import { beyond } from "./difference.ts";
+import type { TargetPart } from "../target-part.ts";
+import { areaBeyond } from "./difference.ts";
 import type { Answer, RuleName, Score, ScorePart, TaskMark } from "./judgement.ts";
 import { calledTools } from "./rules.ts";
 import { secondsOfAnswer } from "./shop.ts";
@@ -17,7 +17,7 @@ const share = (part: number): number => Math.min(1, Math.max(0, part));
 /** The score of a free program. `residue`: allowed excess, mm². */
 export function scoreOf(
   par: NonNullable<Task["par"]>,
-  wanted: WantedPart,
+  wanted: TargetPart,
   residue: number,
   answer: Answer,
   marks: readonly TaskMark[],
@@ -27,7 +27,7 @@ export function scoreOf(
   const isSafe = marks.every((m) => m.passed || !NEVER.has(m.rule));
   const rules = new Set(marks.flatMap((m) => (m.rule === "residue" ? [] : [m.rule])));
   const broken = new Set(marks.flatMap((m) => (m.rule === "residue" || m.passed ? [] : [m.rule])));
-  const left = areaOf(beyond(final, wanted.rings));
+  const left = areaOf(areaBeyond(final, wanted.rings));
   const most = MOST_LEFT * (areaOf(wanted.blank) - areaOf(wanted.rings));
   const threads = marks.every((m) => m.passed || m.rule !== "residue" || m.about === undefined);
   const tools = calledTools(answer).size;

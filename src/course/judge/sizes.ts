@@ -1,10 +1,10 @@
-import { madeOf } from "../../sim/made.ts";
+import { producedParts } from "../../sim/produced-parts.ts";
 import { at, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { diameter, radius, toDiameter, toRadius } from "../../kernel/units.ts";
 import { scanCrossings } from "../../sim/scan.ts";
 import type { TaskSize, SizeKind } from "../task.ts";
-import { firstInto } from "./difference.ts";
+import { firstStepInto } from "./difference.ts";
 import type { Answer, TaskMark } from "./judgement.ts";
 
 /** Half the length of the strip in which the move that made a size is found, mm. */
@@ -43,11 +43,11 @@ function between({ kind, nominal, at: where }: TaskSize, { z, r }: Pt): Ring {
 /** Whether each size of the made part is within its limits. */
 export function sizeMarks(sizes: readonly TaskSize[], answer: Answer): TaskMark[] {
   return sizes.map((size, index) => {
-    const found = sizeOn(madeOf(answer.simulation), size.kind, size.at);
+    const found = sizeOn(producedParts(answer.simulation), size.kind, size.at);
     if (!found) return { rule: "size", passed: false, size: index };
     const off = found.value - size.nominal;
     const passed = off >= size.lower - SAME && off <= size.upper + SAME;
     const mark: TaskMark = { rule: "size", passed, value: found.value, size: index, place: found.place };
-    return passed ? mark : { ...mark, ...firstInto([between(size, found.place)], answer) };
+    return passed ? mark : { ...mark, ...firstStepInto([between(size, found.place)], answer) };
   });
 }

@@ -1,8 +1,8 @@
-import { madeOf } from "../../sim/made.ts";
+import { producedParts } from "../../sim/produced-parts.ts";
 import { at, type Ring } from "../../kernel/geometry/point.ts";
 import { diameter, toRadius } from "../../kernel/units.ts";
 import { scanCrossings } from "../../sim/scan.ts";
-import { bandOfThread, type WantedThread } from "../wanted-part.ts";
+import { bandOfThread, type TargetThread } from "../target-part.ts";
 import type { Answer, TaskMark } from "./judgement.ts";
 
 /** Sampling distance along the profile of a thread, mm. */
@@ -23,7 +23,7 @@ interface Grooves {
 }
 
 /** The grooves between crest and root, from the profile of a stock. */
-function groovesOf(stock: readonly Ring[], { from, to, crest, root }: WantedThread, most: number): Grooves {
+function groovesOf(stock: readonly Ring[], { from, to, crest, root }: TargetThread, most: number): Grooves {
   const [left, right] = [Math.min(from, to), Math.max(from, to)];
   const count = Math.min(most, Math.max(2, Math.floor((right - left) / STEP))),
     step = Math.max(STEP, (right - left) / most);
@@ -54,10 +54,10 @@ function groovesOf(stock: readonly Ring[], { from, to, crest, root }: WantedThre
  * Whether a thread has grooves over its full length, deep enough, and at its pitch where the task states one. Material
  * left in it is residue, with the name of the thread in `about`; `value` is the measured pitch, mm, 0 without one.
  */
-export function threadMarks(threads: readonly WantedThread[], { run, simulation }: Answer): TaskMark[] {
+export function threadMarks(threads: readonly TargetThread[], { run, simulation }: Answer): TaskMark[] {
   return threads.map((thread, entry): TaskMark => {
     const { from, to, crest, pitch, name } = thread;
-    const { middles, depth } = groovesOf(madeOf(simulation), thread, Math.floor(MOST_LINES / threads.length));
+    const { middles, depth } = groovesOf(producedParts(simulation), thread, Math.floor(MOST_LINES / threads.length));
     const [first, last] = [middles[0] ?? 0, middles.at(-1) ?? 0];
     const ways = middles.slice(1).map((z, i) => z - (middles[i] ?? 0));
     // A thread that begins in a chamfer has a wider first groove.

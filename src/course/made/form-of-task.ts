@@ -1,10 +1,10 @@
 import type { LessonLanguage } from "../../i18n/languages.ts";
 import type { Answer } from "../judge/judgement.ts";
 import { promptsText } from "../prompts.ts";
-import { programOfLines } from "../start-of.ts";
+import { programOfLines } from "../task-start.ts";
 import type { Task } from "../task.ts";
-import { NUMBER_RULES, type MadeTask, type RuleDraft, type SizeDraft } from "./made-form.ts";
-import { promptsOf, proposedTask, taskOfMade, type MadeFault } from "./made-task.ts";
+import { NUMBER_RULES, type TaskForm, type RuleDraft, type SizeDraft } from "./task-form.ts";
+import { promptsOf, proposedTask, taskOfForm, type FormFault } from "./task-from-form.ts";
 import { draftOfPrediction } from "./made-questions.ts";
 
 /* Fills the form from a stored or imported task. Fields that the form does not show are preserved. */
@@ -20,7 +20,7 @@ function startDraft(
   { start }: Task,
   text: string,
   answer: Answer,
-): Pick<MadeTask, "start" | "prompts" | "program" | "faults"> {
+): Pick<TaskForm, "start" | "prompts" | "program" | "faults"> {
   const none = { prompts: { operation: 0, emptied: [] }, program: null, faults: [] };
   if ("program" in start)
     return {
@@ -51,7 +51,7 @@ export const sizesOfBoth = (chosen: readonly SizeDraft[], offered: readonly Size
 };
 
 /** The form of a task. `text` and `answer` belong to the program behind the task. */
-export function formOfTask(task: Task, text: string, answer: Answer, language: LessonLanguage): MadeTask {
+export function formOfTask(task: Task, text: string, answer: Answer, language: LessonLanguage): TaskForm {
   const proposed = proposedTask(answer),
     { part, rules, predict = [], words: told } = task,
     words = told[language];
@@ -113,14 +113,14 @@ function changedOf<T extends object>(base: T, first: T, made: T): T {
  */
 export function editedTask(
   base: Task,
-  made: MadeTask,
+  made: TaskForm,
   answer: Answer,
   language: LessonLanguage,
-): Task | readonly MadeFault[] {
+): Task | readonly FormFault[] {
   const text = textOfTask(base);
-  const now = taskOfMade(made, answer, language, "edited");
+  const now = taskOfForm(made, answer, language, "edited");
   if ("length" in now || text === null) return now;
-  const begun = taskOfMade(formOfTask(base, text, answer, language), answer, language, "edited");
+  const begun = taskOfForm(formOfTask(base, text, answer, language), answer, language, "edited");
   if ("length" in begun) return { ...now, id: base.id, words: { ...base.words, ...now.words } };
   const words = {
     ...base.words,

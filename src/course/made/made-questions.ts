@@ -3,7 +3,7 @@ import { blockNumbers } from "../../nc/program.ts";
 import type { Answer } from "../judge/judgement.ts";
 import { truthOf, type Truth } from "../judge/predicting.ts";
 import type { Prediction, Task } from "../task.ts";
-import { typedNumber } from "../told.ts";
+import { typedNumber } from "../predicted-answers.ts";
 import type { AskedKind, QuestionDraft } from "./question-draft.ts";
 
 /*
@@ -69,7 +69,7 @@ export function predictionOf(draft: QuestionDraft): Prediction | null {
 }
 
 /** Whether a question is complete. */
-export const isWhole = (draft: QuestionDraft): boolean => draft.text.trim() !== "" && predictionOf(draft) !== null;
+export const isComplete = (draft: QuestionDraft): boolean => draft.text.trim() !== "" && predictionOf(draft) !== null;
 
 /** The draft of a task's question. */
 export function draftOfPrediction(prediction: Prediction, text: string, choices: readonly string[]): QuestionDraft {
@@ -87,11 +87,11 @@ export function draftOfPrediction(prediction: Prediction, text: string, choices:
 }
 
 /** The outcomes of a run, in the order of the choices. */
-export const FATES = ["fine", "rapid", "gouge", "residue", "error"] as const;
-export type Fate = (typeof FATES)[number];
+export const RUN_OUTCOMES = ["fine", "rapid", "gouge", "residue", "error"] as const;
+export type RunOutcome = (typeof RUN_OUTCOMES)[number];
 
 /** The gravest outcome of a run. */
-export function fateOf({ run, simulation: { findings, proof } }: Answer): Fate {
+export function outcomeOfRun({ run, simulation: { findings, proof } }: Answer): RunOutcome {
   if (findings.some(({ kind }) => kind !== "gouge")) return "rapid";
   if (findings.length > 0) return "gouge";
   if (run.issues.some(({ issue }) => issue.severity === "error")) return "error";
@@ -151,7 +151,7 @@ export function proposedQuestion(
     solution,
     at,
     fates,
-  }: { readonly solution: string; readonly at: string; readonly fates: Readonly<Record<Fate, string>> },
+  }: { readonly solution: string; readonly at: string; readonly fates: Readonly<Record<RunOutcome, string>> },
 ): QuestionDraft {
   const counted = hasOperation(ask) ? truthOf({ ask } as Prediction, {}, begun) : null;
   return {
@@ -160,10 +160,10 @@ export function proposedQuestion(
     operation: null,
     at: hasAt(ask) ? at : "",
     within: proposedWithin(ask, counted),
-    choices: ask === "choice" ? FATES.map((fate) => fates[fate]).join("\n") : "",
+    choices: ask === "choice" ? RUN_OUTCOMES.map((fate) => fates[fate]).join("\n") : "",
     right:
       ask === "choice"
-        ? String(FATES.indexOf(fateOf(begun)))
+        ? String(RUN_OUTCOMES.indexOf(outcomeOfRun(begun)))
         : ask === "block"
           ? faultyBlocks(begun, solution).join(", ")
           : "",
@@ -171,7 +171,7 @@ export function proposedQuestion(
 }
 
 /** Whether a run contains what a question asks for. */
-export function isThere(truth: Truth, { text }: Answer): boolean {
+export function hasAnswerInRun(truth: Truth, { text }: Answer): boolean {
   switch (truth.kind) {
     case "number":
       return truth.value !== null;

@@ -1,4 +1,4 @@
-import { madeOf } from "../../sim/made.ts";
+import { producedParts } from "../../sim/produced-parts.ts";
 import { boxAround } from "../../kernel/area/box.ts";
 import { areaOf } from "../../kernel/area/area.ts";
 import { at, type Ring, type Segment } from "../../kernel/geometry/point.ts";
@@ -7,13 +7,13 @@ import { SAME } from "../../kernel/tolerance.ts";
 import { scanCrossings } from "../../sim/scan.ts";
 import { threadMarks } from "../judge/threads.ts";
 import type { Answer } from "../judge/judgement.ts";
-import type { WantedThread } from "../wanted-part.ts";
+import type { TargetThread } from "../target-part.ts";
 
 /**
  * A thread that the task may require: its numbers come from the program, its name can be edited. A pitch of 0 is any
  * pitch.
  */
-export interface ThreadDraft extends WantedThread {
+export interface ThreadDraft extends TargetThread {
   readonly pitch: number;
   readonly on: boolean;
 }
@@ -94,7 +94,7 @@ const rough = (value: number): number => Math.round(value * 100) / 100;
  */
 export function threadsOf(answer: Answer): readonly ThreadDraft[] {
   const { run, simulation } = answer;
-  const body = boxAround([...madeOf(simulation)]);
+  const body = boxAround([...producedParts(simulation)]);
   const found = new Map<string, ThreadDraft>();
   for (const { plan } of run.operations) {
     const { thread, contour, openSide } = plan,
@@ -108,7 +108,7 @@ export function threadsOf(answer: Answer): readonly ThreadDraft[] {
     if (halves.some(([under, over]) => Math.abs(under - low) > EVEN || Math.abs(over - high) > EVEN)) continue;
     const [nominal, root] = isInside ? [low, high] : [high, low];
     const [from, to] = [Math.min(first.from.z, body.right), Math.max(last.to.z, body.left)];
-    const crest = crestIn(madeOf(simulation), [Math.min(from, to), Math.max(from, to)], isInside);
+    const crest = crestIn(producedParts(simulation), [Math.min(from, to), Math.max(from, to)], isInside);
     if (crest === null || Math.abs(from - to) < thread.pitch) continue;
     const across = (r: number) => rounded(toDiameter(radius(r)));
     const real = isInside ? Math.max(crest, nominal) : Math.min(crest, nominal);
@@ -133,7 +133,7 @@ export function threadsOf(answer: Answer): readonly ThreadDraft[] {
 }
 
 /** A thread as a task states it. */
-export const wantedThread = ({ on: _, pitch, ...thread }: ThreadDraft): WantedThread => ({
+export const targetThread = ({ on: _, pitch, ...thread }: ThreadDraft): TargetThread => ({
   ...thread,
   ...(pitch > 0 && { pitch }),
 });

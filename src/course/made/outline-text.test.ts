@@ -1,17 +1,17 @@
 import { expect, test } from "vitest";
 import { areaOf } from "../../kernel/area/area.ts";
 import { difference } from "../../kernel/area/clip.ts";
-import { wantedPart } from "../wanted-part.ts";
+import { targetPart } from "../target-part.ts";
 import { outlineText } from "./outline-text.ts";
 
 const solid = ["BLK FORM CYLINDER Z D63.4 L81 DIST+1.5"],
   hollow = ["BLK FORM CYLINDER Z D63.4 L81 DIST+1.5 DI17"];
 
 /** Converts a part to its outline and back; the two must agree within the area between them. */
-function taken(part: Parameters<typeof wantedPart>[0]) {
-  const wanted = wantedPart(part),
+function taken(part: Parameters<typeof targetPart>[0]) {
+  const wanted = targetPart(part),
     lines = outlineText(wanted.rings, wanted.blank);
-  const again = wantedPart({
+  const again = targetPart({
     blank: part.blank,
     ...(lines.outside && { outside: [...lines.outside] }),
     ...(lines.bore && { bore: [...lines.bore] }),
@@ -53,6 +53,6 @@ test("a bore is separate from the outside; grooves of the face belong to the out
 });
 
 test("an unmachined blank has no outline", () => {
-  const { blank } = wantedPart({ blank: hollow });
+  const { blank } = targetPart({ blank: hollow });
   expect(outlineText(blank, blank)).toEqual({});
 });

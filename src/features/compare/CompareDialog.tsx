@@ -4,10 +4,10 @@ import type { BlockDifference } from "../../program/compare/compare.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useLengths } from "../../app/calculation/lengths.ts";
 import { copyText, useCopying } from "../../app/findings/copy.ts";
-import { useTexts, useTextsSoon } from "../../app/base/settings/use-texts.ts";
+import { useTexts, useTextsOrNull } from "../../app/base/settings/use-texts.ts";
 import { useEditor } from "../../app/document/store.ts";
 import { comparisonText, findingTexts, summaryText, verdictChange, wholeTexts, type Wording } from "./compare-words.ts";
-import { isWriting, tallyOf, type ComparedFile } from "./compared.ts";
+import { isFormattingOnly, tallyOf, type ComparedFile } from "./compared.ts";
 import { Differences, rowsIn } from "./Differences.tsx";
 import { OtherProgram } from "./OtherProgram.tsx";
 import type { OtherText, ShowBlock } from "../../app/place/place.ts";
@@ -17,7 +17,7 @@ import { ModalDialog } from "../../app/base/ModalDialog.tsx";
 import "./compare.css";
 
 /** Block of the current program that a difference leads to: its own, or the place of a removed block. */
-function blockNow({ after, partners }: ComparedFile, { a, b }: BlockDifference): number {
+function targetBlock({ after, partners }: ComparedFile, { a, b }: BlockDifference): number {
   if (b !== null) return b;
   for (let i = a ?? 0; i >= 0; i -= 1) {
     const partner = partners[i] ?? -1;
@@ -100,7 +100,7 @@ function Result({
   const copied = useCopying((c) => c.state === "copied" && c.text.startsWith(words.title));
   const { written } = tallyOf(compared.files);
   const any = compared.files.some(({ operations }) =>
-    operations.some(({ differences }) => differences.some((each) => withWriting || !isWriting(each))),
+    operations.some(({ differences }) => differences.some((each) => withWriting || !isFormattingOnly(each))),
   );
   return (
     <>
@@ -192,7 +192,7 @@ export function CompareDialog({ done, showBlock, against }: Props) {
   const texts = useTexts();
   const lengths = useLengths();
   const dialog = useRef<HTMLDialogElement>(null);
-  const words = useTextsSoon("compare");
+  const words = useTextsOrNull("compare");
   const [present] = useState(presentProgram);
   const [other, take] = useState(
     () =>
@@ -205,7 +205,7 @@ export function CompareDialog({ done, showBlock, against }: Props) {
 
   const choose = (file: ComparedFile, difference: BlockDifference) => {
     dialog.current?.close();
-    const index = blockNow(file, difference);
+    const index = targetBlock(file, difference);
     showBlock(file.isMain ? null : file.name, index, file.numbers.after[index] ?? 0);
   };
   return createPortal(

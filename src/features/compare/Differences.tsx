@@ -1,7 +1,7 @@
 import { useState, type KeyboardEvent } from "react";
 import type { ComparedOperation } from "../../program/compare/by-operation.ts";
 import type { BlockDifference } from "../../program/compare/compare.ts";
-import { isTold, isWriting, type ComparedFile, type Consequences } from "./compared.ts";
+import { isListed, isFormattingOnly, type ComparedFile, type Consequences } from "./compared.ts";
 import { blockLabel, effectTexts, operationTitle, shownLines, wordTexts, type Wording } from "./compare-words.ts";
 
 /** Differences listed at first, before "more". */
@@ -95,12 +95,12 @@ interface Listed {
 }
 
 /** The listed differences, by operation. */
-const toldIn = ({ wording, files, consequences, withWriting }: Omit<Props, "onChoose">): readonly Listed[] =>
+const listedOperations = ({ wording, files, consequences, withWriting }: Omit<Props, "onChoose">): readonly Listed[] =>
   files.flatMap((file, f) =>
     file.operations.flatMap((operation, o): readonly Listed[] => {
       const consequence = consequences?.operations[f]?.[o];
-      if (!isTold(operation, consequence, withWriting)) return [];
-      const differences = operation.differences.filter((each) => withWriting || !isWriting(each));
+      if (!isListed(operation, consequence, withWriting)) return [];
+      const differences = operation.differences.filter((each) => withWriting || !isFormattingOnly(each));
       const key = `${f} ${operation.a?.place ?? -1} ${operation.b?.place ?? -1}`;
       return [{ key, file, operation, effects: consequence ? effectTexts(wording, consequence) : [], differences }];
     }),
@@ -121,12 +121,12 @@ const firstOf = (told: readonly Listed[], most: number): readonly Listed[] =>
 export function Differences({ onChoose, ...told }: Props) {
   const { words } = told.wording;
   const [most, show] = useState(FIRST);
-  const all = toldIn(told);
+  const all = listedOperations(told);
   const left = all.reduce((sum, { differences }) => sum + differences.length, 0) - most;
   return (
     <div className="differences" role="group" aria-label={words.list} onKeyDown={onKeys}>
       {firstOf(all, most).map(({ key, file, operation, effects, differences }) => {
-        const fate = words.fates[operation.fate];
+        const fate = words.fates[operation.outcome];
         return (
           <section key={key} className="compared-operation">
             <h3>

@@ -3,10 +3,16 @@ import { decode } from "../../app/document/encoding.ts";
 import { useShownName } from "../../app/document/shown-file.ts";
 import { askForFiles } from "../../app/records/files/file-handle.ts";
 import { readWork } from "../../app/records/device.ts";
-import { refreshWorks, useKeeping } from "../../app/records/keep.ts";
+import { refreshWorks, useSavedWorks } from "../../app/records/keep.ts";
 import { useEditor } from "../../app/document/store.ts";
 import type { ProgramWork } from "../../app/document/work.ts";
-import { asProgram, openedProgram, textOfFile, withOtherText, type Other } from "../../app/fields/compare/sides.ts";
+import {
+  asProgram,
+  openedProgram,
+  textOfFile,
+  withOtherText,
+  type ComparedProgram,
+} from "../../app/fields/compare/sides.ts";
 import type { CompareTexts } from "../../i18n/en/compare.ts";
 
 /** Source of the other program: values of the select. */
@@ -25,17 +31,17 @@ export function OtherProgram({
 }: {
   readonly words: CompareTexts;
   readonly present: ProgramWork;
-  readonly other: Other | null;
-  readonly onTake: (other: Other | null) => void;
+  readonly other: ComparedProgram | null;
+  readonly onTake: (other: ComparedProgram | null) => void;
 }) {
   const id = useId();
   const work = useEditor((s) => s.work);
-  const works = useKeeping((k) => k.works).filter((each) => each.work !== work);
+  const works = useSavedWorks((k) => k.works).filter((each) => each.work !== work);
   const [from, choose] = useState(() => (other ? (other.name === null ? OPENED : ELSEWHERE) : ""));
   const [problem, say] = useState<"unreadable" | "empty" | null>(null);
   const [pasting, paste] = useState(false);
 
-  const take = (found: Other | null) => {
+  const take = (found: ComparedProgram | null) => {
     say(found ? null : "unreadable");
     onTake(found);
   };

@@ -10,7 +10,7 @@ import { bareText, type WordChange } from "../../program/compare/meaning.ts";
 import { changedEffects, type Consequence, type Effects } from "../../report/compare/consequences.ts";
 import { verdictTitle } from "../../app/findings/verdict-words.ts";
 import { issueText } from "../../app/calculation/issue-text.ts";
-import { isTold, isWriting, tallyOf, type ComparedFile, type Consequences } from "./compared.ts";
+import { isListed, isFormattingOnly, tallyOf, type ComparedFile, type Consequences } from "./compared.ts";
 
 /** Texts and number formats for a comparison. */
 export interface Wording {
@@ -194,12 +194,12 @@ export function comparisonText(
     if (!file.isMain) lines.push("", file.name);
     file.operations.forEach((operation, o) => {
       const consequence = consequences?.operations[f]?.[o];
-      if (!isTold(operation, consequence, withWriting)) return;
-      const fate = words.fates[operation.fate];
+      if (!isListed(operation, consequence, withWriting)) return;
+      const fate = words.fates[operation.outcome];
       lines.push("", `${operationTitle(wording, operation)}${fate === "" ? "" : ` (${fate})`}`);
       if (consequence) lines.push(...effectTexts(wording, consequence).map(({ text }) => `  ${text}`));
       for (const each of operation.differences) {
-        if (isWriting(each) && !withWriting) continue;
+        if (isFormattingOnly(each) && !withWriting) continue;
         lines.push(
           `  ${blockLabel(wording, file, each)}, ${words.kinds[each.kind]}${
             each.words.length === 0 ? "" : `: ${wordTexts(wording, file, each).join(", ")}`

@@ -14,7 +14,7 @@ import {
 import type { Outcome } from "../../app/calculation/outcome.ts";
 import type { FindingEntry } from "../../app/findings/entry.ts";
 import { findingsOf } from "../../app/findings/findings.ts";
-import { judged, type ShownVerdict } from "../../app/findings/verdict.ts";
+import { shownVerdict, type ShownVerdict } from "../../app/findings/verdict.ts";
 import { filesOf, type ProgramWork } from "../../app/document/work.ts";
 
 /** One file of both works, with its differences. */
@@ -65,7 +65,7 @@ interface Judgement {
 }
 
 /** A finding that only one program has, with the cycle it is about. */
-export interface OwnFinding {
+export interface UnmatchedFinding {
   readonly issue: AnyIssue;
   readonly cycle: number | null;
 }
@@ -77,20 +77,24 @@ export interface Consequences {
   readonly operations: readonly (readonly Consequence[])[];
   readonly before: ShownVerdict;
   readonly after: ShownVerdict;
-  readonly came: readonly OwnFinding[];
-  readonly went: readonly OwnFinding[];
+  readonly came: readonly UnmatchedFinding[];
+  readonly went: readonly UnmatchedFinding[];
 }
 
 const judgementOf = (outcome: Outcome): Judgement => {
   const entries = findingsOf(null, outcome);
-  return { verdict: judged(entries, outcome), entries };
+  return { verdict: shownVerdict(entries, outcome), entries };
 };
 
 /**
  * Findings of one list that the other lacks. Findings of the same kind at the same field are counted, and the surplus
  * is returned.
  */
-function only(own: readonly FindingEntry[], others: readonly FindingEntry[], { run }: Outcome): readonly OwnFinding[] {
+function unmatchedFindings(
+  own: readonly FindingEntry[],
+  others: readonly FindingEntry[],
+  { run }: Outcome,
+): readonly UnmatchedFinding[] {
   const nameOf = ({ issue, at }: FindingEntry) => `${issue.severity} ${issue.code} ${at ?? ""}`;
   const count = new Map<string, number>();
   for (const entry of others) count.set(nameOf(entry), (count.get(nameOf(entry)) ?? 0) + 1);
@@ -118,13 +122,13 @@ export function consequencesOf(files: readonly ComparedFile[], before: Outcome, 
     }),
     before: one.verdict,
     after: other.verdict,
-    came: only(other.entries, one.entries, after),
-    went: only(one.entries, other.entries, before),
+    came: unmatchedFindings(other.entries, one.entries, after),
+    went: unmatchedFindings(one.entries, other.entries, before),
   };
 }
 
 /** True for differences in comment or spelling only. */
-export const isWriting = ({ kind }: BlockDifference): boolean => kind === "note" || kind === "form";
+export const isFormattingOnly = ({ kind }: BlockDifference): boolean => kind === "note" || kind === "form";
 
 /** Number of differences by sort. */
 export interface Tally {
@@ -141,11 +145,12 @@ export interface Tally {
 /** Counts the differences; operations added, removed or moved as a whole count once, without their blocks. */
 export function tallyOf(files: readonly ComparedFile[]): Tally {
   const operations = files.flatMap((file) => file.operations);
-  const fates = (fate: ComparedOperation["fate"]) => operations.filter((each) => each.fate === fate).length;
-  const blocks = (kind: BlockDifference["kind"], ...besides: readonly ComparedOperation["fate"][]) =>
+  const countWithFate = (fate: ComparedOperation["outcome"]) =>
+    operations.filter((each) => each.outcome === fate).length;
+  const blocks = (kind: BlockDifference["kind"], ...besides: readonly ComparedOperation["outcome"][]) =>
     operations.reduce(
-      (sum, { fate, differences }) =>
-        besides.includes(fate) ? sum : sum + differences.filter((each) => each.kind === kind).length,
+      (sum, { outcome, differences }) =>
+        besides.includes(outcome) ? sum : sum + differences.filter((each) => each.kind === kind).length,
       0,
     );
   return {
@@ -156,19 +161,19 @@ export function tallyOf(files: readonly ComparedFile[]): Tally {
     added: blocks("added", "added"),
     removed: blocks("removed", "removed"),
     moved: blocks("moved", "moved"),
-    operationsAdded: fates("added"),
-    operationsRemoved: fates("removed"),
-    operationsMoved: fates("moved"),
+    operationsAdded: countWithFate("added"),
+    operationsRemoved: countWithFate("removed"),
+    operationsMoved: countWithFate("moved"),
     written: blocks("note") + blocks("form"),
   };
 }
 
 /** True for an operation with anything to list. */
-export const isTold = (
-  { differences, fate }: ComparedOperation,
+export const isListed = (
+  { differences, outcome }: ComparedOperation,
   consequence: Consequence | undefined,
   withWriting: boolean,
 ): boolean =>
-  fate !== "kept" ||
-  differences.some((each) => withWriting || !isWriting(each)) ||
+  outcome !== "kept" ||
+  differences.some((each) => withWriting || !isFormattingOnly(each)) ||
   (consequence !== undefined && changedEffects(consequence).length > 0);

@@ -1,5 +1,5 @@
 import { useEffect, useState } from "react";
-import { outcomeBeside } from "../../app/calculation/beside.ts";
+import { outcomeOfOther } from "../../app/calculation/other-outcome.ts";
 import { isMadeFrom, useOutcome, type Outcome } from "../../app/calculation/outcome.ts";
 import { useEditor } from "../../app/document/store.ts";
 import type { ProgramWork } from "../../app/document/work.ts";
@@ -20,7 +20,7 @@ export interface ComparedPrograms {
 }
 
 /** The newest result, if it belongs to this program: saves a second calculation. */
-function outcomeAtHand(program: ProgramWork): Outcome | null {
+function cachedOutcome(program: ProgramWork): Outcome | null {
   const { newest } = useOutcome.getState();
   if (!newest) return null;
   const { program: open } = useEditor.getState();
@@ -38,9 +38,9 @@ export function useProgramComparison(sides: Sides | null): ComparedPrograms | nu
     const compare = async () => {
       const files = comparedFiles(sides.before, sides.after);
       set({ of: sides, made: { files, consequences: null, state: "calculating" } });
-      const before = await outcomeBeside(sides.before);
+      const before = await outcomeOfOther(sides.before);
       if (gone) return;
-      const after = outcomeAtHand(sides.after) ?? (await outcomeBeside(sides.after));
+      const after = cachedOutcome(sides.after) ?? (await outcomeOfOther(sides.after));
       if (gone) return;
       const consequences = before && after && consequencesOf(files, before, after);
       set({ of: sides, made: { files, consequences, state: consequences ? "done" : "failed" } });

@@ -71,7 +71,7 @@ function Line({ row, number, reading, issues, active, details, language, isLong,
     if (typed.trim() !== "" && typed.trim() !== "?") return null;
     if (solved)
       return value === null || value === undefined
-        ? { text: "?", name: t.sought, solved: true }
+        ? { text: "?", name: t.undetermined, solved: true }
         : { text: write(value), name: t.solved(write(value)), solved: true };
     return stays === null || stays === undefined ? null : { text: write(stays), name: write(stays), solved: false };
   };
@@ -129,7 +129,7 @@ function Line({ row, number, reading, issues, active, details, language, isLong,
   const size = row.kind === "CHF" ? t.chamferOf(number) : t.radiusOf(number);
   const measured = details && number > 1 && row.kind === "L",
     tangential = details && number > 1 && TANGENTIAL.includes(row.kind);
-  const open = reading?.freedom ?? 0;
+  const open = reading?.missingValues ?? 0;
   return (
     <tr
       role="row"
@@ -164,20 +164,30 @@ function Line({ row, number, reading, issues, active, details, language, isLong,
       <td role="cell" className="contour-x">
         {polar("PR")}
         {POINT.includes(row.kind) &&
-          cell("x", t.xOf(number), shown(row.x, reading?.sought.x === true, reading?.end?.x, reading?.inherited.x), {
-            on: row.incrementalX,
-            name: t.incrementalX(number),
-            toggle: () => onChange({ incrementalX: !row.incrementalX }, null),
-          })}
+          cell(
+            "x",
+            t.xOf(number),
+            shown(row.x, reading?.solvedAxes.x === true, reading?.end?.x, reading?.inherited.x),
+            {
+              on: row.incrementalX,
+              name: t.incrementalX(number),
+              toggle: () => onChange({ incrementalX: !row.incrementalX }, null),
+            },
+          )}
       </td>
       <td role="cell" className="contour-z">
         {polar("PA")}
         {POINT.includes(row.kind) &&
-          cell("z", t.zOf(number), shown(row.z, reading?.sought.z === true, reading?.end?.z, reading?.inherited.z), {
-            on: row.incrementalZ,
-            name: t.incrementalZ(number),
-            toggle: () => onChange({ incrementalZ: !row.incrementalZ }, null),
-          })}
+          cell(
+            "z",
+            t.zOf(number),
+            shown(row.z, reading?.solvedAxes.z === true, reading?.end?.z, reading?.inherited.z),
+            {
+              on: row.incrementalZ,
+              name: t.incrementalZ(number),
+              toggle: () => onChange({ incrementalZ: !row.incrementalZ }, null),
+            },
+          )}
       </td>
       <td role="cell" className="contour-size">
         {SIZE.includes(row.kind) &&

@@ -7,7 +7,7 @@ import { exampleJob, newRow, type ContourRow } from "../../program/job/job.ts";
 import { setContour } from "../../app/document/edits.ts";
 import { fetchTexts } from "../../app/base/settings/loaded-texts.ts";
 import { undo, useSteps } from "../../app/document/steps.ts";
-import { begin, useEditor } from "../../app/document/store.ts";
+import { openFirstWork, useEditor } from "../../app/document/store.ts";
 import { chooseElement } from "../../app/place/contour-place.ts";
 import { ContourStage } from "./ContourStage.tsx";
 
@@ -85,7 +85,7 @@ test("Escape cancels a dimension, leaving its field applies it", async () => {
 
 test("a drag that ends the typing of a dimension keeps the typed value, and is a separate step", async () => {
   const user = userEvent.setup();
-  begin(exampleJob(freeCycle), "work");
+  openFirstWork(exampleJob(freeCycle), "work");
   setContour(shaft());
   const Work = () => (
     <ContourStage

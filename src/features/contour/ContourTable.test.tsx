@@ -5,7 +5,7 @@ import { afterEach, beforeAll, expect, test } from "vitest";
 import { catalogue } from "../../cycles/index.ts";
 import { exampleJob, newRow, type ContourRow } from "../../program/job/job.ts";
 import { fetchTexts } from "../../app/base/settings/loaded-texts.ts";
-import { heldWhileTyping } from "../../app/base/typing.ts";
+import { createDeferredStore } from "../../app/base/typing.ts";
 import { chooseElement } from "../../app/place/contour-place.ts";
 import { ContourTable } from "./ContourTable.tsx";
 
@@ -168,9 +168,14 @@ test("a polar element without a pole says so, also under the drawing", () => {
 /** A table so long that its digits are painted before the table gets them. */
 function shownLong() {
   const begun = Array.from({ length: 120 }, (_, i) => newRow(`e${i}`, { x: String(10 + i), z: String(-i) }));
-  const useRows = heldWhileTyping<{ readonly rows: readonly ContourRow[] }>(() => ({ rows: begun }));
+  const useRows = createDeferredStore<{ readonly rows: readonly ContourRow[] }>(() => ({ rows: begun }));
   const Table = () => (
-    <ContourTable rows={useRows((s) => s.rows)} onChange={(rows) => useRows.setState({ rows })} language="en" apart />
+    <ContourTable
+      rows={useRows((s) => s.rows)}
+      onChange={(rows) => useRows.setState({ rows })}
+      language="en"
+      isDrawingElsewhere
+    />
   );
   render(<Table />);
   return () => useRows.getState().rows;

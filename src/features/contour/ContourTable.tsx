@@ -11,7 +11,7 @@ import { chooseElement, useChosenRow, useContourPlace } from "../../app/place/co
 import { cornerOf, cornerRowOf, type CornerKind } from "./drawing-edits.ts";
 import { DxfImport } from "./DxfImport.tsx";
 import { FaultList } from "./FaultList.tsx";
-import { changed, withRowTwice, withRow, withRowMoved, withoutRow, type Edited } from "./row-edits.ts";
+import { changed, withDuplicatedRow, withRow, withRowMoved, withoutRow, type Edited } from "./row-edits.ts";
 import { useRowFocus, useTableKeys, type RowActions } from "./use-table-keys.ts";
 import "./contour.css";
 
@@ -21,17 +21,17 @@ interface Props {
   readonly onChange: (rows: readonly ContourRow[], place: string | null) => void;
   readonly language: Language;
   /** The drawing is on the large canvas, not here. */
-  readonly apart?: boolean;
+  readonly isDrawingElsewhere?: boolean;
 }
 
 /** From this many elements on, drawing and table get a digit after it is painted. */
 const LONG = 100;
-const FINE: readonly RowIssue[] = [];
+const NO_ISSUES: readonly RowIssue[] = [];
 
 /** The contour subprogram as a table, with its drawing unless that is on the large canvas. */
 export const ContourTable = memo(Table);
 
-function Table({ rows, onChange, language, apart = false }: Props) {
+function Table({ rows, onChange, language, isDrawingElsewhere = false }: Props) {
   const t = texts(language).contour;
   const table = useRef<HTMLTableElement>(null);
   const active = useChosenRow(rows),
@@ -74,7 +74,7 @@ function Table({ rows, onChange, language, apart = false }: Props) {
   const actions: RowActions = {
     add: () => edit(withRow(rows, rows.length), t.done.added),
     insert: () => edit(withRow(rows, active ?? rows.length), t.done.added),
-    duplicate: () => active !== null && edit(withRowTwice(rows, active), t.done.duplicated),
+    duplicate: () => active !== null && edit(withDuplicatedRow(rows, active), t.done.duplicated),
     remove: () => active !== null && edit(withoutRow(rows, active), t.done.removed),
     move: (by) => active !== null && edit(withRowMoved(rows, active, by), t.done.moved, fieldInUse(table.current)),
   };
@@ -108,7 +108,7 @@ function Table({ rows, onChange, language, apart = false }: Props) {
   return (
     <section className="contour-editor" aria-label={t.title}>
       <div className="contour-layout">
-        {!apart && (
+        {!isDrawingElsewhere && (
           <div className="contour-side">
             <ContourDrawing
               rows={rows}
@@ -181,7 +181,7 @@ function Table({ rows, onChange, language, apart = false }: Props) {
                     row={row}
                     number={i + 1}
                     reading={reading.rows[i]}
-                    issues={issues.get(i) ?? FINE}
+                    issues={issues.get(i) ?? NO_ISSUES}
                     active={row.id === activeId}
                     details={details}
                     language={language}

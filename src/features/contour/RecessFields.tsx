@@ -3,7 +3,7 @@ import type { Language } from "../../i18n/languages.ts";
 import { UNDERCUT_FORMS } from "../../kernel/contour/undercut.ts";
 import type { ContourRow } from "../../program/job/job.ts";
 import { formWord } from "../../program/blocks/recess-words.ts";
-import { isDiameterWord, recessWords } from "../../program/job/row-given.ts";
+import { isDiameterWord, recessWords } from "../../program/job/read-row.ts";
 import { NumberInput } from "../../app/fields/number/NumberInput.tsx";
 import { closeStep } from "../../app/document/steps.ts";
 

@@ -6,10 +6,10 @@ import { formatNumber } from "../../i18n/number.ts";
 import { dimensionsOf, type ContourDimension } from "../../program/job/contour-dimensions.ts";
 import type { RowField, RowsReading } from "../../program/job/contour-rows.ts";
 import type { ContourRow } from "../../program/job/job.ts";
-import type { AskedDimension, Measured } from "../../view/contour/dimension-places.ts";
+import type { DimensionRequest, Measured } from "../../view/contour/dimension-places.ts";
 
 /** A dimension with its text, ready to be put on the drawing. */
-export interface DrawnDimension extends AskedDimension {
+export interface DrawnDimension extends DimensionRequest {
   readonly dimension: ContourDimension;
   /** Accessible name: what it is the dimension of. */
   readonly name: string;
@@ -47,7 +47,7 @@ function measuredOf({ row, field, value }: ContourDimension, reading: RowsReadin
 }
 
 /** An angle along an axis that nobody typed: a print omits it. */
-const goesWithoutSaying = ({ field, value, follows }: ContourDimension) =>
+const isImplied = ({ field, value, follows }: ContourDimension) =>
   field === "angle" && follows && value !== null && value % 90 === 0;
 
 const SIGNS: Readonly<Record<RowField, string>> = {
@@ -116,7 +116,7 @@ export function drawnDimensions({
         text: textOf(dimension, row, language),
         name: fieldName(texts, row, dimension.row, dimension.field),
         own: dimension.row === chosen,
-        needed: dimension.row === chosen && !goesWithoutSaying(dimension),
+        needed: dimension.row === chosen && !isImplied(dimension),
       },
     ];
   };

@@ -1,4 +1,4 @@
-import { largestThatWorks, mends } from "../../kernel/plan/offer.ts";
+import { largestThatWorks, fixesFinding } from "../../kernel/plan/offer.ts";
 import type { Pt } from "../../kernel/geometry/point.ts";
 import type { RowReading, RowsReading } from "../../program/job/contour-rows.ts";
 import { toRadius, axial, diameter } from "../../kernel/units.ts";
@@ -36,7 +36,7 @@ export function pointMoved(rows: Rows, reading: RowsReading, row: number, to: Sn
   const write = (axis: "x" | "z", incremental: boolean): string => {
     const before = read.inherited[axis],
       empty = at[axis].trim() === "";
-    if (read.sought[axis] || (empty && before !== null && Math.abs(to[axis] - before) < SAME)) return at[axis];
+    if (read.solvedAxes[axis] || (empty && before !== null && Math.abs(to[axis] - before) < SAME)) return at[axis];
     return typed(incremental && before !== null ? to[axis] - before : to[axis]);
   };
   const next = {
@@ -140,7 +140,7 @@ export function cornerSized(rows: Rows, row: number, kind: CornerKind, size: num
   const issuesOf = (of: Rows) => readRows(of).issues.map(({ issue }) => issue);
   const before = issuesOf(made),
     { max } = wrong.data;
-  const fits = largestThatWorks(max, (r) => mends(wrong, before, issuesOf(sized(r))));
+  const fits = largestThatWorks(max, (r) => fixesFinding(wrong, before, issuesOf(sized(r))));
   return { rows: sized(fits ?? max), focus: corner.id };
 }
 

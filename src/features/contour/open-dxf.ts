@@ -1,5 +1,5 @@
 import type { ParsedDxf } from "../../program/dxf/read-dxf.ts";
-import { untilHere } from "../../app/base/parts.ts";
+import { retryImport } from "../../app/base/parts.ts";
 
 /** Largest file that is read, bytes. */
 const LARGEST = 20_000_000;
@@ -15,7 +15,7 @@ export type OpenedDxf =
 /** Opens a DXF file; loads the parser on first use. Never throws. */
 export async function openDxf(file: File): Promise<OpenedDxf> {
   if (file.size > LARGEST) return { kind: "tooLarge", name: file.name };
-  const parser = await untilHere(() => import("dxf-parser"));
+  const parser = await retryImport(() => import("dxf-parser"));
   try {
     const text = await file.text();
     const dxf = new parser.default().parseSync(text) as ParsedDxf | null;

@@ -19,7 +19,7 @@ export function withRow(rows: Rows, at: number): Edited {
 }
 
 /** A copy right behind a row. */
-export function withRowTwice(rows: Rows, at: number): Edited {
+export function withDuplicatedRow(rows: Rows, at: number): Edited {
   const row = rows[at];
   if (!row) return { rows, focus: null };
   const copy = { ...row, id: freshId(rows) };

@@ -60,7 +60,7 @@ export interface Aim {
  * The nearest place on the grid, on the line of another point, or on the tangent of the previous element. X is never
  * below the axis.
  */
-export function aimed(at: SnapSpot, step: number, magnets: Magnets, ray: Ray | null = null): Aim {
+export function snapPoint(at: SnapSpot, step: number, magnets: Magnets, ray: Ray | null = null): Aim {
   const x = caught(at.x, step, magnets.x, magnets.reach.x),
     z = caught(at.z, step, magnets.z, magnets.reach.z);
   const free: Aim = { spot: { x: Math.max(0, x.value), z: z.value }, onX: x.held, onZ: z.held, ray: null };
@@ -75,7 +75,7 @@ export function aimed(at: SnapSpot, step: number, magnets: Magnets, ray: Ray | n
 }
 
 /** The nearest place on the grid, or on the line of another point. */
-export const snapped = (at: SnapSpot, step: number, magnets: Magnets): SnapSpot => aimed(at, step, magnets).spot;
+export const snapped = (at: SnapSpot, step: number, magnets: Magnets): SnapSpot => snapPoint(at, step, magnets).spot;
 
 /** Distance of grid lines that are far enough apart to be seen: the step, or the next rounder number. */
 export function gridSpacing(step: number, scale: number, pixels = 12): number {

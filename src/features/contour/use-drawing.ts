@@ -9,7 +9,7 @@ import type { ContourPicture } from "../../view/help/contour-drawing.ts";
 import { closeStep } from "../../app/document/steps.ts";
 import { cornerSized, hasPoint, isCorner, pointAppended, pointInserted, pointMoved, typed } from "./drawing-edits.ts";
 import type { Edited } from "./row-edits.ts";
-import { aimed, onGrid, type Aim, type GridStep, type Ray, type SnapSpot } from "./snap.ts";
+import { snapPoint, onGrid, type Aim, type GridStep, type Ray, type SnapSpot } from "./snap.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 
 /** What a pointer does in the drawing. */
@@ -58,7 +58,7 @@ interface Gesture {
   moved: boolean;
 }
 
-const apart = (a: Place, b: Place) => Math.hypot(a.x - b.x, a.y - b.y);
+const distance = (a: Place, b: Place) => Math.hypot(a.x - b.x, a.y - b.y);
 const placeOf = (e: MouseEvent<SVGSVGElement>): Place => {
   const box = e.currentTarget.getBoundingClientRect();
   const unit = pageUnit();
@@ -99,7 +99,7 @@ export function useDrawing(now: Surroundings) {
   const aim = (place: Place, camera: Camera, row: number | null): Aim => {
     const others = now.reading.rows.flatMap((r, i) => (r.end && i !== row ? [r.end] : []));
     const reach = 7 / camera.scale;
-    return aimed(
+    return snapPoint(
       spotAt(camera, place),
       now.step,
       {
@@ -121,7 +121,7 @@ export function useDrawing(now: Surroundings) {
   };
   const pointNear = (place: Place, fine: boolean): number | null => {
     const near = now.picture.points
-      .map((p) => ({ row: p.row, far: apart(p.place, place) }))
+      .map((p) => ({ row: p.row, far: distance(p.place, place) }))
       .sort((a, b) => a.far - b.far)[0];
     return near && near.far <= (fine ? NEAR.mouse : NEAR.touch) ? near.row : null;
   };
@@ -189,7 +189,7 @@ export function useDrawing(now: Surroundings) {
       if (g.kind === "pinch") return goOnPinching(e.pointerId, place);
       if (fingers.current.has(e.pointerId)) fingers.current.set(e.pointerId, place);
       if (!g.moved) {
-        if (apart(place, g.from) < TAP) return;
+        if (distance(place, g.from) < TAP) return;
         Object.assign(g, { moved: true, rows: now.rows, reading: now.reading });
       }
       stopWaiting();
@@ -201,7 +201,7 @@ export function useDrawing(now: Surroundings) {
         point({ row: g.row, aim: found, size: null });
         now.onRows(pointMoved(g.rows, g.reading, g.row, found.spot), g.place);
       } else if (g.kind === "corner") {
-        const size = onGrid(apart(place, g.from) / g.camera.scale, Math.min(now.step, 0.5));
+        const size = onGrid(distance(place, g.from) / g.camera.scale, Math.min(now.step, 0.5));
         const edited = cornerSized(g.rows, g.row, now.mode === "round" ? "RND" : "CHF", size);
         const made = edited.rows.find((r) => r.id === edited.focus);
         const corner = g.reading.rows[g.row]?.end;

@@ -2,7 +2,7 @@ import { progressOfTask, stateOfTask } from "../../course/progress.ts";
 import { useCourseIndex, type LessonEntry } from "../../app/records/course/content.ts";
 import { courseHref } from "../../app/place/course-links.ts";
 import { GuideLinks } from "../../app/fields/said/GuideLinks.tsx";
-import { BeginAnew } from "./BeginAnew.tsx";
+import { RestartCourse } from "./RestartCourse.tsx";
 import { useLearning } from "../../app/records/course/progress.ts";
 import { TaughtTasks } from "./teach/TaughtTasks.tsx";
 import { TaskStateMark } from "./TaskStateMark.tsx";
@@ -103,7 +103,7 @@ export function CourseList() {
       </ol>
       <GuideLinks />
       <TaughtTasks />
-      <BeginAnew />
+      <RestartCourse />
     </main>
   );
 }

@@ -1,5 +1,5 @@
 import { useCallback, useMemo, useRef } from "react";
-import { blocksOfLines } from "../../course/start-of.ts";
+import { blocksOfLines } from "../../course/task-start.ts";
 import { clockText } from "../../app/base/clock-text.ts";
 import { useLengths } from "../../app/calculation/lengths.ts";
 import { GlyphButton } from "../../app/pictures/lathe/GlyphButton.tsx";
@@ -8,7 +8,7 @@ import { runningText } from "../../app/pictures/lathe/running.ts";
 import { useEachReading, usePlayback } from "../../app/pictures/lathe/use-playback.ts";
 import type { Run } from "../../program/state/run-types.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
-import type { PlayedStretch } from "./use-stretch.ts";
+import type { PlaybackRange } from "./use-playback-range.ts";
 
 /** Steps of the time slider. */
 const PARTS = 1000;
@@ -21,7 +21,7 @@ export function LessonBar({
   lines,
 }: {
   readonly playback: PlaybackStore;
-  readonly stretch: PlayedStretch;
+  readonly stretch: PlaybackRange;
   readonly run: Run;
   /** The current program. */
   readonly lines: readonly string[];

@@ -1,17 +1,23 @@
 import { Suspense } from "react";
-import { operationsPlayed, type Played } from "../../course/played.ts";
+import { operationsPlayed, type StepRange } from "../../course/playback-range.ts";
 import { formatFixed, formatNumber } from "../../i18n/number.ts";
 import type { Outcome } from "../../app/calculation/outcome.ts";
 import { effectOf } from "../../app/findings/effect/effect.ts";
 import { useLengths } from "../../app/calculation/lengths.ts";
 import { LoadScale } from "../../app/pictures/load/LoadScale.tsx";
 import { useLoadDrawing } from "../../app/pictures/load/use-drawing.ts";
-import { loadPlaceText, loadValue, useGreatest, useMeasuredRun, type Told } from "../../app/pictures/load/use-load.ts";
+import {
+  loadPlaceText,
+  loadValue,
+  useGreatest,
+  useMeasuredRun,
+  type LoadQuantity,
+} from "../../app/pictures/load/use-load.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /** The colour map: its scale, and the greatest value with its place. */
-function ToldByColour({ of, run }: { readonly of: Told; readonly run: Outcome["run"] }) {
+function ColourMapFacts({ of, run }: { readonly of: LoadQuantity; readonly run: Outcome["run"] }) {
   const t = useTexts("load");
   const lengths = useLengths(run);
   const told = useMeasuredRun(run);
@@ -49,8 +55,8 @@ export function LessonFacts({
   old,
 }: {
   readonly outcome: Outcome;
-  readonly played: Played;
-  readonly told: Told | null;
+  readonly played: StepRange;
+  readonly told: LoadQuantity | null;
   /** These are the results of the previous value. */
   readonly old: boolean;
 }) {
@@ -88,7 +94,7 @@ export function LessonFacts({
       </dl>
       {told && (
         <Suspense>
-          <ToldByColour of={told} run={run} />
+          <ColourMapFacts of={told} run={run} />
         </Suspense>
       )}
     </>

@@ -1,5 +1,5 @@
 import { Suspense, useEffect, useMemo, useRef, useState } from "react";
-import { operationsPlayed, stepsPlayed, type Played } from "../../course/played.ts";
+import { operationsPlayed, stepsPlayed, type StepRange } from "../../course/playback-range.ts";
 import type { Run } from "../../program/state/run-types.ts";
 import { boundsOf, common, grownBounds, joined, mirrored } from "../../view/bounds.ts";
 import type { Bounds } from "../../view/camera.ts";
@@ -8,10 +8,10 @@ import { sceneOf } from "../../view/scene.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
 import { diameter, toRadius } from "../../kernel/units.ts";
 import type { Outcome } from "../../app/calculation/outcome.ts";
-import { useLong } from "../../app/calculation/use-long.ts";
+import { useLongerThan } from "../../app/calculation/use-longer-than.ts";
 import { Marks } from "../../app/pictures/lathe/Marks.tsx";
 import { PlaceButtons, PlaceLines } from "../../app/pictures/lathe/PlaceButtons.tsx";
-import { seenFlat } from "../../app/pictures/lathe/seeing.ts";
+import { sectionProjection } from "../../app/pictures/lathe/place-projection.ts";
 import { Picture } from "../../app/pictures/lathe/Picture.tsx";
 import type { PlaybackStore } from "../../app/calculation/playback-store.ts";
 import { statusText } from "../../app/pictures/lathe/Readout.tsx";
@@ -21,7 +21,7 @@ import { usePlayback } from "../../app/pictures/lathe/use-playback.ts";
 import { createViewport, type Viewport } from "../../app/pictures/lathe/viewport.ts";
 import { LoadLines } from "../../app/pictures/load/LoadLines.tsx";
 import { LoadMark } from "../../app/pictures/load/LoadMark.tsx";
-import type { Told } from "../../app/pictures/load/use-load.ts";
+import type { LoadQuantity } from "../../app/pictures/load/use-load.ts";
 import { lazyPart } from "../../app/base/parts.ts";
 import { reducedMotion } from "../../app/base/settings/appearance.ts";
 import { CountedIn, useLengths } from "../../app/calculation/lengths.ts";
@@ -32,7 +32,7 @@ import { LessonFacts } from "./LessonFacts.tsx";
 import { useLessonPlaces } from "./use-lesson-places.ts";
 import type { LessonPageOf } from "./lesson-pages.ts";
 import { useLessonLoad } from "./use-lesson-load.ts";
-import { useStretch } from "./use-stretch.ts";
+import { usePlaybackRange } from "./use-playback-range.ts";
 import "../../app/pictures/lathe/lathe.css";
 
 /** Loaded for a program with approaches. */
@@ -47,7 +47,7 @@ const EVERY = () => true;
 const NOTHING: readonly Ring[] = [];
 
 /** The size of the picture's element sets the size of the viewport. */
-function useSized(viewport: Viewport) {
+function useViewportSize(viewport: Viewport) {
   const stage = useRef<HTMLDivElement>(null);
   useEffect(() => {
     const element = stage.current;
@@ -86,7 +86,7 @@ const framed = ({ x, z }: NonNullable<LessonPageOf["frame"]>): Bounds => ({
 });
 
 /** Default section of a page: the blank and all feed moves, without the whole chuck. */
-function frameOf({ blank, steps }: Run, { first, last }: Played, whole: Bounds): Bounds {
+function frameOf({ blank, steps }: Run, { first, last }: StepRange, whole: Bounds): Bounds {
   const fed = steps.slice(first, last + 1).filter(({ move }) => move.kind !== "rapid");
   const seen = joined(boundsOf(blank.flat()), boundsOf(fed.flatMap(({ from, move }) => [from, move.to])));
   if (!seen) return whole;
@@ -120,7 +120,7 @@ export function LessonPicture({
   const { run, simulation } = outcome;
   const lengths = useLengths(run);
   const dimmed = waits && !slid;
-  const isLong = useLong(waits, SOON);
+  const isLong = useLongerThan(waits, SOON);
   const played = useMemo(() => stepsPlayed(run.steps, page.blocks), [run, page.blocks]);
   const { moving } = useMaterial(outcome, playback);
   const passes = stretchesOf(run);
@@ -128,12 +128,12 @@ export function LessonPicture({
   const still = reducedMotion({ motion });
   // While the run of the previous page is shown, this page counts as not opened: playback starts with its own run.
   const opened = dimmed ? `${page.key} waits` : page.key;
-  const stretch = useStretch(playback, run, played, {
+  const stretch = usePlaybackRange(playback, run, played, {
     page: opened,
     at: still && page.begins === "play" ? "start" : page.begins,
   });
-  const stage = useSized(viewport);
-  const told: Told | null = page.shows === undefined || page.shows === "residue" ? null : page.shows;
+  const stage = useViewportSize(viewport);
+  const told: LoadQuantity | null = page.shows === undefined || page.shows === "residue" ? null : page.shows;
   useLessonLoad(outcome, told);
   useEffect(() => playback.setStill(still), [playback, still]);
   const frame = useMemo(
@@ -197,7 +197,7 @@ export function LessonPicture({
               <Marks viewport={viewport} starts={starts} datum={datum} />
               {told && (
                 <Suspense>
-                  <LoadMark of={told} run={run} seeing={seenFlat(viewport)} />
+                  <LoadMark of={told} run={run} seeing={sectionProjection(viewport)} />
                 </Suspense>
               )}
               {leads.length > 0 && (
@@ -205,9 +205,9 @@ export function LessonPicture({
                   <TurnPoints viewport={viewport} approaches={leads} />
                 </Suspense>
               )}
-              <PlaceLines seeing={seenFlat(viewport)} places={seen} />
+              <PlaceLines seeing={sectionProjection(viewport)} places={seen} />
             </Picture>
-            <PlaceButtons seeing={seenFlat(viewport)} places={seen} chosen={chosen} choose={choose} />
+            <PlaceButtons seeing={sectionProjection(viewport)} places={seen} chosen={chosen} choose={choose} />
             <p className="lesson-checking small" role="status">
               {failed ? t.picture.failed : isLong && texts.lathe.checking}
             </p>

@@ -1,10 +1,10 @@
 import { useEffect, useMemo, useRef } from "react";
-import { blocksOfLines } from "../../course/start-of.ts";
+import { blocksOfLines } from "../../course/task-start.ts";
 import type { Run } from "../../program/state/run-types.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import type { PlaybackStore } from "../../app/calculation/playback-store.ts";
 import { useReadPlayback } from "../../app/pictures/lathe/use-playback.ts";
-import { openToTry } from "./open-example.ts";
+import { openLessonExample } from "./open-example.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /** The program of the picture, with the current block, to read and to open in the editor. */
@@ -52,7 +52,7 @@ export function LessonProgram({
           </span>
         ))}
       </pre>
-      <button type="button" className="button" onClick={() => openToTry(lines)}>
+      <button type="button" className="button" onClick={() => openLessonExample(lines)}>
         <Icon name="rename" /> {t.openProgram}
       </button>
     </details>

@@ -1,6 +1,6 @@
 import { useId } from "react";
 import type { Lesson } from "../../course/lesson.ts";
-import { cycleGiving } from "../../course/played.ts";
+import { cycleOfParameter } from "../../course/playback-range.ts";
 import { cycleByNumber, type ParamTextId } from "../../cycles/index.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import type { ChoiceText } from "../../i18n/param-text.ts";
@@ -27,7 +27,7 @@ export function LessonSlide({
   const language = useSettings((s) => s.language);
   const id = useId();
   const { q, from, to, step } = slide;
-  const param = cycleByNumber(cycleGiving(lines, q) ?? 0)?.params[q];
+  const param = cycleByNumber(cycleOfParameter(lines, q) ?? 0)?.params[q];
   const words = param && texts.params[param.text as ParamTextId];
   const choice = words && "choices" in words ? (words as ChoiceText).choices[value] : undefined;
   const unit = param ? texts.dialog.units[unitOf(param, true)] : "";

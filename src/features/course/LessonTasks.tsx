@@ -3,9 +3,9 @@ import type { Lesson } from "../../course/lesson.ts";
 import { progressOfTask, stateOfTask } from "../../course/progress.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { fetchTask, type LessonEntry } from "../../app/records/course/content.ts";
-import { openToTry } from "./open-example.ts";
+import { openLessonExample } from "./open-example.ts";
 import { useLearning } from "../../app/records/course/progress.ts";
-import { beginTask } from "./task/begin.ts";
+import { resumeOrStartTask } from "./task/begin.ts";
 import { TaskStateMark } from "./TaskStateMark.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
@@ -28,7 +28,7 @@ export function LessonTasks({
     going.current = true;
     try {
       const task = await fetchTask(id);
-      if (task) await beginTask(task);
+      if (task) await resumeOrStartTask(task);
     } finally {
       going.current = false;
     }
@@ -56,7 +56,7 @@ export function LessonTasks({
       </section>
       {example && (
         <section className="lesson-example">
-          <button type="button" className="button" onClick={() => openToTry(example)}>
+          <button type="button" className="button" onClick={() => openLessonExample(example)}>
             <Icon name="rename" /> {t.example}
           </button>
           <p className="small soft">{t.exampleLead}</p>

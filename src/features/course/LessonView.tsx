@@ -1,6 +1,6 @@
 import { Suspense, use, useEffect, useRef, useState } from "react";
-import { valueIn, withSlid } from "../../course/played.ts";
-import { programOfLines } from "../../course/start-of.ts";
+import { parameterValueIn, withParameterValue } from "../../course/playback-range.ts";
+import { programOfLines } from "../../course/task-start.ts";
 import type { Lesson } from "../../course/lesson.ts";
 import type { LessonPage } from "../../course/progress.ts";
 import { goToEntrance } from "../../app/document/go-home.ts";
@@ -9,7 +9,7 @@ import { clock } from "../../app/base/clock.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { createPlaybackStore } from "../../app/calculation/playback-store.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
-import { atOnce } from "../../app/base/settings/loaded-texts.ts";
+import { markFulfilled } from "../../app/base/settings/loaded-texts.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { inScreenLanguage } from "../../course/words.ts";
 import { fetchLesson, useCourseIndex, type LessonEntry } from "../../app/records/course/content.ts";
@@ -22,15 +22,15 @@ import { pagesOf, type LessonPageOf } from "./lesson-pages.ts";
 import { Paragraphs } from "./Paragraphs.tsx";
 import { noteLessonPage } from "../../app/records/course/progress.ts";
 import { useLessonRun } from "./use-lesson-run.ts";
-import { useTurning } from "./use-turning.ts";
+import { usePageTurning } from "./use-page-turning.ts";
 
-const coming = new Map<string, Promise<Lesson | null>>();
+const pendingLessons = new Map<string, Promise<Lesson | null>>();
 
 /** A lesson, fetched when it is first opened. */
 function useLesson(id: string): Lesson | null {
-  const made = coming.get(id) ?? fetchLesson(id);
-  coming.set(id, made);
-  atOnce(made);
+  const made = pendingLessons.get(id) ?? fetchLesson(id);
+  pendingLessons.set(id, made);
+  markFulfilled(made);
   return use(made);
 }
 
@@ -52,10 +52,10 @@ function PageOfLesson({
   const [playback] = useState(() => createPlaybackStore(clock));
   const [read, setRead] = useState(false);
   const [slid, setSlid] = useState<{ readonly key: string; readonly value: number } | null>(null);
-  const first = slide ? (valueIn(program, slide.q) ?? slide.from) : 0;
+  const first = slide ? (parameterValueIn(program, slide.q) ?? slide.from) : 0;
   const value = slid?.key === page.key ? slid.value : first;
-  const lines = slide ? withSlid(program, slide.q, value) : program;
-  const { outcome, waits, failed } = useLessonRun(programOfLines(lines));
+  const lines = slide ? withParameterValue(program, slide.q, value) : program;
+  const { outcome, isPending, failed } = useLessonRun(programOfLines(lines));
   return (
     <>
       <div className="lesson-side">
@@ -64,7 +64,7 @@ function PageOfLesson({
             outcome={outcome}
             page={page}
             playback={playback}
-            waits={waits}
+            waits={isPending}
             failed={failed}
             slid={slid?.key === page.key}
           />
@@ -92,7 +92,7 @@ function PageOfLesson({
           playback={playback}
           open={read}
           onOpen={setRead}
-          run={waits || !outcome ? null : outcome.run}
+          run={isPending || !outcome ? null : outcome.run}
         />
       </div>
     </>
@@ -124,7 +124,7 @@ function PageLinks({ entry, at }: { readonly entry: LessonEntry; readonly at: Le
 }
 
 /** The previous and the next page of a lesson. */
-function useWays(entry: LessonEntry, at: LessonPage) {
+function usePageNeighbours(entry: LessonEntry, at: LessonPage) {
   const t = useTexts("course");
   const { lessons } = useCourseIndex();
   const next = lessons[lessons.indexOf(entry) + 1];
@@ -148,8 +148,8 @@ function OpenLesson({ entry }: { readonly entry: LessonEntry }) {
   const asked = usePlace((p) => coursePage(p)?.at ?? 1);
   const at: LessonPage = typeof asked === "number" && asked > entry.pages ? entry.pages : asked;
   const main = useRef<HTMLElement>(null);
-  const { back, on } = useWays(entry, at);
-  useTurning(main, (by) => {
+  const { back, on } = usePageNeighbours(entry, at);
+  usePageTurning(main, (by) => {
     const to = by < 0 ? back : on;
     // The list of lessons is not reached by turning pages.
     if (to && to.lesson === entry.id) goToEntrance({ page: "course", lesson: to.lesson, at: to.page });

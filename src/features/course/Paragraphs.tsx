@@ -1,6 +1,6 @@
 import { Fragment } from "react";
-import { Said, SaidOnPage } from "../../app/fields/said/Said.tsx";
-import { numbersApart } from "./numbers-apart.ts";
+import { GlossaryText, GlossaryScope } from "../../app/fields/said/GlossaryText.tsx";
+import { splitNegativeNumbers } from "./negative-numbers.ts";
 import "./paragraphs.css";
 
 /** Non-breaking spaces before French high punctuation, and after the opening quote. */
@@ -8,7 +8,7 @@ const together = (text: string): string => text.replaceAll(/ (?=[?!:;Â»%])|(?<=Â
 
 /** A text whose numbers do not break. */
 const unbroken = (text: string) =>
-  numbersApart(text).map((piece, k) =>
+  splitNegativeNumbers(text).map((piece, k) =>
     k % 2 === 1 ? (
       <span key={k} className="unbroken">
         {piece}
@@ -28,11 +28,13 @@ interface Props {
 export function Paragraphs({ text, before }: Props) {
   const paragraphs = text.split(/\n\s*\n/).map(together);
   const said = (plain: boolean) =>
-    paragraphs.map((each, i) => <p key={i}>{plain ? unbroken(each) : <Said text={each} plain={unbroken} />}</p>);
+    paragraphs.map((each, i) => (
+      <p key={i}>{plain ? unbroken(each) : <GlossaryText text={each} plain={unbroken} />}</p>
+    ));
   return before ? (
-    <SaidOnPage texts={paragraphs} before={before}>
+    <GlossaryScope texts={paragraphs} before={before}>
       {said(false)}
-    </SaidOnPage>
+    </GlossaryScope>
   ) : (
     said(true)
   );

@@ -3,13 +3,13 @@ import { loadRequestOf } from "../../app/calculation/load-request.ts";
 import type { Outcome } from "../../app/calculation/outcome.ts";
 import { askAgain } from "../../app/calculation/worker-life.ts";
 import { useMeasuredLoad } from "../../app/pictures/load/load-store.ts";
-import type { Told } from "../../app/pictures/load/use-load.ts";
+import type { LoadQuantity } from "../../app/pictures/load/use-load.ts";
 
 /** Debounce before the measurement, ms: while a slider moves, the path comes first. */
 const REST = 120;
 
 /** Requests the measurement for the colour map of a run: its surface, or the load on the tool. */
-export function useLessonLoad(outcome: Outcome | null, of: Told | null): void {
+export function useLessonLoad(outcome: Outcome | null, of: LoadQuantity | null): void {
   useEffect(() => {
     if (!outcome || of === null || outcome.run.steps.length === 0) return undefined;
     const { run } = outcome;

@@ -9,17 +9,17 @@ const RAPID = 10_000;
 /** Cached runs, so that previous pages are there at once. */
 const MOST_KEPT = 24;
 
-const known = new Map<string, Outcome>();
+const cachedRuns = new Map<string, Outcome>();
 
-function note(text: string, outcome: Outcome): void {
-  known.delete(text);
-  known.set(text, outcome);
-  const [oldest] = known.keys();
-  if (known.size > MOST_KEPT && oldest !== undefined) known.delete(oldest);
+function cacheRun(text: string, outcome: Outcome): void {
+  cachedRuns.delete(text);
+  cachedRuns.set(text, outcome);
+  const [oldest] = cachedRuns.keys();
+  if (cachedRuns.size > MOST_KEPT && oldest !== undefined) cachedRuns.delete(oldest);
 }
 
 /** Runs a program with the default tools as on a TNC 640: the lesson looks the same on every device. */
-function ran(text: string): Promise<Outcome> {
+function runWithShippedTools(text: string): Promise<Outcome> {
   const { table } = toolsOnDevice(shippedList);
   return askAgain((engine) => engine.update({ version: 0, text, table, rapid: RAPID, control: "TNC 640" }));
 }
@@ -29,12 +29,12 @@ export interface LessonRun {
   /** The newest result. While a slider moves, the previous one until the next is ready. */
   readonly outcome: Outcome | null;
   /** The result belongs to another program than requested. */
-  readonly waits: boolean;
+  readonly isPending: boolean;
   readonly failed: boolean;
 }
 
 /** Runs the requested programs one after the other; of the pending ones only the newest. */
-function runner(take: (text: string, outcome: Outcome | null) => void): (text: string) => void {
+function latestOnlyRunner(take: (text: string, outcome: Outcome | null) => void): (text: string) => void {
   let waiting: string | null = null;
   let busy = false;
   const work = async () => {
@@ -43,8 +43,8 @@ function runner(take: (text: string, outcome: Outcome | null) => void): (text: s
       const text: string = waiting;
       waiting = null;
       try {
-        const outcome = await ran(text);
-        note(text, outcome);
+        const outcome = await runWithShippedTools(text);
+        cacheRun(text, outcome);
         take(text, outcome);
       } catch {
         take(text, null);
@@ -62,9 +62,9 @@ function runner(take: (text: string, outcome: Outcome | null) => void): (text: s
 export function useLessonRun(text: string): LessonRun {
   const [made, take] = useState<{ readonly text: string; readonly outcome: Outcome | null } | null>(null);
   const [want] = useState(() =>
-    runner((of, outcome) => take((before) => ({ text: of, outcome: outcome ?? before?.outcome ?? null }))),
+    latestOnlyRunner((of, outcome) => take((before) => ({ text: of, outcome: outcome ?? before?.outcome ?? null }))),
   );
-  const here = known.get(text);
+  const here = cachedRuns.get(text);
   // A cached run also becomes the previous one.
   const [before, keep] = useState<Outcome | null>(null);
   const newest = here ?? (made?.text === text ? made.outcome : null);
@@ -73,6 +73,6 @@ export function useLessonRun(text: string): LessonRun {
     if (!here) want(text);
   }, [here, text, want]);
   const isIt = made?.text === text;
-  if (here) return { outcome: here, waits: false, failed: false };
-  return { outcome: before ?? made?.outcome ?? null, waits: !isIt, failed: isIt };
+  if (here) return { outcome: here, isPending: false, failed: false };
+  return { outcome: before ?? made?.outcome ?? null, isPending: !isIt, failed: isIt };
 }

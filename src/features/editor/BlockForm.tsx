@@ -1,5 +1,5 @@
 import { Suspense, useEffect, useRef } from "react";
-import { isKept } from "../../cycles/kept-cycles.ts";
+import { isUnsimulated } from "../../cycles/unsimulated-cycles.ts";
 import { withBlock } from "../../nc/edit.ts";
 import { blockNumbers, startLines } from "../../nc/program.ts";
 import type { Statement } from "../../nc/statement.ts";
@@ -10,7 +10,7 @@ import { CalledTool } from "./operations/CalledTool.tsx";
 import { DescribeCycle } from "../../app/fields/own/DescribeCycle.tsx";
 import { useGuidedBlock } from "../../app/place/open-call.ts";
 import { useOutcome, type Outcome } from "../../app/calculation/outcome.ts";
-import { showFile, useShownBeside } from "../../app/document/shown-file.ts";
+import { showFile, useShownOtherFile } from "../../app/document/shown-file.ts";
 import { placeInFile } from "../../app/calculation/issue-text.ts";
 import { fileKey } from "../../program/state/program-files.ts";
 import { useEditor } from "../../app/document/store.ts";
@@ -26,7 +26,7 @@ import { editProgram, openBlock, readWhole, useSession } from "../../app/fields/
 const nothing = () => undefined;
 
 /** Findings that say that a block is kept but not simulated. */
-const SAYS_SO: ReadonlySet<string> = new Set(["cycleNotSimulated", "notSimulated", "notUnderstood"]);
+const NOT_SIMULATED_CODES: ReadonlySet<string> = new Set(["cycleNotSimulated", "notSimulated", "notUnderstood"]);
 
 /** The definition of the called cycle, if it is in a called program; null if it is not, or unknown. */
 function definedElsewhere(outcome: Outcome | null, call: number | undefined) {
@@ -48,7 +48,7 @@ function backToWord(form: HTMLElement | null): void {
 export function BlockForm({ problems }: { readonly problems: readonly FindingEntry[] }) {
   const all = useTexts();
   const { editor: t } = all;
-  const file = useShownBeside();
+  const file = useShownOtherFile();
   const newest = useOutcome((s) => s.newest);
   const {
     reading: { program },
@@ -72,8 +72,8 @@ export function BlockForm({ problems }: { readonly problems: readonly FindingEnt
   return (
     <div className="block-form" ref={form} role="form" aria-label={t.form}>
       <code className="number block-text">{block.raw.trimEnd()}</code>
-      {(s.kind === "unknown" || (s.kind === "cycle" && isKept(s.cycle))) &&
-        !problems.some(({ issue }) => SAYS_SO.has(issue.code)) && <Message tone="info">{t.kept}</Message>}
+      {(s.kind === "unknown" || (s.kind === "cycle" && isUnsimulated(s.cycle))) &&
+        !problems.some(({ issue }) => NOT_SIMULATED_CODES.has(issue.code)) && <Message tone="info">{t.kept}</Message>}
       {s.kind === "cycle" && (
         <Suspense>
           <DescribeCycle statement={s} />

@@ -1,5 +1,5 @@
 import { Suspense } from "react";
-import { MoreLater } from "../../app/fields/said/MoreLater.tsx";
+import { LazyPromptMore } from "../../app/fields/said/LazyPromptMore.tsx";
 import { useGuidedBlock } from "../../app/place/open-call.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { useEditor } from "../../app/document/store.ts";
@@ -14,18 +14,18 @@ interface Props {
 }
 
 /** Kinds whose guide page covers all their words. */
-const WHOLE: ReadonlySet<string> = new Set(["text", "parameter"]);
+const KINDS_WITH_ONE_PAGE: ReadonlySet<string> = new Set(["text", "parameter"]);
 
 /** The link from a field of a block to its page of the guide. */
 export function BlockMore({ kind, field: { id, name }, line }: Props) {
   const { editor: t } = useTexts();
   const work = useEditor((s) => s.work);
   const word = id.replace(/^word /, "");
-  const page = WHOLE.has(word) || kind === "cycle" ? kind : `${kind}.${word}`;
+  const page = KINDS_WITH_ONE_PAGE.has(word) || kind === "cycle" ? kind : `${kind}.${word}`;
   return (
     <span className="block-more" onClickCapture={() => useGuidedBlock.setState({ block: { work, line, word: id } })}>
       <Suspense>
-        <MoreLater page={["guide", "block", page]} name={typeof name === "string" ? t.fields[name] : name.word} />
+        <LazyPromptMore page={["guide", "block", page]} name={typeof name === "string" ? t.fields[name] : name.word} />
       </Suspense>
     </span>
   );

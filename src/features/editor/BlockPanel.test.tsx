@@ -1,14 +1,14 @@
 import { act, cleanup, render, screen } from "@testing-library/react";
 import { afterEach, beforeEach, expect, test } from "vitest";
 import { changeLanguage } from "../../app/base/settings/settings.ts";
-import { begin, useEditor } from "../../app/document/store.ts";
+import { openFirstWork, useEditor } from "../../app/document/store.ts";
 import { BlockPanel } from "./BlockPanel.tsx";
 import { closeSession, openSession } from "../../app/fields/blocks/session.ts";
 
 /** Opens a program as its workplace does, a moment after the panel is rendered. */
 function openProgram(text: string): void {
   act(() => {
-    begin({ name: "A.H", text, encoding: "utf-8" }, "w");
+    openFirstWork({ name: "A.H", text, encoding: "utf-8" }, "w");
     const { program } = useEditor.getState();
     if (program) openSession(program, "w");
   });

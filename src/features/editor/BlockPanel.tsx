@@ -1,7 +1,7 @@
 import { Suspense, useRef, useState } from "react";
 import { blockNumbers, startLines } from "../../nc/program.ts";
 import { cycleByNumber, type CycleNumber } from "../../cycles/index.ts";
-import { isKept } from "../../cycles/kept-cycles.ts";
+import { isUnsimulated } from "../../cycles/unsimulated-cycles.ts";
 import type { Texts } from "../../i18n/index.ts";
 import { ApproachBlock } from "./approach/ApproachBlock.tsx";
 import { CycleDialog } from "../../app/fields/dialog/CycleDialog.tsx";
@@ -20,7 +20,7 @@ import { editProgram, ofText, openBlock, useSession } from "../../app/fields/blo
 /** The name of a cycle on the screen; null for an unknown one. */
 function nameOf(t: Texts, cycle: number, own: OwnBlock | null): string | null {
   if (cycleByNumber(cycle)) return t.cycles.of[cycle as CycleNumber].name;
-  return isKept(cycle) ? t.cycles.kept[cycle] : (own?.own.name ?? null);
+  return isUnsimulated(cycle) ? t.cycles.kept[cycle] : (own?.own.name ?? null);
 }
 
 /** The dialog of the open block, and the actions on the block. */

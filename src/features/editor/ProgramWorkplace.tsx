@@ -1,17 +1,17 @@
 import { Suspense, useEffect, useMemo, type ReactNode } from "react";
-import { knownWork } from "../../program/job/known-work.ts";
+import { partialWork } from "../../program/job/partial-work.ts";
 import { MachineView } from "../../app/pictures/plane/MachineView.tsx";
 import { clock } from "../../app/base/clock.ts";
 import { Centre, HelpDock } from "../../app/fields/dialog/HelpDock.tsx";
 import { PinnedCard } from "../../app/findings/effect/Pinned.tsx";
-import { givenOf } from "../../app/calculation/given.ts";
+import { cycleGivens } from "../../app/calculation/cycle-givens.ts";
 import { Working } from "../../app/calculation/Working.tsx";
 import { useOutcome } from "../../app/calculation/outcome.ts";
 import { FindingsPanel } from "../../app/findings/FindingsPanel.tsx";
 import { useListed } from "../../app/findings/use-findings.ts";
-import { useLater } from "../../app/base/typing.ts";
-import { MeasuredInto } from "../../app/document/measured-into.ts";
-import { LeavingDialog } from "../../app/fields/leaving/LeavingDialog.tsx";
+import { useDeferredUntilPaint } from "../../app/base/typing.ts";
+import { MeasuredTargetContext } from "../../app/document/measured-target-context.ts";
+import { ConfirmExportDialog } from "../../app/fields/leaving/ConfirmExportDialog.tsx";
 import { useMeasuredTarget } from "../../app/document/measured-target.ts";
 import { useInserting } from "../../app/document/inserting.ts";
 import { showSection, usePlace, type ProgramSection } from "../../app/place/place.ts";
@@ -19,7 +19,7 @@ import { playback } from "../../app/calculation/playback.ts";
 import { PrintedProgram } from "../../app/fields/program/PrintedProgram.tsx";
 import { SectionTabs } from "../../app/place/SectionTabs.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
-import { beforeLeaving, useEditor } from "../../app/document/store.ts";
+import { pendingEdits, useEditor } from "../../app/document/store.ts";
 import { useToolList } from "../../app/document/work-tools.ts";
 import { useThirdColumn } from "../../app/base/use-media.ts";
 import { BlockPanel } from "./BlockPanel.tsx";
@@ -27,8 +27,8 @@ import { followProgram } from "./follow.ts";
 import { openChosen } from "../../app/fields/blocks/choose-block.ts";
 import { useBlockCounting } from "../../app/fields/blocks/block-counting.ts";
 import { setBlockPrompt, useOpenBlock } from "../../app/fields/blocks/open-block.ts";
-import { openMaker } from "./open-maker.ts";
-import { closeSession, handOverText, openSession } from "../../app/fields/blocks/session.ts";
+import { openSourceBlock } from "./open-source-block.ts";
+import { closeSession, flushText, openSession } from "../../app/fields/blocks/session.ts";
 import { showFile } from "../../app/document/shown-file.ts";
 import { lazyPart } from "../../app/base/parts.ts";
 import { StructurePanel } from "./StructurePanel.tsx";
@@ -51,9 +51,9 @@ function useProgramSession(): void {
     playback.playsOf(work);
     openSession(program, work);
     const stop = followProgram();
-    beforeLeaving.add(handOverText);
+    pendingEdits.add(flushText);
     return () => {
-      beforeLeaving.delete(handOverText);
+      pendingEdits.delete(flushText);
       stop();
       closeSession();
       showFile(null);
@@ -65,7 +65,7 @@ function useProgramSession(): void {
 function openMove(step: number, byKey = false): void {
   const { pictured: shown } = useOutcome.getState();
   if (!shown) return;
-  openChosen(() => openMaker(shown.run, step));
+  openChosen(() => openSourceBlock(shown.run, step));
   showSection("block");
   if (byKey) usePlace.setState((p) => ({ focus: p.focus + 1 }));
 }
@@ -82,14 +82,19 @@ export function ProgramWorkplace() {
   const host = useProgramHost();
   const inserting = useInserting();
   const { read } = useOpenBlock(),
-    late = useLater(read),
+    late = useDeferredUntilPaint(read),
     tools = useToolList();
   const measured = useMeasuredTarget(read, setBlockPrompt, useBlockCounting(shown?.run ?? null));
   // Blank, tool and start belong to the program: only the typed contour of the block is drawn.
   const known = useMemo(
     () =>
       late && shown?.run.datums.length === 0 && shown.run.program.unit === "mm"
-        ? { ...knownWork(late.cycle, late.job, late.reading, givenOf(late), tools), blank: [], start: null, tool: null }
+        ? {
+            ...partialWork(late.cycle, late.job, late.reading, cycleGivens(late), tools),
+            blank: [],
+            start: null,
+            tool: null,
+          }
         : null,
     [late, shown, tools],
   );
@@ -120,7 +125,7 @@ export function ProgramWorkplace() {
       </div>
       <TotalsStrip />
       <Centre>
-        <MeasuredInto value={measured}>
+        <MeasuredTargetContext value={measured}>
           <MachineView
             result={shown}
             known={open === "block" ? known : null}
@@ -129,7 +134,7 @@ export function ProgramWorkplace() {
             clock={clock}
             onMove={openMove}
           />
-        </MeasuredInto>
+        </MeasuredTargetContext>
         <HelpDock />
         <PinnedCard />
         <Working />
@@ -145,7 +150,7 @@ export function ProgramWorkplace() {
         </Suspense>
       )}
       <PrintedProgram />
-      <LeavingDialog cycleOf={host.cycleOf} />
+      <ConfirmExportDialog cycleOf={host.cycleOf} />
     </main>
   );
 }

@@ -4,10 +4,10 @@ import { canSaveFiles } from "../../app/records/files/file-handle.ts";
 import { shownFile } from "../../app/document/shown-file.ts";
 import type { Obstacle } from "../../app/records/files/SaveProblem.tsx";
 import type { SaveHow } from "../../app/records/files/save-back.ts";
-import { lazyPart, untilHere } from "../../app/base/parts.ts";
+import { lazyPart, retryImport } from "../../app/base/parts.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { useEditor } from "../../app/document/store.ts";
-import { handOverText } from "../../app/fields/blocks/session.ts";
+import { flushText } from "../../app/fields/blocks/session.ts";
 
 /** Loaded when a file cannot be written at once. */
 const SaveProblem = lazyPart(async () => ({
@@ -29,10 +29,10 @@ export function SaveButton({ name, mayLeave, onSaved, onDownload, showBlock }: P
   const t = useTexts().editor;
   const [obstacle, meet] = useState<Obstacle | null>(null);
   const write = async (how: SaveHow) => {
-    handOverText();
+    flushText();
     const { program, work } = useEditor.getState();
     if (!program || work === null) return;
-    const { saveBack } = await untilHere(() => import("../../app/records/files/save-back.ts"));
+    const { saveBack } = await retryImport(() => import("../../app/records/files/save-back.ts"));
     const file = shownFile(program);
     const saved = await saveBack(work, file, how);
     if (saved.kind === "written") onSaved(file.name);

@@ -6,7 +6,7 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { chooseOpenBlock } from "../../app/fields/blocks/choose-block.ts";
 import { partsOf, type Part, type PartFilter } from "../../app/fields/blocks/program-parts.ts";
 import { openBlock, useSession } from "../../app/fields/blocks/session.ts";
-import { useShownBeside } from "../../app/document/shown-file.ts";
+import { useShownOtherFile } from "../../app/document/shown-file.ts";
 import { useWindow } from "./use-window.ts";
 import { OperationList } from "./operations/OperationList.tsx";
 import { doneWords } from "../../app/fields/blocks/words.ts";
@@ -26,7 +26,7 @@ export function StructurePanel() {
   const [filter, show] = useState<(typeof FILTERS)[number]>("operations");
   const select = useRef<HTMLSelectElement>(null);
   const narrowing = useRef(false);
-  const file = useShownBeside();
+  const file = useShownOtherFile();
   const parts = useMemo(() => partsOf(reading.program, newest, file), [reading, newest, file]);
   const shown = useMemo(
     () => (filter === "all" ? parts : parts.filter((part) => part.filter === filter)),

@@ -5,12 +5,12 @@ import { Message } from "../../app/base/Message.tsx";
 import { useVerdict } from "../../app/findings/use-findings.ts";
 import { copyProgram } from "../../app/fields/leaving/copy-program.ts";
 import { CopyStatus } from "../../app/fields/leaving/CopyStatus.tsx";
-import { isUntied } from "../../nc/program.ts";
-import { withTiedLists } from "../../nc/tie-lists.ts";
+import { hasListWithoutTilde } from "../../nc/program.ts";
+import { withListTildes } from "../../nc/list-tildes.ts";
 import { FileNote } from "../../app/fields/program/FileNote.tsx";
 import { useFileKind } from "../../app/document/output.ts";
 import { isoFile } from "../../app/document/printed.ts";
-import { mayLeave, type Way } from "../../app/fields/leaving/leaving.ts";
+import { confirmExport, type ExportWay } from "../../app/fields/leaving/confirm-export.ts";
 import { ProgramMore } from "../../app/fields/program/ProgramMore.tsx";
 import { useCopying } from "../../app/findings/copy.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
@@ -19,7 +19,7 @@ import { encode, notIn } from "../../app/document/encoding.ts";
 import { downloadBytes } from "../../app/base/download.ts";
 import {
   editProgram,
-  handOverText,
+  flushText,
   openBlock,
   readWhole,
   sessionDom,
@@ -47,7 +47,7 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
   const ready = useSession((s) => s.reading);
   const { faults } = useVerdict();
   const kind = useFileKind();
-  const isUntiedText = useMemo(() => ready.program.blocks.some(isUntied), [ready]);
+  const isUntiedText = useMemo(() => ready.program.blocks.some(hasListWithoutTilde), [ready]);
   const copied = useCopying((c) => c.state === "copied" && c.verdict !== null);
   const leavesOut = useEditor((s) => s.program?.skipMarked ?? false);
   const [saved, setSaved] = useState<string | null>(null);
@@ -66,10 +66,10 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
   };
   /** An exported file is judged by the program that runs with it. */
   const running = () => {
-    handOverText();
+    flushText();
     return useEditor.getState().program?.text ?? "";
   };
-  const allowed = (way: Way) => mayLeave(way, running());
+  const allowed = (way: ExportWay) => confirmExport(way, running());
   const download = () => downloadBytes(bytes(), name);
   const downloadIso = async () => {
     const { text } = await isoFile(sessionText() ?? "");
@@ -91,7 +91,7 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
           ? {
               text: t.page.text.untied,
               warns: true,
-              cure: { name: t.page.text.tie, go: () => editProgram(withTiedLists(ready.program), null) },
+              cure: { name: t.page.text.tie, go: () => editProgram(withListTildes(ready.program), null) },
             }
           : { text: t.page.text.files[kind] })}
       />

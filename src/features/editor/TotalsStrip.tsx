@@ -4,12 +4,12 @@ import type { Step } from "../../kernel/time/step.ts";
 import type { Program } from "../../nc/program.ts";
 import { operationsOf } from "../../program/edits/operations.ts";
 import type { Run } from "../../program/state/run-types.ts";
-import { compareFromHere, followComparing } from "../../app/findings/effect/before.ts";
+import { restartComparison, followComparing } from "../../app/findings/effect/compared.ts";
 import { areaDecimals, type ComparedNumber } from "../../app/findings/effect/changes.ts";
 import { effectNow } from "../../app/findings/effect/effect.ts";
 import { PinButton } from "../../app/findings/effect/Pinned.tsx";
 import { TimeName } from "../../app/findings/effect/TimeName.tsx";
-import { MoreFaults, useChanges } from "../../app/findings/effect/Was.tsx";
+import { FaultsChange, useChanges } from "../../app/findings/effect/EffectChanges.tsx";
 import { Checking, useChecking } from "../../app/calculation/Checking.tsx";
 import { useOutcome } from "../../app/calculation/outcome.ts";
 import { StripStatus } from "../../app/findings/StripStatus.tsx";
@@ -28,7 +28,7 @@ function toolCalls({ blocks }: Program): number {
 }
 
 /** Number of tool changes in a run; a cycle call keeps its tool. */
-function changesOf({ steps, operations }: Run): number {
+function toolChangesOf({ steps, operations }: Run): number {
   let changes = 0,
     last: number | null = null;
   for (let i = 0; i < steps.length; i += 1) {
@@ -64,13 +64,13 @@ export function TotalsStrip() {
   const program = useSession((s) => s.reading.program),
     run = shown?.run;
   // Milling moves have neither tool nor operation: those of the text are counted.
-  const tools = run && (run.plane.length > 0 ? toolCalls(program) : changesOf(run));
+  const tools = run && (run.plane.length > 0 ? toolCalls(program) : toolChangesOf(run));
   const operations = run && operationCount(program, run);
   useEffect(() => {
     const stop = followComparing();
     // Another block opens another dialog, which may show the same prompt.
     const stopBlocks = useSession.subscribe((now, before) => {
-      if (now.index !== before.index) compareFromHere();
+      if (now.index !== before.index) restartComparison();
     });
     return () => {
       stopBlocks();
@@ -113,7 +113,7 @@ export function TotalsStrip() {
         {cell(t.editor.blocks, number(shown?.run.program.blocks, 0))}
         <div className="effect-cell proof">
           <dt>
-            {t.findings.verdict.title} <MoreFaults />
+            {t.findings.verdict.title} <FaultsChange />
           </dt>
           <dd>
             <VerdictText verdict={verdict} reasons={verdict.state === "faults" ? 0 : 1} />

@@ -2,7 +2,7 @@ import { EditorView } from "@codemirror/view";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { openPrompt, usePlace } from "../../app/place/place.ts";
 import { forget } from "../../app/document/steps.ts";
-import { begin, useEditor } from "../../app/document/store.ts";
+import { openFirstWork, useEditor } from "../../app/document/store.ts";
 import { parse } from "../../nc/parse.ts";
 import { run } from "../../program/run/run.ts";
 import { shippedTools } from "../../program/tools/shipped-tools.ts";
@@ -24,7 +24,7 @@ beforeEach(() => {
   vi.useFakeTimers();
   // jsdom has no layout, but scrolling the text needs the rectangles of a range.
   Range.prototype.getClientRects ??= () => [] as unknown as DOMRectList;
-  begin({ name: "A.H", text: BEFORE + AFTER, encoding: "utf-8" }, "w");
+  openFirstWork({ name: "A.H", text: BEFORE + AFTER, encoding: "utf-8" }, "w");
   const { program } = useEditor.getState();
   const view = program && openSession(program, "w");
   if (!view) throw new Error("no program is open");

@@ -15,10 +15,10 @@ import { inWords } from "../../app/fields/blocks/editor-extensions.ts";
 import { openPrompts } from "../../app/fields/blocks/open-block.ts";
 import { blockRange } from "../../app/fields/blocks/reading-field.ts";
 import { thirdColumn } from "../../app/base/use-media.ts";
-import { isPresent } from "../../app/fields/blocks/present.ts";
+import { isUpToDate } from "../../app/fields/blocks/up-to-date.ts";
 import { dispatchEdit, followShown, openBlock, sessionView, useSession } from "../../app/fields/blocks/session.ts";
 import { findingsShown } from "../../app/document/shown-findings.ts";
-import { shownBeside } from "../../app/document/shown-file.ts";
+import { shownOtherFile } from "../../app/document/shown-file.ts";
 
 /** Guards against circular updates: which side leads the current change. */
 interface Leading {
@@ -63,15 +63,15 @@ function followPrompt(leads: Leading): () => void {
   });
 }
 
-function mark(): void {
+function showDiagnostics(): void {
   const view = sessionView();
   const { newest } = useOutcome.getState();
-  if (!view || !isPresent(newest)) return;
+  if (!view || !isUpToDate(newest)) return;
   const { language } = useSettings.getState();
   view.dispatch(
     diagnosticsOf(
       view,
-      findingsShown(newest.run.issues, shownBeside()?.name ?? null),
+      findingsShown(newest.run.issues, shownOtherFile()?.name ?? null),
       texts(language),
       lengthsOf(language, newest.run.program.unit),
       (spec) => dispatchEdit(spec, null),
@@ -82,7 +82,7 @@ function mark(): void {
 function followOutcome(): () => void {
   return useOutcome.subscribe((now, before) => {
     if (now.newest === before.newest) return;
-    mark();
+    showDiagnostics();
     followOpenBlock();
   });
 }
@@ -91,7 +91,7 @@ function followLanguage(): () => void {
   const put = () => {
     const { language } = useSettings.getState();
     sessionView()?.dispatch({ effects: inWords(texts(language), language) });
-    mark();
+    showDiagnostics();
   };
   put();
   const stops = [
@@ -113,21 +113,21 @@ function followLanguage(): () => void {
  */
 function blockNow(): number | null {
   const { pictured: shown } = useOutcome.getState();
-  return shownBeside() || !isPresent(shown) ? null : shownBlock(shown.run, playback.get().position.step);
+  return shownOtherFile() || !isUpToDate(shown) ? null : shownBlock(shown.run, playback.get().position.step);
 }
 
 const isAtStart = ({ position }: Playback): boolean => position.step === 0 && position.fraction === 0;
 
 /** Space above a block that was scrolled to, pixels. */
-const OVER = 60;
+const SCROLL_MARGIN = 60;
 
 /** Scrolls to a block out of sight, by a page at a time: scrolling with each block would cost a layout each time. */
-function turnedTo(view: EditorView, from: number): readonly StateEffect<unknown>[] {
+function scrollEffects(view: EditorView, from: number): readonly StateEffect<unknown>[] {
   const { top, bottom } = view.lineBlockAt(from),
     { scrollTop, clientHeight } = view.scrollDOM;
   return top >= scrollTop && bottom <= scrollTop + clientHeight
     ? []
-    : [EditorView.scrollIntoView(from, { y: "start", yMargin: OVER })];
+    : [EditorView.scrollIntoView(from, { y: "start", yMargin: SCROLL_MARGIN })];
 }
 
 /** Whether the user moved the playback: a new run moves it too, and must not scroll the text. */
@@ -154,7 +154,7 @@ function followPlayback(leads: Leading): () => void {
     if (!view || (isMarked && !moved)) return;
     marked = next;
     const range = block !== null && (moved || now.playing) ? blockRange(view.state, block) : null;
-    view.dispatch({ effects: [setRunning.of(next), ...(range ? turnedTo(view, range.from) : [])] });
+    view.dispatch({ effects: [setRunning.of(next), ...(range ? scrollEffects(view, range.from) : [])] });
   });
 }
 

@@ -53,8 +53,8 @@ test("its form asks for its words in their order, and writes them", () => {
 
 test("it is compared word by word, offered by the palette, and known by its tags", () => {
   const { statement } = read("WARM UP AXES HEAT40");
-  const { like, said } = grammar.compared(statement, "");
-  expect([like, ...(said?.words ?? [])]).toEqual(["warmUp", ["", "AXES"], ["HEAT", "40"]]);
+  const { nameKey, comparedWords } = grammar.compared(statement, "");
+  expect([nameKey, ...(comparedWords?.words ?? [])]).toEqual(["warmUp", ["", "AXES"], ["HEAT", "40"]]);
   const offered = paletteOf(grammar).find(({ kind }) => String(kind) === "warmUp");
   expect(offered && [offered.group, line(offered.make?.("en") ?? statement)]).toEqual([
     "technology",

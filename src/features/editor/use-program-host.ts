@@ -2,11 +2,11 @@ import { useMemo } from "react";
 import { writeTyped } from "../../app/fields/dialog/write-value.ts";
 import { useOutcome } from "../../app/calculation/outcome.ts";
 import type { FindingEntry } from "../../app/findings/entry.ts";
-import type { FindingsHost, Mend } from "../../app/findings/host.ts";
+import type { FindingsHost, Fix } from "../../app/findings/host.ts";
 import { askForFiles } from "../../app/records/files/file-handle.ts";
 import { missingFile } from "../../app/calculation/missing-files.ts";
 import { addFiles } from "../../app/fields/open/open-program.ts";
-import { showFile, useShownBeside } from "../../app/document/shown-file.ts";
+import { showFile, useShownOtherFile } from "../../app/document/shown-file.ts";
 import { isIn, ownPlace } from "../../app/document/shown-findings.ts";
 import { placeInFile } from "../../app/calculation/issue-text.ts";
 import type { Program } from "../../nc/program.ts";
@@ -18,7 +18,7 @@ import { fixOf } from "./diagnostics.ts";
 import { fileKey } from "../../program/state/program-files.ts";
 import { useEditor } from "../../app/document/store.ts";
 import { fileOf } from "../../app/document/work.ts";
-import { isPresent } from "../../app/fields/blocks/present.ts";
+import { isUpToDate } from "../../app/fields/blocks/up-to-date.ts";
 import type { Repair } from "../../app/fields/blocks/repair.ts";
 import { indexOf, repairsOf, toolCallBefore, withTool } from "../../app/fields/blocks/repairs.ts";
 import {
@@ -62,7 +62,7 @@ export function useProgramHost(): FindingsHost {
   const language = useSettings((s) => s.language);
   const reading = useSession((s) => s.reading);
   const newest = useOutcome((s) => s.newest);
-  const beside = useShownBeside();
+  const beside = useShownOtherFile();
   return useMemo(() => {
     const { program } = reading;
     const isShown = (entry: FindingEntry) =>
@@ -88,7 +88,7 @@ export function useProgramHost(): FindingsHost {
         go,
       };
     };
-    const remediesOf: FindingsHost["remediesOf"] = (entry) => {
+    const fixesOf: FindingsHost["fixesOf"] = (entry) => {
       const missing = missingFile(entry);
       if (missing !== null)
         return [
@@ -98,9 +98,9 @@ export function useProgramHost(): FindingsHost {
           },
         ];
       const view = sessionView();
-      if (!view || !isPresent(newest) || !isShown(entry)) return [];
+      if (!view || !isUpToDate(newest) || !isShown(entry)) return [];
       const own = inOwnText(entry);
-      const repairs = repairsOf(program, own, language, outputInUse()).map((repair): Mend => ({
+      const repairs = repairsOf(program, own, language, outputInUse()).map((repair): Fix => ({
         name: nameOf(repair),
         apply: () => {
           editProgram(repair.next(), null, repair.open);
@@ -113,7 +113,7 @@ export function useProgramHost(): FindingsHost {
       return fix ? [{ name: t.findings.fix, apply: () => dispatchEdit(fix, null) }, ...repairs] : repairs;
     };
     const takeTool: FindingsHost["takeTool"] = (entry, tool) => {
-      if (!isPresent(newest)) return;
+      if (!isUpToDate(newest)) return;
       let index = showPlace(entry);
       // A called program may rely on the tool of its caller.
       if (entry.inFile && toolCallBefore(shownProgram(), index) < 0) {
@@ -128,6 +128,6 @@ export function useProgramHost(): FindingsHost {
       const s = program.blocks[indexOf(program, inOwnText(entry))]?.statement;
       return s?.kind === "cycle" ? s.cycle : null;
     };
-    return { targetOf, remediesOf, cycleOf, point: open, toFirstOpen: () => undefined, takeTool };
+    return { targetOf, fixesOf, cycleOf, point: open, toFirstOpen: () => undefined, takeTool };
   }, [t, language, reading, newest, beside]);
 }

@@ -10,7 +10,7 @@ import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { simulate } from "../../sim/simulate.ts";
 import { forgetOutcome, takeOutcome } from "../../app/calculation/outcome.ts";
 import { changeSettings } from "../../app/base/settings/settings.ts";
-import { begin, useEditor } from "../../app/document/store.ts";
+import { openFirstWork, useEditor } from "../../app/document/store.ts";
 import { filesOf } from "../../app/document/work.ts";
 import { WorkFiles } from "./WorkFiles.tsx";
 
@@ -37,7 +37,7 @@ function answer(): void {
 beforeEach(() => {
   changeSettings({ language: "en" });
   forgetOutcome();
-  begin({ ...MAIN, files: [BESIDE] }, "w");
+  openFirstWork({ ...MAIN, files: [BESIDE] }, "w");
 });
 afterEach(cleanup);
 
@@ -70,7 +70,7 @@ test("a work of one file has no list, even right after a work with more files", 
   answer();
   act(() => {
     forgetOutcome();
-    begin({ ...BESIDE }, "v");
+    openFirstWork({ ...BESIDE }, "v");
   });
   expect(screen.queryByRole("region")).toBeNull();
 });

@@ -11,7 +11,7 @@ import { Message } from "../../app/base/Message.tsx";
 import { playback } from "../../app/calculation/playback.ts";
 import { useOutcome, type Outcome } from "../../app/calculation/outcome.ts";
 import { useLengths } from "../../app/calculation/lengths.ts";
-import { useTextsSoon } from "../../app/base/settings/use-texts.ts";
+import { useTextsOrNull } from "../../app/base/settings/use-texts.ts";
 import { ModalDialog } from "../../app/base/ModalDialog.tsx";
 import {
   BODIES,
@@ -28,7 +28,7 @@ import "./export.css";
 
 /** Exports bodies and contour of the open work, as they are when the dialog opens. `stem`: prefix of the file names. */
 export function PartExport({ stem, done }: { readonly stem: string; readonly done: () => void }) {
-  const words = useTextsSoon("export");
+  const words = useTextsOrNull("export");
   return words && <Opened words={words} stem={stem} done={done} />;
 }
 

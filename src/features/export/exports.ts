@@ -35,7 +35,7 @@ export function turnedMoment(
     : position;
 }
 
-function leftPart(rings: readonly Ring[], threads: (rings: readonly Ring[]) => ThreadedStock | null): OfferedBody {
+function partFromStock(rings: readonly Ring[], threads: (rings: readonly Ring[]) => ThreadedStock | null): OfferedBody {
   return isBody(rings) ? { rings, threads: threads(rings), isLeft: true } : { lack: "noCycle" };
 }
 
@@ -64,7 +64,7 @@ export function bodiesOf(
   return {
     part: isBody(part)
       ? { rings: part, threads: threads?.of(part, end, withoutThreads(simulation, run.operations)) ?? null }
-      : leftPart(leftBody(simulation), (left) => threads?.of(left, end) ?? null),
+      : partFromStock(leftBody(simulation), (left) => threads?.of(left, end) ?? null),
     blank: offered(run.blank, "noBlank"),
     stock: offered(stock, "nothingLeft", threads?.of(stock, position)),
   };

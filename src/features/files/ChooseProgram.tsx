@@ -1,12 +1,12 @@
 import { useRef } from "react";
 import { filesOf, type ProgramWork } from "../../app/document/work.ts";
-import { endChoice, type ProgramChoice } from "../../app/document/choice.ts";
-import { useTextsSoon } from "../../app/base/settings/use-texts.ts";
+import { closeProgramChoice, type ProgramChoice } from "../../app/document/program-choice.ts";
+import { useTextsOrNull } from "../../app/base/settings/use-texts.ts";
 import { ModalDialog } from "../../app/base/ModalDialog.tsx";
 
 /** Asks which of several programs to open. Closing it opens none. */
 export function ChooseProgram({ works, skipped, isCut, open, together }: ProgramChoice) {
-  const t = useTextsSoon("files");
+  const t = useTextsOrNull("files");
   const dialog = useRef<HTMLDialogElement>(null);
   const take = (chosen: readonly ProgramWork[]) => () => {
     dialog.current?.close();
@@ -14,7 +14,7 @@ export function ChooseProgram({ works, skipped, isCut, open, together }: Program
   };
   const words = t?.choose;
   return (
-    <ModalDialog isBare ref={dialog} className="choose-program" title={words?.title} done={endChoice}>
+    <ModalDialog isBare ref={dialog} className="choose-program" title={words?.title} done={closeProgramChoice}>
       {t && words && (
         <>
           <h2>{words.title}</h2>

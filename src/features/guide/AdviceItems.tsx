@@ -4,7 +4,7 @@ import { formatNumber } from "../../i18n/number.ts";
 import { SPINDLE, type Advice } from "../../report/advice/advise.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { keepFocus } from "./keep-focus.ts";
-import { takeValue, useTaking } from "./take-value.ts";
+import { applyValue, useCanApply } from "./apply-value.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /** One piece of advice in words. */
@@ -32,7 +32,7 @@ function adviceText(t: AdviceTexts, language: Language, { code, data, better }: 
 export function AdviceItems({ cycle, advice }: { readonly cycle: number; readonly advice: readonly Advice[] }) {
   const t = useTexts("advice");
   const language = useSettings((s) => s.language);
-  const canTake = useTaking(cycle);
+  const canTake = useCanApply(cycle);
   return (
     <ul className="advice-items">
       {advice.map((each) => {
@@ -48,7 +48,7 @@ export function AdviceItems({ cycle, advice }: { readonly cycle: number; readonl
                 className="button"
                 onClick={(event) => {
                   keepFocus(event.currentTarget, "main");
-                  void takeValue(cycle, at, better);
+                  void applyValue(cycle, at, better);
                 }}
               >
                 {t.take(`${at === SPINDLE ? "" : `${at} = `}${formatNumber(language, better)}`)}

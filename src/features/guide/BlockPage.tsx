@@ -16,8 +16,8 @@ import { blockRule, blockWordTexts } from "./block-words.ts";
 import { GuideButton } from "./GuideButton.tsx";
 import { showGuide } from "../../app/place/place.ts";
 import { useGuidedBlock } from "../../app/place/open-call.ts";
-import { Said, SaidList, SaidOnPage } from "../../app/fields/said/Said.tsx";
-import { takeIntoBlock } from "./take-value.ts";
+import { GlossaryText, GlossaryList, GlossaryScope } from "../../app/fields/said/GlossaryText.tsx";
+import { applyToBlock } from "./apply-value.ts";
 import { useTriedBlock } from "./use-tried-block.ts";
 import { ValueCard } from "./ValueCard.tsx";
 
@@ -93,7 +93,7 @@ function WordPictures({ kind, field }: Props) {
                 whole
                 whose={tried.isUsual ? (line === null ? t.values.printed : t.values.yours) : null}
                 take={
-                  line === null || tried.isUsual ? null : () => void takeIntoBlock(line, kind, word, tried.text, letter)
+                  line === null || tried.isUsual ? null : () => void applyToBlock(line, kind, word, tried.text, letter)
                 }
               />
             );
@@ -114,7 +114,7 @@ function Rules({ sentences }: { readonly sentences: readonly string[] }) {
         .filter((sentence) => sentence !== "")
         .map((sentence) => (
           <p key={sentence}>
-            <Said text={sentence} />
+            <GlossaryText text={sentence} />
           </p>
         ))}
       <p className="soft small">{blocks.recalled}</p>
@@ -127,7 +127,7 @@ function Mistakes({ sentences }: { readonly sentences: readonly string[] }) {
   return (
     <section className="guide-mistakes" aria-label={t.mistakes}>
       <h2>{t.mistakes}</h2>
-      <SaidList texts={sentences} />
+      <GlossaryList texts={sentences} />
     </section>
   );
 }
@@ -160,12 +160,12 @@ function OfBlock({ kind }: { readonly kind: PagedKind }) {
   const [source] = blockSources(kind, null);
   const { about, rule, mistakes } = blocks.kinds[kind];
   return (
-    <SaidOnPage texts={[about, rule, ...mistakes]}>
+    <GlossaryScope texts={[about, rule, ...mistakes]}>
       <header className="guide-head">
         <p className="soft">{blocks.title}</p>
         <h1>{names[kind]}</h1>
         <p>
-          <Said text={about} />
+          <GlossaryText text={about} />
         </p>
         {source && (
           <p className="soft">
@@ -177,7 +177,7 @@ function OfBlock({ kind }: { readonly kind: PagedKind }) {
       {kind === "functions" && <Functions />}
       <Rules sentences={[rule]} />
       <Mistakes sentences={mistakes} />
-    </SaidOnPage>
+    </GlossaryScope>
   );
 }
 
@@ -235,14 +235,14 @@ function OfWord({ kind, word }: { readonly kind: PagedKind; readonly word: strin
     </button>
   );
   return (
-    <SaidOnPage texts={[said.about, ...said.mistakes, ...rules]}>
+    <GlossaryScope texts={[said.about, ...said.mistakes, ...rules]}>
       <header className="guide-head">
         <p className="soft">{texts.editor.kinds[kind]}</p>
         <h1>
           <span className="number prompt-q">{letterOf(field)}</span> {wordName(texts, field)}
         </h1>
         <p>
-          <Said text={said.about} />
+          <GlossaryText text={said.about} />
         </p>
         <p className="soft">
           {blocks.inProgram}: <code className="number">{statementLine(source.statement)}</code>
@@ -258,7 +258,7 @@ function OfWord({ kind, word }: { readonly kind: PagedKind; readonly word: strin
         <Rules sentences={rules} />
       </div>
       <Words kind={kind} source={source.statement} but={word} />
-    </SaidOnPage>
+    </GlossaryScope>
   );
 }
 

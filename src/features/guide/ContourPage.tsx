@@ -6,7 +6,7 @@ import { newRow, type ContourRow } from "../../program/job/job.ts";
 import { segmentData } from "../../view/path.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
-import { Said, SaidList, SaidOnPage } from "../../app/fields/said/Said.tsx";
+import { GlossaryText, GlossaryList, GlossaryScope } from "../../app/fields/said/GlossaryText.tsx";
 
 /** Elements with a size of their own, each at a small, a default and a large one, mm. */
 const SIZED = [
@@ -70,16 +70,16 @@ export function ContourPage() {
   const language = useSettings((s) => s.language);
   const sizes = [t.values.small, t.values.usual, t.values.large];
   return (
-    <SaidOnPage texts={[words.about, places.lead, ...places.mistakes]}>
+    <GlossaryScope texts={[words.about, places.lead, ...places.mistakes]}>
       <header className="guide-head">
         <h1>
           <span className="number prompt-q">LBL</span> {words.question}
         </h1>
         <p>
-          <Said text={words.about} />
+          <GlossaryText text={words.about} />
         </p>
         <p>
-          <Said text={places.lead} />
+          <GlossaryText text={places.lead} />
         </p>
         <p>{intro}</p>
       </header>
@@ -119,8 +119,8 @@ export function ContourPage() {
       </section>
       <section className="guide-mistakes" aria-label={t.mistakes}>
         <h2>{t.mistakes}</h2>
-        <SaidList texts={places.mistakes} />
+        <GlossaryList texts={places.mistakes} />
       </section>
-    </SaidOnPage>
+    </GlossaryScope>
   );
 }

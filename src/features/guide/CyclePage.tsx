@@ -2,7 +2,7 @@ import type { Cycle } from "../../cycles/define.ts";
 import { isRecalled } from "../../cycles/params.ts";
 import type { CycleNumber, ParamTextId } from "../../cycles/index.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
-import { Said, SaidList, SaidOnPage } from "../../app/fields/said/Said.tsx";
+import { GlossaryText, GlossaryList, GlossaryScope } from "../../app/fields/said/GlossaryText.tsx";
 import { showGuide } from "../../app/place/place.ts";
 import { StepPlayer } from "./StepPlayer.tsx";
 import { useCycleRun } from "./use-cycle-run.ts";
@@ -32,14 +32,14 @@ export function CyclePage({ cycle }: { readonly cycle: Cycle }) {
   const { cycles, dialog, params } = useTexts();
   const words = cycles.of[cycle.number as CycleNumber];
   return (
-    <SaidOnPage texts={[...words.description, ...words.notes]}>
+    <GlossaryScope texts={[...words.description, ...words.notes]}>
       <header className="guide-head">
         <h1>
           <span className="number prompt-q">{cycle.number}</span> {words.name}
         </h1>
         {words.description.map((sentence) => (
           <p key={sentence}>
-            <Said text={sentence} />
+            <GlossaryText text={sentence} />
           </p>
         ))}
         {isRecalled(cycle) && <p className="soft small">{dialog.recalled}</p>}
@@ -63,7 +63,7 @@ export function CyclePage({ cycle }: { readonly cycle: Cycle }) {
           </ul>
         </section>
       )}
-      {words.notes.length > 0 && <SaidList texts={words.notes} className="guide-notes soft" />}
-    </SaidOnPage>
+      {words.notes.length > 0 && <GlossaryList texts={words.notes} className="guide-notes soft" />}
+    </GlossaryScope>
   );
 }

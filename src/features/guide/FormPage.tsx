@@ -18,9 +18,9 @@ import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { formAtValues, namedAt, sizedWords, type FormAtValue, type SizedWord } from "./form-values.ts";
 import { GuideButton } from "./GuideButton.tsx";
-import { Said, SaidList, SaidOnPage } from "../../app/fields/said/Said.tsx";
+import { GlossaryText, GlossaryList, GlossaryScope } from "../../app/fields/said/GlossaryText.tsx";
 import { keepFocus } from "./keep-focus.ts";
-import { takeIntoForm } from "./take-value.ts";
+import { applyToApproach } from "./apply-value.ts";
 import { useFormSource, type FormSource } from "./use-form-source.ts";
 import "../../app/pictures/help/help.css";
 import "../../app/pictures/plane/approach.css";
@@ -48,7 +48,7 @@ export const formOfPage = (page: string): { readonly form: ApproachForm; readonl
   ALL_FORMS.find(({ form, departing }) => formPage(form, departing) === page) ?? null;
 
 /** The common bounds of all pictures of a word. */
-const around = (all: readonly Bounds[]): Bounds => ({
+const unitedBounds = (all: readonly Bounds[]): Bounds => ({
   left: Math.min(...all.map(({ left }) => left)),
   right: Math.max(...all.map(({ right }) => right)),
   low: Math.min(...all.map(({ low }) => low)),
@@ -157,7 +157,7 @@ function FormValue({ word, form, source, frame, size }: CardProps) {
           className="button value-take"
           onClick={(event) => {
             keepFocus(event.currentTarget, "section");
-            void takeIntoForm(line, word, value);
+            void applyToApproach(line, word, value);
           }}
         >
           {advice.take(`${word} = ${text}`)}
@@ -178,7 +178,7 @@ function FormValues({ word, source }: { readonly word: SizedWord; readonly sourc
       { pole } = source.context;
     const frames = forms.map(({ result, request: { element } }) => planeFrameOf(result, element, toolRadius));
     const at = pole && isPolar(source.form) ? [{ left: pole.x, right: pole.x, low: pole.y, high: pole.y }] : [];
-    return { forms, frame: around([...frames, ...at]) };
+    return { forms, frame: unitedBounds([...frames, ...at]) };
   }, [source, word]);
   const sizes = [t.values.small, t.values.usual, t.values.large];
   return (
@@ -227,14 +227,14 @@ export function FormPage({
   );
   const wrong = [places.mistakes[shape], places.mistakes.all];
   return (
-    <SaidOnPage texts={[words.shapes[shape].about, ...(departing ? [places.leaving] : places.dangers), ...wrong]}>
+    <GlossaryScope texts={[words.shapes[shape].about, ...(departing ? [places.leaving] : places.dangers), ...wrong]}>
       <header className="guide-head">
         <p className="soft">{title}</p>
         <h1>
           <span className="number prompt-q">{formName(form, departing)}</span> {words.shapes[shape].name}
         </h1>
         <p>
-          <Said text={words.shapes[shape].about} />
+          <GlossaryText text={words.shapes[shape].about} />
         </p>
         {isPolar(form) && <p>{places.polar}</p>}
         {asked && !sized.some((each) => each === word) && (
@@ -263,18 +263,18 @@ export function FormPage({
         </section>
         {departing ? (
           <p className="guide-danger">
-            <Said text={places.leaving} />
+            <GlossaryText text={places.leaving} />
           </p>
         ) : (
           <section className="guide-danger" aria-label={places.danger}>
             <h2>{places.danger}</h2>
-            <SaidList texts={places.dangers} />
+            <GlossaryList texts={places.dangers} />
           </section>
         )}
       </div>
       <section className="guide-mistakes" aria-label={t.mistakes}>
         <h2>{t.mistakes}</h2>
-        <SaidList texts={wrong} />
+        <GlossaryList texts={wrong} />
       </section>
       <section aria-label={places.others}>
         <h2>{places.others}</h2>
@@ -282,7 +282,7 @@ export function FormPage({
           <FormLinks but={formPage(form, departing)} />
         </ul>
       </section>
-    </SaidOnPage>
+    </GlossaryScope>
   );
 }
 

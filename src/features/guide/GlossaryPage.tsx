@@ -2,7 +2,7 @@ import { useEffect, useRef, useState, type KeyboardEvent } from "react";
 import { TERMS, type TermId } from "../../i18n/glossary-text.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { showGuide } from "../../app/place/place.ts";
-import { Said, SaidOnPage } from "../../app/fields/said/Said.tsx";
+import { GlossaryText, GlossaryScope } from "../../app/fields/said/GlossaryText.tsx";
 import { TermUses } from "./TermUses.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
@@ -65,9 +65,9 @@ export function GlossaryPage({ term }: { readonly term: string | null }) {
             </dt>
             <dd>
               {id === term ? (
-                <SaidOnPage texts={[text]} but={id}>
-                  <Said text={text} />
-                </SaidOnPage>
+                <GlossaryScope texts={[text]} but={id}>
+                  <GlossaryText text={text} />
+                </GlossaryScope>
               ) : (
                 text
               )}

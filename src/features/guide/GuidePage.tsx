@@ -17,7 +17,7 @@ import { ParameterPage } from "./ParameterPage.tsx";
 import { isSetupPage, SETUP_PAGES, type SetupPageId } from "./setup-variants.ts";
 import { setupPageWords } from "./setup-page-words.ts";
 import { SetupPlacePage } from "./SetupPlacePage.tsx";
-import { Taken } from "./Taken.tsx";
+import { AppliedValueNote } from "./AppliedValueNote.tsx";
 import "./guide.css";
 
 /** All cycles, then the other prompts, each linked to its page. */
@@ -180,7 +180,7 @@ export function GuidePage() {
       <article className="guide-body">
         <Shown path={shown} />
       </article>
-      <Taken page={name} />
+      <AppliedValueNote page={name} />
     </main>
   );
 }

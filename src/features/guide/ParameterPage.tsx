@@ -1,18 +1,18 @@
 import { isRecalled, type Param } from "../../cycles/params.ts";
-import { actsIn } from "../../cycles/acts-in.ts";
+import { activeSteps } from "../../cycles/active-steps.ts";
 import type { Cycle } from "../../cycles/define.ts";
 import type { CycleNumber, ParamTextId } from "../../cycles/index.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import type { Numbers } from "../../view/help/lettering.ts";
 import { unitOf } from "../../app/fields/dialog/write-value.ts";
-import { givenOf } from "../../app/calculation/given.ts";
+import { cycleGivens } from "../../app/calculation/cycle-givens.ts";
 import { HelpPicture } from "../../app/pictures/help/HelpPicture.tsx";
 import { Icon } from "../../app/base/Icon.tsx";
 import { readJob } from "../../app/document/reading.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { AdviceItems } from "./AdviceItems.tsx";
-import { Said, SaidList, SaidOnPage } from "../../app/fields/said/Said.tsx";
+import { GlossaryText, GlossaryList, GlossaryScope } from "../../app/fields/said/GlossaryText.tsx";
 import { showGuide } from "../../app/place/place.ts";
 import { guideSources } from "./guide-source.ts";
 import { StartingValues } from "./StartingValues.tsx";
@@ -71,7 +71,7 @@ function Facts({ cycle, q, param }: Props) {
 function ActsIn({ cycle, param }: Omit<Props, "q">) {
   const t = useTexts("guide");
   const words = useTexts().cycles.of[cycle.number as CycleNumber];
-  const acts = actsIn(cycle, param);
+  const acts = activeSteps(cycle, param);
   const isNowhere = acts.rough.length + acts.finish.length === 0;
   return (
     <section className="guide-acts" aria-label={t.acts.title}>
@@ -132,7 +132,7 @@ export function ParameterPage({ cycle, q, param }: Props) {
   const said = [words.explanation, ...mistakes];
   const go = (other: string) => showGuide("guide", String(cycle.number), other);
   return (
-    <SaidOnPage texts={said}>
+    <GlossaryScope texts={said}>
       <header className="guide-head">
         <p className="soft">
           <span className="number">{cycle.number}</span> {cycles.of[cycle.number as CycleNumber].name}
@@ -141,7 +141,7 @@ export function ParameterPage({ cycle, q, param }: Props) {
           <span className="number prompt-q">{q}</span> {words.prompt}
         </h1>
         <p>
-          <Said text={words.explanation} />
+          <GlossaryText text={words.explanation} />
         </p>
         <div className="guide-turns">
           <button
@@ -171,7 +171,7 @@ export function ParameterPage({ cycle, q, param }: Props) {
             <HelpPicture
               cycle={cycle}
               values={read.reading.values as Numbers | null}
-              given={givenOf(read)}
+              given={cycleGivens(read)}
               activeQ={q}
               language={language}
             />
@@ -184,7 +184,7 @@ export function ParameterPage({ cycle, q, param }: Props) {
       <div className="guide-columns">
         <section className="guide-mistakes" aria-label={t.mistakes}>
           <h2>{t.mistakes}</h2>
-          <SaidList texts={mistakes} />
+          <GlossaryList texts={mistakes} />
           <h2>{t.terms}</h2>
           <ul className="guide-terms">
             {termsOf(param).map((term) => (
@@ -203,6 +203,6 @@ export function ParameterPage({ cycle, q, param }: Props) {
         </section>
         {!cycle.acts && <ActsIn cycle={cycle} param={param} />}
       </div>
-    </SaidOnPage>
+    </GlossaryScope>
   );
 }

@@ -4,11 +4,11 @@ import { useSettings } from "../../app/base/settings/settings.ts";
 import { type GuidePath, showGuide } from "../../app/place/place.ts";
 import { useAdviceOn } from "../../app/fields/said/use-advice.ts";
 import "../../app/fields/said/prompt-more.css";
-import { useTextsSoon } from "../../app/base/settings/use-texts.ts";
+import { useTextsOrNull } from "../../app/base/settings/use-texts.ts";
 
 /** A quiet mark if there is advice on the value of a prompt. */
 function AdviceMark({ cycle, q }: { readonly cycle: number; readonly q: string }) {
-  const t = useTextsSoon("advice");
+  const t = useTextsOrNull("advice");
   const { length: count } = useAdviceOn(cycle, q);
   if (!t || count === 0) return null;
   return (
@@ -20,7 +20,7 @@ function AdviceMark({ cycle, q }: { readonly cycle: number; readonly q: string }
 
 /** The link from a prompt to its guide page, and to the advice on its value. */
 export function PromptMore({ page, name }: { readonly page: GuidePath; readonly name: string }) {
-  const t = useTextsSoon("guide");
+  const t = useTextsOrNull("guide");
   const on = useSettings((s) => s.advice);
   if (!t) return null;
   const [, first, q] = page;

@@ -8,11 +8,11 @@ import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { useEditor } from "../../app/document/store.ts";
 import { useToolList } from "../../app/document/work-tools.ts";
-import { Said, SaidList, SaidOnPage } from "../../app/fields/said/Said.tsx";
+import { GlossaryText, GlossaryList, GlossaryScope } from "../../app/fields/said/GlossaryText.tsx";
 import { showGuide } from "../../app/place/place.ts";
 import { setupPageWords } from "./setup-page-words.ts";
 import { SETUP_PAGES, type SetupPageId } from "./setup-variants.ts";
-import { takeSetup } from "./take-value.ts";
+import { applySetupValue } from "./apply-value.ts";
 import { StartingValues } from "./StartingValues.tsx";
 import { useTriedSetup } from "./use-tried-setup.ts";
 import { ValueCard } from "./ValueCard.tsx";
@@ -65,7 +65,12 @@ function SetupPictures({ id }: { readonly id: SetupPageId }) {
                 take={
                   canTake && made.isOwn && !tried.isUsual
                     ? () =>
-                        takeSetup(id, tried.value, letter, id === "perRevolution" ? textOf(tried.value) : tried.value)
+                        applySetupValue(
+                          id,
+                          tried.value,
+                          letter,
+                          id === "perRevolution" ? textOf(tried.value) : tried.value,
+                        )
                     : null
                 }
               />
@@ -99,14 +104,14 @@ export function SetupPlacePage({ id }: { readonly id: SetupPageId }) {
     </button>
   );
   return (
-    <SaidOnPage texts={[about, ...mistakes]}>
+    <GlossaryScope texts={[about, ...mistakes]}>
       <header className="guide-head">
         <p className="soft">{places.setup}</p>
         <h1>
           <span className="number prompt-q">{letter}</span> {name}
         </h1>
         <p>
-          <Said text={about} />
+          <GlossaryText text={about} />
         </p>
         {unit !== "" && (
           <p className="soft">
@@ -121,8 +126,8 @@ export function SetupPlacePage({ id }: { readonly id: SetupPageId }) {
       <SetupPictures id={id} />
       <section className="guide-mistakes" aria-label={t.mistakes}>
         <h2>{t.mistakes}</h2>
-        <SaidList texts={mistakes} />
+        <GlossaryList texts={mistakes} />
       </section>
-    </SaidOnPage>
+    </GlossaryScope>
   );
 }

@@ -2,7 +2,7 @@ import { formatNumber } from "../../i18n/number.ts";
 import { SPINDLE } from "../../report/advice/advise.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import type { StartingValue } from "./starting.ts";
-import { takeValue, useTaking } from "./take-value.ts";
+import { applyValue, useCanApply } from "./apply-value.ts";
 import "./setup-start.css";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
@@ -10,7 +10,7 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 export function StartingRows({ cycle, rows }: { readonly cycle: number; readonly rows: readonly StartingValue[] }) {
   const t = useTexts("advice");
   const language = useSettings((s) => s.language);
-  const canTake = useTaking(cycle);
+  const canTake = useCanApply(cycle);
   return (
     <ul className="starting-rows">
       {rows.map(({ at, of, value }) => {
@@ -29,7 +29,7 @@ export function StartingRows({ cycle, rows }: { readonly cycle: number; readonly
                 type="button"
                 className="button"
                 aria-label={`${name}: ${take}`}
-                onClick={() => void takeValue(cycle, at, value)}
+                onClick={() => void applyValue(cycle, at, value)}
               >
                 {take}
               </button>

@@ -30,7 +30,7 @@ interface Shown {
 }
 
 /** Index of the next or previous piece that this run has; null if there is none. */
-function other(pieces: readonly StepPiece[], index: number, by: 1 | -1): number | null {
+function adjacentPiece(pieces: readonly StepPiece[], index: number, by: 1 | -1): number | null {
   for (let i = index + by; pieces[i]; i += by) if (pieces[i]?.piece) return i;
   return null;
 }
@@ -67,7 +67,7 @@ export function StepPlayer({ cycle, run: { outcome, isOwn } }: { readonly cycle:
       show((was) => {
         const later = was.seconds + by;
         if (later < time.lasts) return { ...was, seconds: later };
-        const following = was.plays === "all" ? other(pieces, was.index, 1) : null;
+        const following = was.plays === "all" ? adjacentPiece(pieces, was.index, 1) : null;
         return following === null
           ? { ...was, seconds: time.lasts, plays: "no" }
           : { ...was, index: following, seconds: 0 };
@@ -97,7 +97,7 @@ export function StepPlayer({ cycle, run: { outcome, isOwn } }: { readonly cycle:
   const onKey = (event: KeyboardEvent) => {
     const isButton = (event.target as HTMLElement).closest("button");
     byKey.current = event.key === "ArrowRight" || event.key === "ArrowLeft";
-    if (byKey.current) choose(other(pieces, index, event.key === "ArrowRight" ? 1 : -1));
+    if (byKey.current) choose(adjacentPiece(pieces, index, event.key === "ArrowRight" ? 1 : -1));
     else if (event.key === " " && !isButton) toggle("one");
     else return;
     event.preventDefault();
@@ -137,8 +137,8 @@ export function StepPlayer({ cycle, run: { outcome, isOwn } }: { readonly cycle:
             type="button"
             className="button"
             aria-label={t.previous}
-            disabled={other(pieces, index, -1) === null}
-            onClick={() => choose(other(pieces, index, -1))}
+            disabled={adjacentPiece(pieces, index, -1) === null}
+            onClick={() => choose(adjacentPiece(pieces, index, -1))}
           >
             <Icon name="unfold" />
           </button>
@@ -149,8 +149,8 @@ export function StepPlayer({ cycle, run: { outcome, isOwn } }: { readonly cycle:
             type="button"
             className="button"
             aria-label={t.next}
-            disabled={other(pieces, index, 1) === null}
-            onClick={() => choose(other(pieces, index, 1))}
+            disabled={adjacentPiece(pieces, index, 1) === null}
+            onClick={() => choose(adjacentPiece(pieces, index, 1))}
           >
             <Icon name="fold" />
           </button>

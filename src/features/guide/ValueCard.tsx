@@ -9,7 +9,7 @@ import { useIssueText } from "../../app/calculation/issue-text.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { CutPicture } from "./CutPicture.tsx";
 import { keepFocus } from "./keep-focus.ts";
-import type { TriedOutcome } from "./tried.ts";
+import type { ComparedValue } from "./compared-values.ts";
 import { Message } from "../../app/base/Message.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
@@ -32,7 +32,7 @@ function changeText(
 }
 
 interface Props {
-  readonly tried: TriedOutcome;
+  readonly tried: ComparedValue;
   readonly box: Box;
   /** Label in front of the value: Q463, D. */
   readonly letter: string;

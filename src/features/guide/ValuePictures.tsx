@@ -6,7 +6,7 @@ import { CycleInWork } from "../../app/calculation/issue-text.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { unitOf } from "../../app/fields/dialog/write-value.ts";
-import { takeValue, useTaking } from "./take-value.ts";
+import { applyValue, useCanApply } from "./apply-value.ts";
 import { useTriedValues } from "./use-tried-values.ts";
 import { ValueCard } from "./ValueCard.tsx";
 
@@ -39,7 +39,7 @@ function TriedPictures({ cycle, q, param }: { readonly cycle: Cycle; readonly q:
   } = useTexts();
   const language = useSettings((s) => s.language);
   const { made: values, working } = useTriedValues(cycle, q);
-  const canTake = useTaking(cycle.number)(q) && values?.isOwn === true;
+  const canTake = useCanApply(cycle.number)(q) && values?.isOwn === true;
   const sizes = [t.values.small, t.values.usual, t.values.large];
   const needed = Object.entries(values?.needed ?? {})
     .map(([other, value]) => `${other} = ${formatNumber(language, value, cycle.params[other]?.decimals ?? 0)}`)
@@ -77,7 +77,7 @@ function TriedPictures({ cycle, q, param }: { readonly cycle: Cycle; readonly q:
                   meaning={isAuto ? undefined : meanings[value]}
                   size={param.choices || values.tried.length !== sizes.length ? null : (sizes[i] ?? null)}
                   whose={value !== values.standing ? null : values.isOwn ? t.values.yours : t.values.printed}
-                  take={canTake && value !== values.standing ? () => void takeValue(cycle.number, q, value) : null}
+                  take={canTake && value !== values.standing ? () => void applyValue(cycle.number, q, value) : null}
                 />
               );
             })}

@@ -48,4 +48,4 @@ export function blockSample(kind: BlockKind, word: string | null): BlockSample |
 
 /** Why a word of a kind of block has no live picture. */
 export const whyUnseen = (kind: BlockKind, field: FieldFacts): Unseen =>
-  named.get(kind)?.unseen ?? field.unseen ?? "same";
+  named.get(kind)?.noPicture ?? field.noPicture ?? "same";

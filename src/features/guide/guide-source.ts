@@ -1,21 +1,21 @@
 import type { Cycle } from "../../cycles/define.ts";
-import { beginsAtTip } from "../../cycles/wanted.ts";
+import { beginsAtTip } from "../../cycles/shape-request.ts";
 import type { Spindle } from "../../kernel/time/step.ts";
 import { toDiameter } from "../../kernel/units.ts";
 import { exampleJob, UNSET, type Job, type SetJob, type SpindleDraft } from "../../program/job/job.ts";
 import type { Operation } from "../../program/state/run-types.ts";
 import { positionAsTyped } from "../../program/values/typed-value.ts";
-import { rowsOf } from "../../program/job/wanted-shape.ts";
-import { broughtBy } from "../../app/document/work.ts";
-import { outcomeBeside } from "../../app/calculation/beside.ts";
+import { rowsOf } from "../../program/job/requested-shape.ts";
+import { onlyBundle } from "../../app/document/work.ts";
+import { outcomeOfOther } from "../../app/calculation/other-outcome.ts";
 import { useOutcome, type Outcome } from "../../app/calculation/outcome.ts";
 import { printedText } from "../../app/document/printed.ts";
-import { readJob, setJobOf } from "../../app/document/reading.ts";
-import { handedOn, useEditor } from "../../app/document/store.ts";
+import { readJob, completeJob } from "../../app/document/reading.ts";
+import { bundleOf, useEditor } from "../../app/document/store.ts";
 import { toolTable } from "../../app/document/work-tools.ts";
-import { useShownBeside } from "../../app/document/shown-file.ts";
+import { useShownOtherFile } from "../../app/document/shown-file.ts";
 import { useOpenCall } from "../../app/place/open-call.ts";
-import { speaksOf } from "../../app/fields/said/open-call.ts";
+import { isGuidedCall } from "../../app/fields/said/open-call.ts";
 
 /** The values that the guide shows a cycle with: the operator's own, or those of the example. */
 export interface GuideSource {
@@ -40,17 +40,17 @@ function spindleAsTyped(spindle: Spindle | null, { spindle: example }: Job): Spi
 }
 
 /** Jobs by the operation they were made from. */
-const ofCall = new WeakMap<Operation, Job>();
+const cachedJobs = new WeakMap<Operation, Job>();
 
 /**
  * A job from a call of the cycle in the open program, that of the open block, else the first: its values, contour, tool
  * and spindle; with a proposed blank, and its start if the contour begins there.
  */
-function ofProgram(cycle: Cycle): Job | null {
+function jobOfProgram(cycle: Cycle): Job | null {
   if (!useEditor.getState().program) return null;
-  const operation = useOutcome.getState().newest?.run.operations.find(speaksOf(cycle.number));
+  const operation = useOutcome.getState().newest?.run.operations.find(isGuidedCall(cycle.number));
   if (!operation?.call) return null;
-  const known = ofCall.get(operation);
+  const known = cachedJobs.get(operation);
   if (known) return known;
   const {
     values,
@@ -69,16 +69,16 @@ function ofProgram(cycle: Cycle): Job | null {
     perRevolution: operation.feedUnit === "mm/rev",
     ...(beginsAtTip(cycle) && { start: { x: positionAsTyped(toDiameter(start.r)), z: positionAsTyped(start.z) } }),
   };
-  ofCall.set(operation, job);
+  cachedJobs.set(operation, job);
   return job;
 }
 
 /** The possible sources of a cycle, the best first: the open work, then the example of its list. */
 export function guideSources(cycle: Cycle): readonly GuideSource[] {
   const { job } = useEditor.getState();
-  const typed = job?.cycle === cycle.number ? job : ofProgram(cycle);
+  const typed = job?.cycle === cycle.number ? job : jobOfProgram(cycle);
   const own = typed && readJob(typed);
-  const example = { job: setJobOf(exampleJob(cycle)), isOwn: false };
+  const example = { job: completeJob(exampleJob(cycle)), isOwn: false };
   return own?.reading.values ? [{ job: own.job, isOwn: true }, example] : [example];
 }
 
@@ -87,18 +87,18 @@ export function useGuideSource(cycle: Cycle): string {
   useEditor();
   useOutcome((s) => s.newest);
   useOpenCall();
-  useShownBeside();
+  useShownOtherFile();
   return JSON.stringify(guideSources(cycle).map(({ job: { remarks: _, measured: __, name: ___, ...job } }) => job));
 }
 
 /** Simulates a job apart from the open work; null if that fails. */
-export const ranBeside = (job: SetJob): Promise<Outcome | null> =>
-  outcomeBeside(
+export const simulatedJob = (job: SetJob): Promise<Outcome | null> =>
+  outcomeOfOther(
     {
       name: `${job.name}.h`,
       text: printedText(job, toolTable().tools),
       encoding: "utf-8",
-      ...broughtBy(handedOn(useEditor.getState())),
+      ...onlyBundle(bundleOf(useEditor.getState())),
     },
     job,
   );

@@ -7,9 +7,9 @@ import { run } from "../../program/run/run.ts";
 import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { printedText } from "../../app/document/printed.ts";
 import { undo } from "../../app/document/steps.ts";
-import { begin, useEditor } from "../../app/document/store.ts";
+import { openFirstWork, useEditor } from "../../app/document/store.ts";
 import { SETUP_PAGES, setupVariants, type SetupPageId } from "./setup-variants.ts";
-import { takeSetup } from "./take-value.ts";
+import { applySetupValue } from "./apply-value.ts";
 
 const example = exampleJob(cuttingCycles[0] ?? never("no cycle"));
 const job: SetJob = {
@@ -56,9 +56,9 @@ test("every page shows two values at least, and each makes another program or an
 
 test("an applied value is the one its page showed, and one step of undo restores it with its spindle mode", () => {
   for (const id of SETUP_PAGES) {
-    begin(job, "w");
+    openFirstWork(job, "w");
     const other = setupVariants(id, job, shippedTools).find(({ isUsual }) => !isUsual) ?? never("one value only");
-    takeSetup(id, other.value, id, other.value);
+    applySetupValue(id, other.value, id, other.value);
     expect(useEditor.getState().job, id).toEqual(other.job);
     undo();
     expect(useEditor.getState().job, id).toEqual(job);

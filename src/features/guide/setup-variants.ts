@@ -57,7 +57,7 @@ export function withSetupValue<J extends Job>(job: J, id: SetupPageId, value: nu
 }
 
 /** A smaller and a larger value than the default: offsets in mm for blank and start, factors elsewhere. */
-function beside(id: Numbered, usual: number, job: SetJob): readonly [number, number] {
+function smallerAndLarger(id: Numbered, usual: number, job: SetJob): readonly [number, number] {
   switch (id) {
     case "blank.outside":
       return [usual - 6, usual + 20];
@@ -81,7 +81,7 @@ function beside(id: Numbered, usual: number, job: SetJob): readonly [number, num
  * Tools to compare with: of the same kind and orientation, with the nearest smaller and the nearest larger nose radius,
  * else the next ones.
  */
-export function kindredTools(tools: readonly Tool[], own: Tool): readonly Tool[] {
+export function comparableTools(tools: readonly Tool[], own: Tool): readonly Tool[] {
   const kin = tools.filter(({ T, TYPE, TO }) => T !== own.T && TYPE === own.TYPE && TO === own.TO);
   const by = kin.toSorted((a, b) => noseRadius(a) - noseRadius(b));
   const smaller = by.findLast((tool) => noseRadius(tool) < noseRadius(own)),
@@ -104,12 +104,12 @@ export function setupVariants(id: SetupPageId, job: SetJob, tools: readonly Tool
   if (id === "tool") {
     const own = tools.find(({ T }) => T === job.tool);
     if (!own) return [];
-    const all = [own, ...kindredTools(tools, own)].toSorted((a, b) => noseRadius(a) - noseRadius(b));
+    const all = [own, ...comparableTools(tools, own)].toSorted((a, b) => noseRadius(a) - noseRadius(b));
     return all.map(({ T }) => ({ value: T, isUsual: T === own.T, job: withSetupValue(job, id, T) }));
   }
   const usual = Number(textAt(job, id));
   if (!Number.isFinite(usual)) return [];
-  const values = [usual, ...beside(id, usual, job).map((n) => rounded(Number(n.toFixed(1))))];
+  const values = [usual, ...smallerAndLarger(id, usual, job).map((n) => rounded(Number(n.toFixed(1))))];
   return [...new Set(values)]
     .toSorted((a, b) => a - b)
     .map((value) => ({

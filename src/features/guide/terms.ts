@@ -1,7 +1,7 @@
 import type { Kind, Param, Topic } from "../../cycles/params.ts";
 import type { TermId } from "../../i18n/glossary-text.ts";
 
-const OF_KIND: Readonly<Record<Kind, readonly TermId[]>> = {
+const TERMS_OF_KIND: Readonly<Record<Kind, readonly TermId[]>> = {
   choice: [],
   diameter: ["diameter", "contour"],
   oversizeDiameter: ["oversize", "diameter", "finishing"],
@@ -17,7 +17,7 @@ const OF_KIND: Readonly<Record<Kind, readonly TermId[]>> = {
   revolutions: [],
 };
 
-const OF_TOPIC: Partial<Record<Topic, readonly TermId[]>> = {
+const TERMS_OF_TOPIC: Partial<Record<Topic, readonly TermId[]>> = {
   operation: ["roughing", "finishing", "oversize"],
   clearance: ["setupClearance", "rapid", "startPoint"],
   infeed: ["infeed", "pass", "edgeLength"],
@@ -62,6 +62,6 @@ export function termsOf({
   sizes,
 }: Pick<Param, "kind" | "shown" | "rounds" | "sizes">): readonly TermId[] {
   const own: readonly TermId[] = rounds ? ["noseRadius", "theoreticalTip", "residue"] : sizes ? ["cornerElement"] : [];
-  const all = [...new Set([...own, ...(OF_TOPIC[shown] ?? []), ...OF_KIND[kind]])];
+  const all = [...new Set([...own, ...(TERMS_OF_TOPIC[shown] ?? []), ...TERMS_OF_KIND[kind]])];
   return all.length > 0 ? all : ["contour"];
 }

@@ -2,7 +2,7 @@ import { useEffect, useState } from "react";
 import type { Cycle } from "../../cycles/define.ts";
 import { makesPath } from "../../report/guide/shown-effect.ts";
 import type { Outcome } from "../../app/calculation/outcome.ts";
-import { guideSources, ranBeside } from "./guide-source.ts";
+import { guideSources, simulatedJob } from "./guide-source.ts";
 
 /** A run of a cycle, with the operator's values or those of the example. */
 export interface CycleRun {
@@ -12,7 +12,7 @@ export interface CycleRun {
 
 async function runOf(cycle: Cycle): Promise<CycleRun | null> {
   for (const { job, isOwn } of guideSources(cycle)) {
-    const outcome = await ranBeside(job);
+    const outcome = await simulatedJob(job);
     if (outcome && makesPath(outcome)) return { isOwn, outcome };
   }
   return null;

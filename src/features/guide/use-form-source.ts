@@ -15,7 +15,7 @@ import {
 import { suggestedForms } from "../../view/approach/forms.ts";
 import { parametersBefore } from "../../app/fields/blocks/block-context.ts";
 import { useOutcome } from "../../app/calculation/outcome.ts";
-import { shownFile, useShownBeside } from "../../app/document/shown-file.ts";
+import { shownFile, useShownOtherFile } from "../../app/document/shown-file.ts";
 import { useEditor } from "../../app/document/store.ts";
 import { useGuidedBlock } from "../../app/place/open-call.ts";
 
@@ -75,7 +75,7 @@ export function useFormSource(form: ApproachForm, departing: boolean): FormSourc
   const { program, work } = useEditor();
   const block = useGuidedBlock((s) => s.block);
   const newest = useOutcome((s) => s.newest?.run ?? null);
-  const beside = useShownBeside();
+  const beside = useShownOtherFile();
   return useMemo(() => {
     if (program && block && block.work === work) {
       const read = parse(shownFile(program).text),

@@ -2,19 +2,19 @@ import { useCallback } from "react";
 import type { Box } from "../../kernel/geometry/segments.ts";
 import type { BlockKind } from "../../nc/blocks/names.ts";
 import { spreadOf, textsBeside } from "../../app/fields/blocks/block-guide.ts";
-import { outcomeBeside } from "../../app/calculation/beside.ts";
+import { outcomeOfOther } from "../../app/calculation/other-outcome.ts";
 import type { Outcome } from "../../app/calculation/outcome.ts";
 import { toolTable } from "../../app/document/work-tools.ts";
 import { useShownName } from "../../app/document/shown-file.ts";
 import { useEditor } from "../../app/document/store.ts";
 import { blockSources, fieldOfWord, textWith, type BlockSource } from "./block-source.ts";
 import { useGuidedBlock } from "../../app/place/open-call.ts";
-import { kindredTools } from "./setup-variants.ts";
-import { compared, type RanValue, type TriedOutcome } from "./tried.ts";
-import { useMade, type MadeForPage } from "./use-made.ts";
+import { comparableTools } from "./setup-variants.ts";
+import { comparedValues, type SimulatedValue, type ComparedValue } from "./compared-values.ts";
+import { usePageResult, type PageResult } from "./use-page-result.ts";
 
 /** A word of a block with one of its texts, and the effect. */
-export type TriedWord = TriedOutcome & { readonly text: string };
+export type TriedWord = ComparedValue & { readonly text: string };
 
 /** A word of a block at several values. */
 export interface TriedBlock {
@@ -36,7 +36,7 @@ function toolTexts(usual: string): readonly string[] {
     own = tools.find(({ T }) => String(T) === usual);
   if (!own) return [usual];
   const others = tools.filter(({ T, TO, RS }) => T !== own.T && TO === own.TO && RS !== own.RS).slice(0, MOST_OTHERS);
-  return [own, ...(others.length > 0 ? others : kindredTools(tools, own))].map(({ T }) => String(T));
+  return [own, ...(others.length > 0 ? others : comparableTools(tools, own))].map(({ T }) => String(T));
 }
 
 /** Whether two runs look the same: path, time, blank and part. */
@@ -55,16 +55,16 @@ async function tryAt(source: BlockSource, word: string, goesOn: () => boolean): 
     spread = field && spreadOf(field);
   if (!field || !spread) return null;
   const usual = field.read(source.statement);
-  const ran: (RanValue & { readonly text: string })[] = [];
+  const ran: (SimulatedValue & { readonly text: string })[] = [];
   for (const text of "tools" in spread ? toolTexts(usual) : textsBeside(spread, usual)) {
     if (!goesOn()) return null;
     const written = textWith(source, field, text);
-    const outcome = written === null ? null : await outcomeBeside(source.work(written), null);
+    const outcome = written === null ? null : await outcomeOfOther(source.work(written), null);
     if (outcome) ran.push({ text, isUsual: text === usual, outcome });
   }
   const own = ran.find(({ isUsual }) => isUsual);
   if (!own || ran.every(({ outcome }) => isAlike(outcome, own.outcome))) return null;
-  const shown = compared(ran, isRun);
+  const shown = comparedValues(ran, isRun);
   return shown && { line: source.line, ...shown };
 }
 
@@ -78,12 +78,12 @@ async function tryBlock(kind: BlockKind, word: string, goesOn: () => boolean): P
 }
 
 /** A word of a block at several values, recomputed when the open work changes. */
-export function useTriedBlock(kind: BlockKind, word: string): MadeForPage<TriedBlock> {
+export function useTriedBlock(kind: BlockKind, word: string): PageResult<TriedBlock> {
   const name = useShownName();
   const program = useEditor((s) => s.program);
   const line = useGuidedBlock((s) => s.block?.line ?? 0);
   const make = useCallback((goesOn: () => boolean) => tryBlock(kind, word, goesOn), [kind, word]);
-  return useMade(
+  return usePageResult(
     `${kind}.${word}`,
     JSON.stringify([name, line, program?.text, program?.files?.map(({ text }) => text)]),
     make,

@@ -3,14 +3,14 @@ import type { Cycle } from "../../cycles/define.ts";
 import type { Box } from "../../kernel/geometry/segments.ts";
 import type { SetJob } from "../../program/job/job.ts";
 import { demonstrate } from "../../report/guide/demonstrate.ts";
-import { givenOf } from "../../app/calculation/given.ts";
+import { cycleGivens } from "../../app/calculation/cycle-givens.ts";
 import { readJob } from "../../app/document/reading.ts";
-import { guideSources, ranBeside, useGuideSource } from "./guide-source.ts";
-import { compared, type TriedOutcome } from "./tried.ts";
-import { useMade, type MadeForPage } from "./use-made.ts";
+import { guideSources, simulatedJob, useGuideSource } from "./guide-source.ts";
+import { comparedValues, type ComparedValue } from "./compared-values.ts";
+import { usePageResult, type PageResult } from "./use-page-result.ts";
 
 /** A value with its effect. */
-export interface TriedValue extends TriedOutcome {
+export interface TriedValue extends ComparedValue {
   readonly value: number | "auto";
 }
 
@@ -50,14 +50,14 @@ async function tryValues(cycle: Cycle, q: string, goesOn: () => boolean): Promis
     const read = readJob(job),
       values = read?.reading.values as Readonly<Record<string, number | "auto">> | null | undefined;
     if (!read || !values) continue;
-    const asked = { cycle, q, values, given: givenOf(read) };
+    const asked = { cycle, q, values, given: cycleGivens(read) };
     const found = await demonstrate(asked, (changed) =>
-      goesOn() ? ranBeside(jobWith(job, changed)) : Promise.resolve(null),
+      goesOn() ? simulatedJob(jobWith(job, changed)) : Promise.resolve(null),
     );
-    const shown = found && compared(found.ran);
+    const shown = found && comparedValues(found.valueRuns);
     if (!found || !shown) continue;
     const { [q]: _, ...needed } = found.needed;
-    const here: TriedValues = { isOwn, standing: values[q], needed, isUnseen: found.unseen > 0, ...shown };
+    const here: TriedValues = { isOwn, standing: values[q], needed, isUnseen: found.alikeCount > 0, ...shown };
     if (!here.isUnseen) return here;
     best ??= here;
   }
@@ -65,7 +65,7 @@ async function tryValues(cycle: Cycle, q: string, goesOn: () => boolean): Promis
 }
 
 /** A parameter at several values, recomputed when the open work changes; the previous ones are shown until then. */
-export function useTriedValues(cycle: Cycle, q: string): MadeForPage<TriedValues> {
+export function useTriedValues(cycle: Cycle, q: string): PageResult<TriedValues> {
   const make = useCallback((goesOn: () => boolean) => tryValues(cycle, q, goesOn), [cycle, q]);
-  return useMade(`${cycle.number}/${q}`, useGuideSource(cycle), make);
+  return usePageResult(`${cycle.number}/${q}`, useGuideSource(cycle), make);
 }

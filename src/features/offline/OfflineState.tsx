@@ -1,4 +1,4 @@
-import { lookForNewer, updateNow } from "./offline.ts";
+import { checkForUpdate, applyUpdate } from "./offline.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { useVersion } from "../../app/base/version.ts";
 
@@ -17,13 +17,13 @@ export function OfflineState() {
           type="button"
           className="button"
           disabled={looked === "looking" || looked === "coming"}
-          onClick={() => void lookForNewer()}
+          onClick={() => void checkForUpdate()}
         >
           {t.look}
         </button>
       )}
       {newer !== "none" && (
-        <button type="button" className="button" onClick={updateNow}>
+        <button type="button" className="button" onClick={applyUpdate}>
           {newer === "elsewhere" ? t.reload : t.updateNow}
         </button>
       )}

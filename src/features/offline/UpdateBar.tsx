@@ -1,6 +1,6 @@
 import { Icon } from "../../app/base/Icon.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
-import { updateNow } from "./offline.ts";
+import { applyUpdate } from "./offline.ts";
 import { useVersion } from "../../app/base/version.ts";
 
 /** Announces a newer version. The page stays unchanged until the button is clicked. */
@@ -10,7 +10,7 @@ export function UpdateBar() {
   return (
     <p className="notice">
       <Icon name="info" /> <span>{newer === "elsewhere" ? t.elsewhere : t.ready}</span>
-      <button type="button" className="button" onClick={updateNow}>
+      <button type="button" className="button" onClick={applyUpdate}>
         {newer === "elsewhere" ? t.reload : t.updateNow}
       </button>
       <button type="button" className="button plain" onClick={() => useVersion.setState({ later: true })}>

@@ -1,3 +1,3 @@
 /* The part of this feature that the first screen needs. */
 
-export { startOfflineLater } from "./start-offline.ts";
+export { scheduleOfflineStart as startOfflineLater } from "./start-offline.ts";

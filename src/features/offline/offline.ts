@@ -1,9 +1,9 @@
 import { time } from "../../app/base/clock.ts";
-import { handOver } from "../../app/document/store.ts";
+import { flushEdits } from "../../app/document/store.ts";
 import { useVersion } from "../../app/base/version.ts";
 
 /** An open page checks for a newer version when it becomes visible, at most this often, ms. */
-const LOOK_AGAIN = 3_600_000;
+const UPDATE_CHECK_INTERVAL = 3_600_000;
 
 let registration: ServiceWorkerRegistration | null = null;
 
@@ -38,7 +38,7 @@ async function register(): Promise<void> {
 }
 
 /** Checks for a newer version on the server. It is downloaded completely before it is announced. */
-export async function lookForNewer(): Promise<void> {
+export async function checkForUpdate(): Promise<void> {
   useVersion.setState({ looked: "looking", lookedAt: time() });
   try {
     if (!registration?.active) await register();
@@ -53,8 +53,8 @@ export async function lookForNewer(): Promise<void> {
 }
 
 /** Activates the newer version and reloads the page; flushes buffered edits first, as on every reload. */
-export function updateNow(): void {
-  handOver();
+export function applyUpdate(): void {
+  flushEdits();
   const waiting = registration?.waiting;
   if (!waiting) return location.reload();
   navigator.serviceWorker.addEventListener("controllerchange", () => location.reload(), { once: true });
@@ -81,7 +81,8 @@ export async function startOffline(): Promise<void> {
     () => void (registration?.active ? registration.update().catch(() => undefined) : register()),
   );
   document.addEventListener("visibilitychange", () => {
-    if (document.visibilityState !== "visible" || time() - useVersion.getState().lookedAt < LOOK_AGAIN) return;
+    if (document.visibilityState !== "visible" || time() - useVersion.getState().lookedAt < UPDATE_CHECK_INTERVAL)
+      return;
     useVersion.setState({ lookedAt: time() });
     void registration?.update().catch(() => undefined);
   });

@@ -12,7 +12,7 @@ declare const self: ServiceWorkerGlobalScope;
 declare const KEPT_FILES: PrecacheEntry[];
 
 /** Files fetched in parallel. */
-const AT_ONCE = 4;
+const MAX_PARALLEL = 4;
 
 const controller = new PrecacheController();
 controller.addToCacheList(KEPT_FILES);
@@ -46,7 +46,7 @@ async function keepFiles(
       await keepFile(event, wants, trust(wants)).catch(() => failed.push(wants));
     }
   };
-  await Promise.all(Array.from({ length: AT_ONCE }, work));
+  await Promise.all(Array.from({ length: MAX_PARALLEL }, work));
   return failed;
 }
 
@@ -60,7 +60,7 @@ async function keepAll(event: ExtendableEvent): Promise<void> {
 /**
  * Pages hold a lock named by their script address: whether one of an older version is open, and still needs its parts.
  */
-async function olderPages(): Promise<boolean> {
+async function hasOlderPages(): Promise<boolean> {
   if (!("locks" in self.navigator)) return false;
   const { held = [] } = await self.navigator.locks.query();
   const pages = held.flatMap(({ name = "" }) =>
@@ -70,15 +70,17 @@ async function olderPages(): Promise<boolean> {
 }
 
 /** Removes the files of older versions once no page needs them. */
-async function tidy(event: ExtendableEvent): Promise<void> {
-  if (!(await olderPages())) await controller.activate(event);
+async function removeOldFiles(event: ExtendableEvent): Promise<void> {
+  if (!(await hasOlderPages())) await controller.activate(event);
 }
 
 self.addEventListener("install", (event) => event.waitUntil(keepAll(event)));
-self.addEventListener("activate", (event) => event.waitUntil(Promise.all([tidy(event), self.clients.claim()])));
+self.addEventListener("activate", (event) =>
+  event.waitUntil(Promise.all([removeOldFiles(event), self.clients.claim()])),
+);
 self.addEventListener("message", (event) => {
   if (event.data === "take over") event.waitUntil(self.skipWaiting());
-  if (event.data === "tidy") event.waitUntil(tidy(event));
+  if (event.data === "tidy") event.waitUntil(removeOldFiles(event));
 });
 
 registerRoute(new PrecacheRoute(controller, { ignoreURLParametersMatching: [/./], cleanURLs: false }));

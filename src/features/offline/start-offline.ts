@@ -1,11 +1,11 @@
-import { atRest } from "../../app/base/rest.ts";
+import { scheduleIdle } from "../../app/base/idle.ts";
 import { canKeep } from "../../app/base/version.ts";
 
 /**
  * Stores the page on the device when the browser is idle, so that the first visit never waits. From the start, the page
  * holds a lock with its version, so that its parts are not removed while it is open.
  */
-export function startOfflineLater(): void {
+export function scheduleOfflineStart(): void {
   if (!canKeep) return;
   const script = document.querySelector<HTMLScriptElement>("script[type=module][src]")?.src ?? "";
   void navigator.locks
@@ -15,7 +15,7 @@ export function startOfflineLater(): void {
     void import("./offline.ts")
       .then(({ startOffline }) => startOffline())
       .catch(() => addEventListener("online", start, { once: true }));
-  const soon = () => void atRest(start);
+  const soon = () => void scheduleIdle(start);
   if (document.readyState === "complete") soon();
   else addEventListener("load", soon, { once: true });
 }

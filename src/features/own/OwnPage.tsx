@@ -2,7 +2,7 @@ import { useEffect, useRef, useState, type KeyboardEvent } from "react";
 import type { OwnEntry } from "../../program/edits/own-cycle.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
-import { TableStatus, type TableSaid } from "../../app/fields/table/TableStatus.tsx";
+import { TableStatus, type TableMessage } from "../../app/fields/table/TableStatus.tsx";
 import { TableTabs } from "../../app/fields/table/TableTabs.tsx";
 import { openOwn, showToolKind, showTools, uncover, usePlace } from "../../app/place/place.ts";
 import { addOwn, duplicateOwn, isFull, removeOwn } from "../../app/fields/blocks/own-edits.ts";
@@ -18,7 +18,7 @@ export function OwnPage() {
   const t = useTexts("tables").own;
   const list = useOwn((s) => s.list);
   const { row: asked, focus } = usePlace((p) => p.own);
-  const [said, setSaid] = useState<TableSaid | null>(null);
+  const [said, setSaid] = useState<TableMessage | null>(null);
   const page = useRef<HTMLElement>(null);
   const file = useRef<HTMLInputElement>(null);
   const { rows } = libraryOf(list);

@@ -6,12 +6,12 @@ import { takeEntries } from "../../app/fields/blocks/own-edits.ts";
 import { openOwn } from "../../app/place/place.ts";
 import { libraryOf } from "../../app/document/own-reading.ts";
 import { useOwn } from "../../app/document/own-store.ts";
-import type { TableSaid } from "../../app/fields/table/TableStatus.tsx";
+import type { TableMessage } from "../../app/fields/table/TableStatus.tsx";
 
-const failure = (sentence: string): TableSaid => ({ sentences: [sentence], failed: true, changed: false });
+const failure = (sentence: string): TableMessage => ({ sentences: [sentence], failed: true, changed: false });
 
 /** Imports the descriptions of a text into the list: one step of undo. */
-export function importOwnText(text: string, name: string, t: OwnTexts): TableSaid {
+export function importOwnText(text: string, name: string, t: OwnTexts): TableMessage {
   const read = readLibraryFile(text);
   if ("problem" in read) {
     if (read.problem === "wrongCycle") return failure(t.files.wrongCycle(name, read.at));
@@ -40,7 +40,7 @@ export function importOwnText(text: string, name: string, t: OwnTexts): TableSai
 const LARGEST = 2_000_000;
 
 /** Imports the descriptions of a file into the list. */
-export async function importOwnFile(file: File, t: OwnTexts): Promise<TableSaid> {
+export async function importOwnFile(file: File, t: OwnTexts): Promise<TableMessage> {
   if (file.size > LARGEST) return failure(t.files.tooLarge(file.name));
   try {
     return importOwnText(new TextDecoder("utf-8", { fatal: true }).decode(await file.arrayBuffer()), file.name, t);
@@ -50,7 +50,7 @@ export async function importOwnFile(file: File, t: OwnTexts): Promise<TableSaid>
 }
 
 /** Downloads the list, including its faults. */
-export function exportOwn(t: OwnTexts): TableSaid {
+export function exportOwn(t: OwnTexts): TableMessage {
   const { list } = useOwn.getState();
   downloadText(writeLibrary(list), "CYCLES.json");
   return { sentences: [t.files.exported("CYCLES.json", list.length)], failed: false, changed: false };

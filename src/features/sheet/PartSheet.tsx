@@ -1,7 +1,7 @@
-import { madeOf } from "../../sim/made.ts";
+import { producedParts } from "../../sim/produced-parts.ts";
 import { useId, useMemo } from "react";
 import type { SheetTexts } from "../../i18n/en/sheet.ts";
-import type { MeasurementNow } from "../../view/measure/reading.ts";
+import type { CurrentMeasurement } from "../../view/measure/reading.ts";
 import { partDrawing } from "../../view/sheet/part-drawing.ts";
 import { FIGURES } from "../../view/sheet/sizes.ts";
 import type { Outcome } from "../../app/calculation/outcome.ts";
@@ -20,7 +20,7 @@ export function PartSheet({
   words,
 }: {
   readonly outcome: Outcome | null;
-  readonly measured: readonly MeasurementNow[];
+  readonly measured: readonly CurrentMeasurement[];
   readonly name: string;
   readonly t: SheetTexts;
   readonly words: SheetWords;
@@ -33,7 +33,7 @@ export function PartSheet({
     return partDrawing(
       {
         blank: run.blank,
-        finished: madeOf(simulation),
+        finished: producedParts(simulation),
         contours: run.operations.map(({ plan: { contour, thread } }) => ({
           segments: contour,
           ...(thread && { thread: { lead: thread.lead, starts: thread.starts } }),
@@ -46,7 +46,7 @@ export function PartSheet({
     );
   }, [outcome, words, drawn]);
   if (!drawing) return <p className="sheet-soft">{t.noDrawing}</p>;
-  const { scale, width, height, shapes, texts, left } = drawing;
+  const { scale, width, height, shapes, texts, omitted } = drawing;
   return (
     <figure className="sheet-part">
       <svg role="img" aria-label={t.drawingOf(name)} viewBox={`0 0 ${width} ${height}`} style={{ width: `${width}mm` }}>
@@ -72,9 +72,11 @@ export function PartSheet({
       <figcaption>
         <b>{t.scale(scale.paper, scale.part)}</b>
         <span>
-          {[t.brackets, ...(outcome?.run.clamping ? [] : [t.chuckNote]), ...(left > 0 ? [t.leftOut(left)] : [])].join(
-            " · ",
-          )}
+          {[
+            t.brackets,
+            ...(outcome?.run.clamping ? [] : [t.chuckNote]),
+            ...(omitted > 0 ? [t.leftOut(omitted)] : []),
+          ].join(" · ")}
         </span>
       </figcaption>
     </figure>

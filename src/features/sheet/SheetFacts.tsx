@@ -7,7 +7,7 @@ import { radius, toDiameter } from "../../kernel/units.ts";
 import { boundsOf } from "../../view/bounds.ts";
 import { missingFiles } from "../../app/calculation/missing-files.ts";
 import { filesOf, type ProgramWork } from "../../app/document/work.ts";
-import { useTextsSoon } from "../../app/base/settings/use-texts.ts";
+import { useTextsOrNull } from "../../app/base/settings/use-texts.ts";
 import type { SheetWords } from "./sheet-words.ts";
 import type { SheetSource } from "./use-sheet.ts";
 
@@ -20,7 +20,7 @@ function zeroText(t: SheetTexts["facts"], words: SheetWords, front: number): str
 }
 
 /** The clamping in the words of its fields, one per line. */
-function clampingSaid(c: Clamping, t: ClampingTexts, words: SheetWords): readonly string[] {
+function clampingLines(c: Clamping, t: ClampingTexts, words: SheetWords): readonly string[] {
   // Names of diameters already contain their sign.
   const across = words.length,
     along = words.signed,
@@ -53,7 +53,7 @@ export function SheetFacts({
   readonly comma: string;
 }) {
   const run = outcome?.run ?? null,
-    clamping = useTextsSoon("clamping"),
+    clamping = useTextsOrNull("clamping"),
     held = run?.clamping?.clamping;
   const box = run ? boundsOf(run.blank.flat()) : null;
   const cuts = run ? boundsOf(run.steps.filter(({ move }) => move.kind !== "rapid").map(({ move }) => move.to)) : null;
@@ -80,7 +80,10 @@ export function SheetFacts({
     [t.shift, data.shifts.length > 0 ? data.shifts.map(words.start).join(comma) : t.noShift],
     ...(cuts ? [[t.reach, `Z${words.signed(cuts.left)}`] as const] : []),
     held && clamping
-      ? [clamping.title, clampingSaid(held, clamping, words).map((each) => <span key={each}>{words.units(each)}</span>)]
+      ? [
+          clamping.title,
+          clampingLines(held, clamping, words).map((each) => <span key={each}>{words.units(each)}</span>),
+        ]
       : [t.clamping, BLANK_LINE],
     [t.pressure, BLANK_LINE],
     ...(limits.length > 0 ? [[t.speed, words.most(Math.max(...limits))] as const] : []),

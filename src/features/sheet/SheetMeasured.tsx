@@ -1,7 +1,7 @@
 import { useMemo } from "react";
 import type { SheetTexts } from "../../i18n/en/sheet.ts";
 import type { Run } from "../../program/state/run-types.ts";
-import type { MeasurementNow } from "../../view/measure/reading.ts";
+import type { CurrentMeasurement } from "../../view/measure/reading.ts";
 import type { SheetMeasurement } from "../../view/sheet/measured.ts";
 import { measurablePlane } from "../../app/pictures/plane/plane-source.ts";
 import { measuredIn } from "../../app/document/edits.ts";
@@ -14,10 +14,10 @@ import { useSettings } from "../../app/base/settings/settings.ts";
 import { useEditor } from "../../app/document/store.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
-const NOTHING: readonly MeasurementNow[] = [];
+const NOTHING: readonly CurrentMeasurement[] = [];
 
 /** The measurements of the open work that the sheet shows. */
-export function useSheetMeasured(outcome: Outcome | null): readonly MeasurementNow[] {
+export function useSheetMeasured(outcome: Outcome | null): readonly CurrentMeasurement[] {
   const list = useEditor(measuredIn),
     isShown = useSettings((s) => s.sheetMeasured);
   return useMemo(
@@ -29,7 +29,7 @@ export function useSheetMeasured(outcome: Outcome | null): readonly MeasurementN
 
 /** Those to draw: of the finished part. Intermediate stock and milled planes are not on the drawing. */
 export function useDrawnMeasured(
-  measured: readonly MeasurementNow[],
+  measured: readonly CurrentMeasurement[],
   run: Run | undefined,
 ): readonly SheetMeasurement[] {
   const t = useTexts("measure"),
@@ -40,9 +40,9 @@ export function useDrawnMeasured(
         const {
           measurement: { id, plane, moment },
           figure,
-          isOld,
+          isStale,
         } = each;
-        const isDrawn = !isOld && plane === "ZX" && moment?.block === undefined;
+        const isDrawn = !isStale && plane === "ZX" && moment?.block === undefined;
         return isDrawn ? [{ id, figure, text: measurementWords(t, lengths, each).text }] : [];
       }),
     [measured, t, lengths],
@@ -55,14 +55,14 @@ export function SheetMeasured({
   run,
   t,
 }: {
-  readonly measured: readonly MeasurementNow[];
+  readonly measured: readonly CurrentMeasurement[];
   readonly run: Run | undefined;
   readonly t: SheetTexts;
 }) {
   const own = useTexts("measure"),
     lengths = useLengths(run);
   if (measured.length === 0) return null;
-  const said = measured.filter(({ isOld }) => !isOld),
+  const said = measured.filter(({ isStale }) => !isStale),
     old = measured.length - said.length;
   return (
     <section className="sheet-measured">

@@ -24,7 +24,7 @@ function useNow(): Date {
 }
 
 /** The footer of each printed page; the printer numbers the pages. */
-function useFoot(text: string, page: string): void {
+function usePrintFooter(text: string, page: string): void {
   useEffect(() => {
     const { style } = document.documentElement;
     style.setProperty("--sheet-foot", JSON.stringify(text));
@@ -45,7 +45,7 @@ export function SheetPage() {
   const now = useNow();
   const date = new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" }).format(now);
   const { before, of, after } = t.page;
-  useFoot(
+  usePrintFooter(
     source ? [source.data.name || source.file, date, `Turnwise ${import.meta.env["VITE_VERSION"]}`].join(" · ") : "",
     `${JSON.stringify(before)} counter(page) ${JSON.stringify(of)} counter(pages) ${JSON.stringify(after)}`,
   );

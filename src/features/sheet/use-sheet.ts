@@ -7,7 +7,7 @@ import { isMadeFrom, useOutcome, type Outcome } from "../../app/calculation/outc
 import { fileOfJob, printedText } from "../../app/document/printed.ts";
 import { useIsoFile } from "../../app/document/output.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
-import { handedOn, useEditor } from "../../app/document/store.ts";
+import { bundleOf, useEditor } from "../../app/document/store.ts";
 import { toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
 
 /** Inputs of the sheet. */
@@ -31,7 +31,7 @@ export function useSheetSource(): SheetSource | null {
   const work = useEditor((s) => s.program);
   const newest = useOutcome((s) => s.newest);
   const shop = useTools((s) => s.list);
-  const own = useEditor(handedOn);
+  const own = useEditor(bundleOf);
   const iso = useIsoFile(job);
   const settings = useSettings((s) => s.control);
   const { table } = toolsOnDevice(own.tools ?? shop);

@@ -13,7 +13,7 @@ const PICTURE = 30;
 const STILL = 0.34;
 
 /** Shows a run at a time by changing the DOM directly, without React. */
-function put(svg: SVGSVGElement, run: LiveRun, time: number): number {
+function showRunAt(svg: SVGSVGElement, run: LiveRun, time: number): number {
   const { z, r, inwards, before, after, pass } = livePlace(run, time);
   const [left, top, width, height] = run.box;
   const within = <E extends SVGElement>(name: string) => svg.querySelectorAll<E>(`[data-live="${name}"]`);
@@ -55,7 +55,7 @@ export function LivePicture({ run }: { readonly run: LiveRun | undefined }) {
     const whole = durationOf(run);
     time.current ??= still ? whole * STILL : 0;
     const show = (now: number) => {
-      if (svg.current) say(put(svg.current, run, now));
+      if (svg.current) say(showRunAt(svg.current, run, now));
     };
     show(time.current);
     if (!plays) return undefined;

@@ -9,8 +9,8 @@ import {
   type Chosen,
 } from "../../app/records/files/file-handle.ts";
 import type * as FolderPart from "../../app/records/files/folder.ts";
-import { untilHere } from "../../app/base/parts.ts";
-import { openFiles, openFolder, openText, type Opening } from "../../app/fields/open/open-program.ts";
+import { retryImport } from "../../app/base/parts.ts";
+import { openFiles, openFolder, openText, type OpenResult } from "../../app/fields/open/open-program.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { WhichButton } from "../../app/document/WhichButton.tsx";
@@ -28,7 +28,7 @@ export async function openExample(id: string): Promise<void> {
 /** Ways to get an NC program: a file, a paste, a new one, an example. */
 export function ProgramStart({ pictures }: { readonly pictures: StartPictures | null }) {
   const t = useTexts("first").page;
-  const [opening, setOpening] = useState<Opening>("opened");
+  const [opening, setOpening] = useState<OpenResult>("opened");
   const [creating, create] = useState(false);
   const [pasted, paste] = useState(false);
   const area = useRef<HTMLTextAreaElement>(null);
@@ -42,7 +42,7 @@ export function ProgramStart({ pictures }: { readonly pictures: StartPictures | 
     await take(await pickFiles());
   };
   const takeFolder = async (content: (part: typeof FolderPart) => Promise<FolderPart.FolderContent>) =>
-    setOpening(await openFolder(await content(await untilHere(() => import("../../app/records/files/folder.ts")))));
+    setOpening(await openFolder(await content(await retryImport(() => import("../../app/records/files/folder.ts")))));
   const askFolder = async () => {
     const picked = await pickFolder();
     if (picked === undefined) return folder.current?.click();

@@ -1,13 +1,13 @@
 import { Suspense, useEffect, useRef, useState, type ReactNode } from "react";
 import type { ExampleId } from "../../examples/index.ts";
-import { CycleChooser, type More } from "../../app/fields/chooser/CycleChooser.tsx";
+import { CycleChooser, type OtherRows } from "../../app/fields/chooser/CycleChooser.tsx";
 import { useRecent } from "../../app/fields/chooser/recent.ts";
 import { lazyPart } from "../../app/base/parts.ts";
-import { fetchAtRest } from "../../app/base/rest.ts";
-import { refreshWorks, useKeeping } from "../../app/records/keep.ts";
+import { prefetchIdle } from "../../app/base/idle.ts";
+import { refreshWorks, useSavedWorks } from "../../app/records/keep.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
-import { findMore } from "./find-more.ts";
-import { KeptWorks, openKept } from "../../app/fields/kept/KeptWorks.tsx";
+import { findOtherResults } from "./other-results.ts";
+import { SavedPrograms, openSaved } from "../../app/fields/kept/SavedPrograms.tsx";
 import { openExample, ProgramStart } from "./ProgramStart.tsx";
 import { usePictures } from "./use-pictures.ts";
 
@@ -27,14 +27,14 @@ function typeIntoSearch(page: HTMLElement, event: KeyboardEvent): void {
 }
 
 /** Stored works and examples that a search finds besides the cycles. */
-function useMore(): More {
+function useOtherResults(): OtherRows {
   const { start: t, examples } = useTexts("first").page;
-  const works = useKeeping((k) => k.works);
+  const works = useSavedWorks((k) => k.works);
   return (sought) => {
     if (sought === null) return { count: 0, best: null, shown: null };
-    const found = findMore(sought, works, examples);
+    const found = findOtherResults(sought, works, examples);
     const all = [
-      ...found.works.map(({ work, name }) => ({ id: work, name: t.foundWork(name), go: () => void openKept(work) })),
+      ...found.works.map(({ work, name }) => ({ id: work, name: t.foundWork(name), go: () => void openSaved(work) })),
       ...found.examples.map((id: ExampleId) => ({
         id,
         name: t.foundExample(examples[id]),
@@ -61,13 +61,13 @@ export function StartPage({ course }: { readonly course: ReactNode }) {
   const t = useTexts("first");
   const going = useRef(false);
   const pictures = usePictures();
-  const more = useMore();
+  const more = useOtherResults();
   // Returning visitors come for their works, so the introduction comes after them. It keeps its place during the visit.
-  const [returns] = useState(() => useKeeping.getState().works.length > 0 || useRecent.getState().cycles.length > 0);
+  const [returns] = useState(() => useSavedWorks.getState().works.length > 0 || useRecent.getState().cycles.length > 0);
   useEffect(() => {
     void refreshWorks();
   }, []);
-  useEffect(() => fetchAtRest(fetchBegin), []);
+  useEffect(() => prefetchIdle(fetchBegin), []);
   const page = useRef<HTMLElement>(null);
   useEffect(() => {
     const onKey = (event: KeyboardEvent) => page.current && typeIntoSearch(page.current, event);
@@ -102,7 +102,7 @@ export function StartPage({ course }: { readonly course: ReactNode }) {
           <Suspense>{course}</Suspense>
         </div>
       </div>
-      <KeptWorks />
+      <SavedPrograms />
       {!returns && welcome}
       <ProgramStart pictures={pictures} />
       <section className="start-cycles" aria-label={words.choose}>

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { durationOf, livePlace, STANDS } from "./live-place.ts";
+import { durationOf, livePlace, END_PAUSE } from "./live-place.ts";
 import type { LiveRun } from "./pictures.ts";
 
 const run = {
@@ -31,6 +31,6 @@ test("between two waypoints the tool is interpolated, with the stock before and 
 
 test("it starts at the first place and stays at the last one", () => {
   expect(livePlace(run, 0)).toMatchObject({ z: 2, r: 37.5, after: 0 });
-  expect(livePlace(run, 1030 + STANDS - 1)).toMatchObject({ z: -41.3, r: 38, before: 1, after: 1 });
-  expect(durationOf(run)).toBe(1030 + STANDS);
+  expect(livePlace(run, 1030 + END_PAUSE - 1)).toMatchObject({ z: -41.3, r: 38, before: 1, after: 1 });
+  expect(durationOf(run)).toBe(1030 + END_PAUSE);
 });

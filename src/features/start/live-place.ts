@@ -13,10 +13,10 @@ export interface LivePlace {
 }
 
 /** Pause on the finished part before the run repeats, ms. */
-export const STANDS = 2500;
+export const END_PAUSE = 2500;
 
 /** Duration of a run with its pause, ms. */
-export const durationOf = ({ way }: LiveRun): number => (way.at(-1)?.[0] ?? 0) + STANDS;
+export const durationOf = ({ way }: LiveRun): number => (way.at(-1)?.[0] ?? 0) + END_PAUSE;
 
 /** The state of a run at a time, ms. */
 export function livePlace({ way }: LiveRun, time: number): LivePlace {

@@ -1,5 +1,5 @@
 import type { ToolFileTexts } from "../../i18n/tool-file-text.ts";
-import { originsOf } from "../../program/tools/table-again.ts";
+import { originsOf } from "../../program/tools/table-write-back.ts";
 import type { TableOrigin } from "../../program/tools/tool-entry.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";

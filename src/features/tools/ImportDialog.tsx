@@ -7,7 +7,7 @@ import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
-import type { Brought } from "./tool-files.ts";
+import type { ToolImport } from "./tool-files.ts";
 import { useToolName } from "../../app/document/tool-name.ts";
 import { useTools } from "../../app/document/tool-store.ts";
 import { ModalDialog } from "../../app/base/ModalDialog.tsx";
@@ -56,7 +56,7 @@ export function ImportDialog({
   take,
   done,
 }: {
-  readonly brought: Brought;
+  readonly brought: ToolImport;
   readonly words: ToolFileTexts;
   readonly take: (choice: "all" | "new") => void;
   readonly done: () => void;

@@ -14,13 +14,13 @@ const WIDTH = 176;
 const HEIGHT = 148;
 
 /** The next of 1, 2, 5, 10, 20 … not below a length, so that the scale does not change at each keystroke. */
-export function wholeAbove(length: number): number {
+export function scaleLengthFor(length: number): number {
   const power = 10 ** Math.floor(Math.log10(Math.max(length, SAME)));
   return [1, 2, 5, 10].map((n) => n * power).find((n) => n >= length - ROUND) ?? length;
 }
 
 /** The tool of a row, or its last valid one while its cells are invalid. */
-export function useLastTool(id: string, tool: Tool | null): Tool | null {
+export function useLastValidTool(id: string, tool: Tool | null): Tool | null {
   const [last, setLast] = useState<{ readonly id: string; readonly tool: Tool } | null>(null);
   if (tool && (last?.id !== id || last.tool !== tool)) setLast({ id, tool });
   return tool ?? (last?.id === id ? last.tool : null);
@@ -42,8 +42,8 @@ export function LiveInsert({
     const insert = tool && boundsOf(insertOutline(tool, CHORD));
     if (!tool || !insert) return null;
     const all = heldBounds(tool);
-    const span = wholeAbove(Math.max((all.right - all.left) * (HEIGHT / WIDTH), all.high - all.low) * 1.12);
-    return { width: insert.right - insert.left, height: insert.high - insert.low, span, bar: wholeAbove(span / 6) };
+    const span = scaleLengthFor(Math.max((all.right - all.left) * (HEIGHT / WIDTH), all.high - all.low) * 1.12);
+    return { width: insert.right - insert.left, height: insert.high - insert.low, span, bar: scaleLengthFor(span / 6) };
   }, [tool]);
   if (!tool || !measured)
     return (

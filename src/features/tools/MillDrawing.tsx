@@ -5,7 +5,7 @@ import { drillOf } from "../../program/blocks/tool-call.ts";
 import type { MillTool } from "../../program/tools/tool-entry.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
-import { wholeAbove } from "./LiveInsert.tsx";
+import { scaleLengthFor } from "./LiveInsert.tsx";
 
 /** Edges of the drawing, px. */
 const WIDTH = 176;
@@ -39,7 +39,7 @@ function sideOf(mill: MillTool): Side {
 /** The height of the drawing in mm. */
 function spanOf({ across, point, edges }: Side): number {
   const long = edges === null ? 0 : Math.min(edges * 1.2, across * DRAWN);
-  return wholeAbove(Math.max(across * 1.4, point * 1.4, long, 1));
+  return scaleLengthFor(Math.max(across * 1.4, point * 1.4, long, 1));
 }
 
 /** A tool from the side, its point down: the part with edges, the shank above it, and the turns of a tap. */
@@ -82,7 +82,7 @@ export function MillDrawing({ mill }: { readonly mill: MillTool | null }) {
   const side = sideOf(mill);
   const span = spanOf(side);
   const scale = HEIGHT / span;
-  const bar = wholeAbove(span / 6);
+  const bar = scaleLengthFor(span / 6);
   const number = (n: number) => formatNumber(language, n);
   const angle = side.point > 0 ? `${number(mill["T-ANGLE"] ?? 0)}°` : t.flat;
   const pointed = mill.TYPE === "DRILL" || mill.TYPE === "CENTER";

@@ -12,7 +12,7 @@ import { cellOf, isMillEntry, readEntry, type EntryReading, type ToolEntry } fro
 import { Icon } from "../../app/base/Icon.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { CodeField } from "./CodeField.tsx";
-import { LiveInsert, useLastTool } from "./LiveInsert.tsx";
+import { LiveInsert, useLastValidTool } from "./LiveInsert.tsx";
 import { MillDrawing } from "./MillDrawing.tsx";
 import { NameFields } from "./NameFields.tsx";
 import { TipPicker } from "./TipPicker.tsx";
@@ -58,7 +58,7 @@ function Orientation({
   const id = useId();
   const text = cellOf(entry, "TO");
   const without = useMemo(() => shapeOf(entry, reading, { TO: "1" }), [entry, reading]);
-  const drawn = useLastTool(entry.id, without);
+  const drawn = useLastValidTool(entry.id, without);
   const value = Number(text);
   return (
     <div className="tool-field wide">
@@ -87,7 +87,7 @@ function TurningColumns({ entry, reading }: Row) {
   const type = cellOf(entry, "TYPE");
   const { issues } = reading;
   const shape = useMemo(() => shapeOf(entry, reading), [entry, reading]);
-  const drawn = useLastTool(entry.id, shape);
+  const drawn = useLastValidTool(entry.id, shape);
   const field = (cell: TurningColumn) => (
     <ToolField key={cell} entry={entry} cell={cell} issues={issues} unused={applies(cell, type) ? null : type} />
   );

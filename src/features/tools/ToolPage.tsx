@@ -2,13 +2,13 @@ import { useEffect, useRef, useState } from "react";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { openToolRow, showOwn, showToolKind, type ToolKind, uncover, usePlace } from "../../app/place/place.ts";
-import { useTexts, useTextsSoon } from "../../app/base/settings/use-texts.ts";
-import { addTool, duplicateTool, removeTool, takeShipped } from "./tool-edits.ts";
+import { useTexts, useTextsOrNull } from "../../app/base/settings/use-texts.ts";
+import { addTool, duplicateTool, removeTool, restoreShippedTools } from "./tool-edits.ts";
 import { isMillEntry } from "../../program/tools/tool-entry.ts";
-import { bringFiles, exportAgain, exportTools, takeBrought, type Brought } from "./tool-files.ts";
+import { readImportFiles, exportToOrigin, exportTools, applyImport, type ToolImport } from "./tool-files.ts";
 import { toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
 import { useToolName } from "../../app/document/tool-name.ts";
-import { TableStatus, type TableSaid } from "../../app/fields/table/TableStatus.tsx";
+import { TableStatus, type TableMessage } from "../../app/fields/table/TableStatus.tsx";
 import { ExportDialog } from "./ExportDialog.tsx";
 import { ImportDialog } from "./ImportDialog.tsx";
 import { TableTabs } from "../../app/fields/table/TableTabs.tsx";
@@ -22,9 +22,9 @@ export function ToolPage() {
   const nameOf = useToolName();
   const list = useTools((s) => s.list);
   const { row: asked, kind: lastKind } = usePlace((p) => p.tools);
-  const [said, setSaid] = useState<TableSaid | null>(null);
-  const [asking, ask] = useState<Brought | "export" | null>(null);
-  const w = useTextsSoon("tool-files");
+  const [said, setSaid] = useState<TableMessage | null>(null);
+  const [asking, ask] = useState<ToolImport | "export" | null>(null);
+  const w = useTextsOrNull("tool-files");
   const language = useSettings((s) => s.language);
   const page = useRef<HTMLElement>(null);
   const file = useRef<HTMLInputElement>(null);
@@ -53,7 +53,7 @@ export function ToolPage() {
     openToolRow(row);
     focusField();
   };
-  const receive = (brought: Brought | TableSaid) => {
+  const receive = (brought: ToolImport | TableMessage) => {
     if ("failed" in brought) return setSaid(brought);
     setSaid(null);
     ask(brought);
@@ -91,7 +91,7 @@ export function ToolPage() {
             className="button"
             aria-label={t.restoreLong}
             onClick={() => {
-              takeShipped();
+              restoreShippedTools();
               setSaid({ sentences: [t.restored], failed: false, changed: true });
             }}
           >
@@ -118,7 +118,7 @@ export function ToolPage() {
             onChange={(e) => {
               const chosen = [...(e.currentTarget.files ?? [])];
               e.currentTarget.value = "";
-              if (chosen.length > 0 && w) void bringFiles(chosen, t, w).then(receive);
+              if (chosen.length > 0 && w) void readImportFiles(chosen, t, w).then(receive);
             }}
           />
         </div>
@@ -137,7 +137,7 @@ export function ToolPage() {
           done={() => ask(null)}
           again={(origin) => {
             ask(null);
-            setSaid(exportAgain(origin, t, w));
+            setSaid(exportToOrigin(origin, t, w));
           }}
           write={(way) => {
             ask(null);
@@ -152,7 +152,7 @@ export function ToolPage() {
           done={() => ask(null)}
           take={(choice) => {
             ask(null);
-            setSaid(takeBrought(asking, choice, t, w));
+            setSaid(applyImport(asking, choice, t, w));
           }}
         />
       )}

@@ -62,4 +62,4 @@ export function removeTool(id: string): string | null {
 }
 
 /** Restores the default table: one step of undo. */
-export const takeShipped = (): void => editTools(() => shippedList);
+export const restoreShippedTools = (): void => editTools(() => shippedList);

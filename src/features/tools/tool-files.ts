@@ -2,7 +2,7 @@ import type { ToolsTexts } from "../../i18n/en/tables/tools.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { decimalSign } from "../../i18n/number.ts";
 import type { ToolFileTexts } from "../../i18n/tool-file-text.ts";
-import { tableAgain } from "../../program/tools/table-again.ts";
+import { writeBackTable } from "../../program/tools/table-write-back.ts";
 import {
   cellOf,
   isMillEntry,
@@ -20,14 +20,14 @@ import { downloadBytes, downloadText } from "../../app/base/download.ts";
 import { closeStep } from "../../app/document/steps.ts";
 import { openToolRow } from "../../app/place/place.ts";
 import { editTools, toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
-import type { TableSaid } from "../../app/fields/table/TableStatus.tsx";
+import type { TableMessage } from "../../app/fields/table/TableStatus.tsx";
 
-const failure = (sentence: string): TableSaid => ({ sentences: [sentence], failed: true, changed: false });
+const failure = (sentence: string): TableMessage => ({ sentences: [sentence], failed: true, changed: false });
 
 const isSound = (reading: EntryReading | undefined) => Boolean(reading?.tool ?? reading?.mill);
 
 /** Contents of the import files, before they are applied to the table. */
-export interface Brought {
+export interface ToolImport {
   /** The names of the files. */
   readonly name: string;
   readonly incoming: IncomingTools;
@@ -40,7 +40,7 @@ export interface Brought {
 /** Larger files are no tool table, bytes. */
 const LARGEST = 20_000_000;
 
-function broughtBy(bytes: Uint8Array, name: string, t: ToolsTexts, w: ToolFileTexts): Brought | TableSaid {
+function readImport(bytes: Uint8Array, name: string, t: ToolsTexts, w: ToolFileTexts): ToolImport | TableMessage {
   const { text, encoding } = decode(bytes);
   const read = readToolFile(text);
   if ("problem" in read) {
@@ -70,7 +70,7 @@ function broughtBy(bytes: Uint8Array, name: string, t: ToolsTexts, w: ToolFileTe
   return { name, incoming, kept: table ? leftOut : [], leftOut: table ? [] : leftOut, cutShort };
 }
 
-const joined = (all: readonly Brought[]): Brought => ({
+const joined = (all: readonly ToolImport[]): ToolImport => ({
   name: all.map((each) => each.name).join(", "),
   incoming: {
     rows: all.flatMap((each) => each.incoming.rows),
@@ -84,16 +84,16 @@ const joined = (all: readonly Brought[]): Brought => ({
 });
 
 /** Reads all chosen files, or returns the fault of the first one that cannot be read. */
-export async function bringFiles(
+export async function readImportFiles(
   files: readonly File[],
   t: ToolsTexts,
   w: ToolFileTexts,
-): Promise<Brought | TableSaid> {
-  const all: Brought[] = [];
+): Promise<ToolImport | TableMessage> {
+  const all: ToolImport[] = [];
   for (const file of files) {
     if (file.size > LARGEST) return failure(t.problems.tooLarge(file.name));
     try {
-      const brought = broughtBy(new Uint8Array(await file.arrayBuffer()), file.name, t, w);
+      const brought = readImport(new Uint8Array(await file.arrayBuffer()), file.name, t, w);
       if ("failed" in brought) return brought;
       all.push(brought);
     } catch {
@@ -104,7 +104,7 @@ export async function bringFiles(
 }
 
 /** Applies an import: one step of undo. */
-export function takeBrought(brought: Brought, choice: "all" | "new", t: ToolsTexts, w: ToolFileTexts): TableSaid {
+export function applyImport(brought: ToolImport, choice: "all" | "new", t: ToolsTexts, w: ToolFileTexts): TableMessage {
   const { list, fresh, changed, wrong } = planImport(useTools.getState().list, brought.incoming, choice);
   closeStep();
   editTools(() => list);
@@ -124,7 +124,7 @@ export function takeBrought(brought: Brought, choice: "all" | "new", t: ToolsTex
 export type ExportKind = "json" | "csv" | "turning" | "milling";
 
 /** Downloads the table. Rows with errors are left out, and that is reported. */
-export function exportTools(kind: ExportKind, language: Language, t: ToolsTexts, w: ToolFileTexts): TableSaid {
+export function exportTools(kind: ExportKind, language: Language, t: ToolsTexts, w: ToolFileTexts): TableMessage {
   const { list } = useTools.getState();
   const { table, mills, rows } = toolsOnDevice(list);
   const all = table.tools.length + mills.length;
@@ -158,8 +158,8 @@ export function exportTools(kind: ExportKind, language: Language, t: ToolsTexts,
 }
 
 /** Downloads the original table file, with the changes of its tools. */
-export function exportAgain(origin: TableOrigin, t: ToolsTexts, w: ToolFileTexts): TableSaid {
-  const made = tableAgain(origin, useTools.getState().list);
+export function exportToOrigin(origin: TableOrigin, t: ToolsTexts, w: ToolFileTexts): TableMessage {
+  const made = writeBackTable(origin, useTools.getState().list);
   if (!made) return failure(t.problems.unreadable(origin.name));
   const bytes = encode(made.text, origin.encoding);
   downloadBytes(bytes, origin.name);

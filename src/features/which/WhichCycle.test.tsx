@@ -7,7 +7,7 @@ import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { tryWay } from "../../report/which/try-way.ts";
 import { waysFor } from "../../report/which/ways.ts";
 import { changeSettings } from "../../app/base/settings/settings.ts";
-import { begin, useEditor } from "../../app/document/store.ts";
+import { openFirstWork, useEditor } from "../../app/document/store.ts";
 import type { Comparer } from "../../app/calculation/comparison.ts";
 import type { WhichRegion } from "../../app/place/place.ts";
 import { WhichCycle } from "./WhichCycle.tsx";
@@ -21,7 +21,7 @@ const direct: Comparer = {
 
 beforeEach(() => {
   changeSettings({ language: "en" });
-  begin(null, null);
+  openFirstWork(null, null);
   HTMLDialogElement.prototype.showModal = function open(this: HTMLDialogElement) {
     this.open = true;
   };
@@ -96,7 +96,7 @@ test("another shape asks for its own numbers, and a groove that is too narrow sa
 test("in an open work two elements of the contour are selected, and the wanted shape follows", async () => {
   const corners = [at(0, 15), at(-18.3, 15), at(-18.3, 24.2), at(-37.9, 24.2), at(-37.9, 35)];
   const contour = corners.slice(1).map((to, i) => part.line(corners[i] ?? to, to));
-  shown({ contour, first: 0, last: 3, site: "outside", stock: [], begins: "solid" });
+  shown({ contour, first: 0, last: 3, site: "outside", stock: [], initialStock: "solid" });
   expect(await screen.findByRole("img", { name: /4 elements; 1 to 4/ })).toBeDefined();
   await best();
   await userEvent.selectOptions(screen.getByRole("combobox", { name: "From element" }), "3");

@@ -1,17 +1,23 @@
 import { Suspense, useMemo, useState } from "react";
-import { comparison as byWorker } from "../../app/calculation/beside.ts";
+import { comparison as byWorker } from "../../app/calculation/other-outcome.ts";
 import { lazyPart } from "../../app/base/parts.ts";
 import { contourTableSlot } from "../../app/fields/slots.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
-import { useTextsSoon } from "../../app/base/settings/use-texts.ts";
-import { canBePreturned, readAsking, soughtAt, usualNumbers, type Sought } from "../../app/document/asking.ts";
+import { useTextsOrNull } from "../../app/base/settings/use-texts.ts";
+import {
+  canBePreturned,
+  readOperationRequest,
+  operationRequestAt,
+  usualNumbers,
+  type OperationRequest,
+} from "../../app/document/operation-request.ts";
 import type { WhichRegion } from "../../app/place/place.ts";
 import type { Comparer } from "../../app/calculation/comparison.ts";
-import { Sentence } from "./Sentence.tsx";
-import { ContourStretch } from "./ContourStretch.tsx";
-import { takeWay } from "./take.ts";
+import { ShapeQuestion } from "./ShapeQuestion.tsx";
+import { ContourSection } from "./ContourSection.tsx";
+import { applyProposal } from "./apply-proposal.ts";
 import { useComparison } from "./use-comparison.ts";
-import { WayCards } from "./WayCards.tsx";
+import { ProposalCards } from "./ProposalCards.tsx";
 import { ModalDialog } from "../../app/base/ModalDialog.tsx";
 import "./which.css";
 
@@ -24,14 +30,18 @@ interface Props {
   readonly comparison?: Comparer;
 }
 
-function begun(region: WhichRegion | null): Sought {
+function initialQuestion(region: WhichRegion | null): OperationRequest {
   if (!region)
     return { site: "outside", shape: "step", stock: "solid", typed: usualNumbers("outside", "step"), rows: [] };
-  return soughtAt(region);
+  return operationRequestAt(region);
 }
 
 /** A change of the question: until a number is typed, each shape starts with default numbers. */
-function asked(before: Sought, change: Partial<Sought>, isTyped: boolean): Sought {
+function changedQuestion(
+  before: OperationRequest,
+  change: Partial<OperationRequest>,
+  isTyped: boolean,
+): OperationRequest {
   const next = { ...before, ...change };
   const stock = next.stock === "preturned" && !canBePreturned(next.shape) ? "solid" : next.stock;
   const reshaped = change.site !== undefined || change.shape !== undefined;
@@ -41,26 +51,26 @@ function asked(before: Sought, change: Partial<Sought>, isTyped: boolean): Sough
 /** Asks for the shape and compares the cycles that turn it. */
 export function WhichCycle({ done, region, comparison = byWorker }: Props) {
   const language = useSettings((s) => s.language);
-  const words = useTextsSoon("which");
+  const words = useTextsOrNull("which");
   const [place, pick] = useState(region);
-  const [asking, ask] = useState(() => begun(region));
+  const [asking, ask] = useState(() => initialQuestion(region));
   const [isTyped, type] = useState(false);
-  const { wanted, fault } = useMemo(() => readAsking(asking), [asking]);
+  const { wanted, fault } = useMemo(() => readOperationRequest(asking), [asking]);
   const stock = asking.stock === "now" ? (place?.stock ?? null) : null;
   const compared = useComparison(wanted, stock, comparison);
 
-  const onAsk = (change: Partial<Sought>) => {
+  const onAsk = (change: Partial<OperationRequest>) => {
     if (change.typed) type(true);
-    ask((before) => asked(before, change, isTyped || region !== null));
+    ask((before) => changedQuestion(before, change, isTyped || region !== null));
   };
   return (
     <ModalDialog className="modal which" title={words?.title} done={done}>
       {words && (
         <>
           <p className="soft">{words.lead}</p>
-          <Sentence words={words} asking={asking} fault={fault} inWork={place !== null} onAsk={onAsk} />
+          <ShapeQuestion words={words} asking={asking} fault={fault} inWork={place !== null} onAsk={onAsk} />
           {place && (
-            <ContourStretch
+            <ContourSection
               words={words}
               contour={place.contour}
               first={place.first}
@@ -68,7 +78,7 @@ export function WhichCycle({ done, region, comparison = byWorker }: Props) {
               onPick={(first, last) => {
                 const next = { ...place, first, last };
                 pick(next);
-                const { rows, typed, shape } = soughtAt(next);
+                const { rows, typed, shape } = operationRequestAt(next);
                 onAsk({ rows, typed, shape });
               }}
             />
@@ -80,13 +90,13 @@ export function WhichCycle({ done, region, comparison = byWorker }: Props) {
           )}
           {fault?.at === "contour" && <p className="soft">{words.faults.contour}</p>}
           {compared && (
-            <WayCards
+            <ProposalCards
               words={words}
               compared={compared}
               adds={asking.stock === "now"}
               onTake={(way) => {
                 done();
-                void takeWay(way, compared.wanted, { language, adds: asking.stock === "now" });
+                void applyProposal(way, compared.wanted, { language, adds: asking.stock === "now" });
               }}
             />
           )}

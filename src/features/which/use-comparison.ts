@@ -1,29 +1,29 @@
 import { useEffect, useState } from "react";
-import type { Wanted } from "../../cycles/wanted.ts";
+import type { ShapeRequest } from "../../cycles/shape-request.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
-import type { Tried } from "../../report/which/try-way.ts";
+import type { TriedOption } from "../../report/which/try-way.ts";
 import type { Proposal } from "../../report/which/ways.ts";
 import type { Comparer } from "../../app/calculation/comparison.ts";
 
 /** Debounce after the last change, ms. */
-const REST = 200;
+const DEBOUNCE = 200;
 
 /** The proposals for a shape, and the results simulated so far. */
-export interface Compared {
-  readonly wanted: Wanted;
+export interface ComparedProposals {
+  readonly wanted: ShapeRequest;
   readonly ways: readonly Proposal[];
-  readonly tried: readonly Tried[];
+  readonly tried: readonly TriedOption[];
   /** The question has changed: these proposals stay until the new ones are ready, and cannot be used. */
-  readonly isOld: boolean;
+  readonly isStale: boolean;
 }
 
 /** Simulates the proposals one by one; a new question cancels the previous one. */
 export function useComparison(
-  wanted: Wanted | null,
+  wanted: ShapeRequest | null,
   stock: readonly Ring[] | null,
   { ways, tryWay }: Comparer,
-): Compared | null {
-  const [compared, set] = useState<Omit<Compared, "isOld"> | null>(null);
+): ComparedProposals | null {
+  const [compared, set] = useState<Omit<ComparedProposals, "isStale"> | null>(null);
   useEffect(() => {
     if (!wanted) return undefined;
     let gone = false;
@@ -37,11 +37,11 @@ export function useComparison(
         if (one) set((known) => known && { ...known, tried: [...known.tried, one] });
       }
     };
-    const timer = setTimeout(() => void compare(), REST);
+    const timer = setTimeout(() => void compare(), DEBOUNCE);
     return () => {
       gone = true;
       clearTimeout(timer);
     };
   }, [wanted, stock, ways, tryWay]);
-  return wanted && compared && { ...compared, isOld: compared.wanted !== wanted };
+  return wanted && compared && { ...compared, isStale: compared.wanted !== wanted };
 }

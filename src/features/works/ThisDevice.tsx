@@ -4,8 +4,8 @@ import { useReports } from "../../app/records/reports.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { askToPersist, storageState, type StorageState } from "../../app/base/persist.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
-import { bringIn } from "../../app/records/bring-in-place.ts";
-import { SaveEverything } from "./SaveEverything.tsx";
+import { readBackup } from "../../app/records/pending-restore.ts";
+import { BackUpButton } from "./BackUpButton.tsx";
 import { sizeWords } from "./size-words.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import "./works.css";
@@ -39,7 +39,7 @@ export function ThisDevice({ onBringIn }: { readonly onBringIn: () => void }) {
             {t.ask}
           </button>
         )}
-        <SaveEverything say={say} />
+        <BackUpButton say={say} />
         <button
           type="button"
           className="button"
@@ -59,7 +59,7 @@ export function ThisDevice({ onBringIn }: { readonly onBringIn: () => void }) {
             event.currentTarget.value = "";
             if (!chosen) return;
             onBringIn();
-            void bringIn(chosen);
+            void readBackup(chosen);
           }}
         />
       </div>

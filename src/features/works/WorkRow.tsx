@@ -2,16 +2,16 @@ import { memo, useLayoutEffect, useRef } from "react";
 import type { DeviceTexts } from "../../i18n/en/device.ts";
 import type { Thumbnail } from "../../view/thumbnail.ts";
 import { Icon } from "../../app/base/Icon.tsx";
-import type { Kept } from "../../app/records/device.ts";
-import { KeptPicture } from "../../app/fields/kept/KeptPicture.tsx";
+import type { WorkSummary } from "../../app/records/device.ts";
+import { ProgramThumbnail } from "../../app/fields/kept/ProgramThumbnail.tsx";
 
 /** The commands of a row. */
-export type RowWish =
+export type RowAction =
   | { readonly what: "open" | "rename" | "stay" | "duplicate" | "remove" | "select" }
   | { readonly what: "call"; readonly name: string };
 
 interface Props {
-  readonly of: Kept;
+  readonly of: WorkSummary;
   readonly seen: Thumbnail | undefined;
   /** The kind of work: the name of its cycle, or a program. */
   readonly kind: string;
@@ -23,7 +23,7 @@ interface Props {
   readonly selected: boolean;
   readonly renaming: boolean;
   readonly t: DeviceTexts["works"];
-  readonly onWish: (work: Kept, wish: RowWish) => void;
+  readonly onWish: (work: WorkSummary, wish: RowAction) => void;
 }
 
 /** The field of a new name: Enter applies it, Escape cancels. */
@@ -76,7 +76,7 @@ export const WorkRow = memo(function WorkRow({
   onWish,
 }: Props) {
   const { name, cycle, work } = of;
-  const does = (what: Exclude<RowWish["what"], "call">) => () => onWish(of, { what });
+  const does = (what: Exclude<RowAction["what"], "call">) => () => onWish(of, { what });
   return (
     <li className="work-row" data-work={work}>
       <label className="work-select">
@@ -84,7 +84,7 @@ export const WorkRow = memo(function WorkRow({
       </label>
       {renaming ? (
         <div className="work-open">
-          <KeptPicture seen={seen} cycle={cycle} />
+          <ProgramThumbnail seen={seen} cycle={cycle} />
           <NameField
             name={name}
             label={t.newName(name)}
@@ -93,7 +93,7 @@ export const WorkRow = memo(function WorkRow({
         </div>
       ) : (
         <button type="button" className="button plain work-open" aria-label={t.open(name)} onClick={does("open")}>
-          <KeptPicture seen={seen} cycle={cycle} />
+          <ProgramThumbnail seen={seen} cycle={cycle} />
           <span className="kept-words">
             <b className="kept-name">{name}</b>
             <span className="small">

@@ -2,20 +2,20 @@ import { time } from "../../app/base/clock.ts";
 import { downloadBytes } from "../../app/base/download.ts";
 import { ARCHIVE_LIMITS, writeArchive, type ArchivedWork } from "../../app/records/archive.ts";
 import { findWorks, readWork } from "../../app/records/device.ts";
-import { newestState, useKeeping } from "../../app/records/keep.ts";
+import { newestState, useSavedWorks } from "../../app/records/keep.ts";
 import { eachPart } from "../../app/records/parts.ts";
-import { handOver } from "../../app/document/store.ts";
+import { flushEdits } from "../../app/document/store.ts";
 
 /** Size limit of one file, bytes, so that it can be restored: an archive has each program twice. */
 const LARGEST = ARCHIVE_LIMITS.unpacked / 4;
 
-async function lying(work: string): Promise<ArchivedWork | null> {
+async function storedWork(work: string): Promise<ArchivedWork | null> {
   const job = await newestState(work);
   return job && { work, job, savedAt: (await readWork(work))?.savedAt ?? time() };
 }
 
 /** Divides the works among as many files as are needed. */
-function inFiles(works: readonly string[], sizes: ReadonlyMap<string, number>): readonly (readonly string[])[] {
+function splitIntoFiles(works: readonly string[], sizes: ReadonlyMap<string, number>): readonly (readonly string[])[] {
   const files: string[][] = [[]];
   let held = 0;
   for (const work of works) {
@@ -43,13 +43,13 @@ async function save(
   works: readonly string[],
   beside: Parameters<typeof writeArchive>[0],
 ): Promise<{ readonly works: number; readonly files: number }> {
-  const sizes = new Map(useKeeping.getState().works.map(({ work, size }) => [work, size]));
-  const files = inFiles(works, sizes);
+  const sizes = new Map(useSavedWorks.getState().works.map(({ work, size }) => [work, size]));
+  const files = splitIntoFiles(works, sizes);
   let count = 0;
   for (const [i, each] of files.entries()) {
     const found: ArchivedWork[] = [];
     for (const work of each) {
-      const one = await lying(work);
+      const one = await storedWork(work);
       if (one) found.push(one);
     }
     count += found.length;
@@ -60,21 +60,21 @@ async function save(
 
 /** Downloads some works as a file to restore them from; returns their number. */
 export async function saveWorks(works: readonly string[]): Promise<number> {
-  handOver();
+  flushEdits();
   return (await save(works, {})).works;
 }
 
 /**
  * Downloads a backup of this device: works, and all other parts of an archive. Includes works that could not be stored.
  */
-export async function saveEverything(
+export async function saveBackup(
   unkept: readonly string[],
 ): Promise<{ readonly works: number; readonly files: number }> {
-  handOver();
+  flushEdits();
   const { works } = await findWorks();
   const all = [...new Set([...works.map(({ work }) => work), ...unkept])];
   return save(
     all,
-    eachPart((part) => part.here()),
+    eachPart((part) => part.current()),
   );
 }

@@ -1,7 +1,7 @@
 /* All works of this device. */
 
-export const fetchBringInDialog = () => import("./BringInDialog.tsx");
-export const fetchElsewherePage = () => import("./ElsewherePage.tsx");
+export const fetchRestoreDialog = () => import("./RestoreDialog.tsx");
+export const fetchOtherTabPage = () => import("./OtherTabPage.tsx");
 export const fetchThisDevice = () => import("./ThisDevice.tsx");
 export const fetchWorksPage = () => import("./WorksPage.tsx");
 export const fetchCrashHelp = () => import("./crash/CrashHelp.tsx");

@@ -1,9 +1,9 @@
 import { expect, test } from "vitest";
-import type { Kept } from "../../app/records/device.ts";
+import type { WorkSummary } from "../../app/records/device.ts";
 import { listWorks, type WorkOrder } from "./list-works.ts";
 import { sizeWords } from "./size-words.ts";
 
-const work = (name: string, cycle: number | null, savedAt: number, size: number): Kept => ({
+const work = (name: string, cycle: number | null, savedAt: number, size: number): WorkSummary => ({
   work: name,
   name,
   cycle,

@@ -1,32 +1,34 @@
 import { useCallback, useState } from "react";
 import type { DeviceTexts } from "../../i18n/en/device.ts";
-import { openKept } from "../../app/fields/kept/KeptWorks.tsx";
-import type { Kept } from "../../app/records/device.ts";
-import { useKeeping } from "../../app/records/keep.ts";
+import { openSaved } from "../../app/fields/kept/SavedPrograms.tsx";
+import type { WorkSummary } from "../../app/records/device.ts";
+import { useSavedWorks } from "../../app/records/keep.ts";
 import { duplicateWork, removeWorks, renameWork } from "../../app/records/works.ts";
 import { useSteps, type HistoryStep } from "../../app/document/steps.ts";
-import type { TableSaid } from "../../app/fields/table/TableStatus.tsx";
+import type { TableMessage } from "../../app/fields/table/TableStatus.tsx";
 import { saveWorks } from "./export-works.ts";
-import type { RowWish } from "./WorkRow.tsx";
+import type { RowAction } from "./WorkRow.tsx";
 
-const said = (sentence: string, changed = false): TableSaid => ({ sentences: [sentence], failed: false, changed });
-const failed = (sentence: string): TableSaid => ({ sentences: [sentence], failed: true, changed: false });
+const said = (sentence: string, changed = false): TableMessage => ({ sentences: [sentence], failed: false, changed });
+const failed = (sentence: string): TableMessage => ({ sentences: [sentence], failed: true, changed: false });
 
 /** The actions of the list of works: on one row, and on all selected ones. `focus` focuses the row of a work. */
 export function useListActions(t: DeviceTexts["works"], isElsewhere: string, focus: (work: string) => void) {
-  const [last, setLast] = useState<{ readonly said: TableSaid; readonly step: HistoryStep | undefined } | null>(null);
+  const [last, setLast] = useState<{ readonly said: TableMessage; readonly step: HistoryStep | undefined } | null>(
+    null,
+  );
   const step = useSteps((s) => s.past.at(-1));
   // The status offers undo, so it is cleared once the change was undone in another way.
   const saying = last && (!last.said.changed || last.step === step) ? last.said : null;
   const say = useCallback(
-    (now: TableSaid | null) => setLast(now && { said: now, step: useSteps.getState().past.at(-1) }),
+    (now: TableMessage | null) => setLast(now && { said: now, step: useSteps.getState().past.at(-1) }),
     [],
   );
   const [renaming, rename] = useState<string | null>(null);
   const [selected, select] = useState<ReadonlySet<string>>(new Set());
 
   const call = useCallback(
-    async ({ work, name }: Kept, typed: string) => {
+    async ({ work, name }: WorkSummary, typed: string) => {
       rename(null);
       focus(work);
       const next = typed.trim();
@@ -54,10 +56,10 @@ export function useListActions(t: DeviceTexts["works"], isElsewhere: string, foc
   );
 
   const duplicate = useCallback(
-    async ({ work }: Kept) => {
+    async ({ work }: WorkSummary) => {
       const made = await duplicateWork(
         work,
-        useKeeping.getState().works.map(({ name }) => name),
+        useSavedWorks.getState().works.map(({ name }) => name),
       );
       say(made ? said(t.duplicated(made.job.name), true) : failed(t.failed));
       if (made) focus(made.work);
@@ -71,10 +73,10 @@ export function useListActions(t: DeviceTexts["works"], isElsewhere: string, foc
   }, [t, selected, say]);
 
   const onWish = useCallback(
-    (of: Kept, wish: RowWish) => {
+    (of: WorkSummary, wish: RowAction) => {
       switch (wish.what) {
         case "open":
-          return void openKept(of.work);
+          return void openSaved(of.work);
         case "rename":
           return rename(of.work);
         case "stay":

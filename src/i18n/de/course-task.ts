@@ -32,9 +32,10 @@ export const courseTask = {
   hintAfterTry: "Den letzten Tipp gibt es nach dem ersten gezählten Versuch.",
   solution: "Lösung",
   showSolution: "Lösung zeigen",
-  sure: "Die Lösung wird neben Ihrem Programm gezeigt; Ihr Programm bleibt unverändert. Die Aufgabe gilt dann als mit gezeigter Lösung gelöst.",
-  yesShow: "Zeigen",
-  notYet: "Noch nicht",
+  confirmSolution:
+    "Die Lösung wird neben Ihrem Programm gezeigt; Ihr Programm bleibt unverändert. Die Aufgabe gilt dann als mit gezeigter Lösung gelöst.",
+  confirmShow: "Zeigen",
+  cancelShow: "Noch nicht",
   compare: "Mit meinem vergleichen",
   openSolution: "Als neues Programm öffnen",
   solutionName: "Lösung",
@@ -42,8 +43,8 @@ export const courseTask = {
   nextTask: (title) => `Nächste Aufgabe: ${title}`,
   toLesson: "Zur Lektion",
   toCourse: "Zum Kurs",
-  anew: "Neu beginnen",
-  gone: "Die Datei dieser Aufgabe fehlt. Ihr Programm ist unverändert.",
+  startOver: "Neu beginnen",
+  fileMissing: "Die Datei dieser Aufgabe fehlt. Ihr Programm ist unverändert.",
 
   is: {
     part: "Das Teil wie gezeichnet: kein Restmaterial, nichts fehlt",
@@ -73,7 +74,7 @@ export const courseTask = {
     least: (q, from) => `${q} mindestens ${from}`,
     most: (q, to) => `${q} höchstens ${to}`,
     ofCycle: (what, cycle) => `${what} in Zyklus ${cycle}`,
-    foretold: (n, of) => (of === 1 ? "Richtig beantwortet" : `Frage ${n} richtig beantwortet`),
+    answered: (n, of) => (of === 1 ? "Richtig beantwortet" : `Frage ${n} richtig beantwortet`),
   },
 
   wrong: {
@@ -87,7 +88,7 @@ export const courseTask = {
     residue: (mm) => `Restmaterial, bis ${mm} mm dick`,
     noThread: (name) => `Das Gewinde ${name} fehlt: Zwischen Außen- und Kernmaß ist keine Rille geschnitten`,
     threadPitch: (name, is, asked) => `Das Gewinde ${name} hat die Steigung ${is} mm statt ${asked}`,
-    turnedRound: {
+    wrongSide: {
       inside:
         "Mit diesen Werten dreht der Zyklus innen: " +
         "Seine Kontur liegt über dem Startpunkt. Zuerst Durchmesser und Startpunkt prüfen, dann das Werkzeug",
@@ -134,7 +135,7 @@ export const courseTask = {
     finish: (block) => `Satz ${block}, Schlichtschnitt`,
   },
 
-  foretell: {
+  predict: {
     title: "Sagen Sie das Ergebnis vorher",
     lead: "Der Lauf wird gezeigt, sobald Sie geantwortet haben.",
     question: (n, of) => `Frage ${n} von ${of}`,
@@ -145,7 +146,7 @@ export const courseTask = {
     z: "Z der Stelle",
     block: "Nummer des Satzes",
     tapBlock: "Geben Sie die Nummer ein, oder wählen Sie die Zeile im Programm.",
-    toPointed: { place: "Am Teil antippen", block: "Im Programm wählen" },
+    pointAt: { place: "Am Teil antippen", block: "Im Programm wählen" },
     nextQuestion: "Nächste Frage",
     back: "Vorige Frage",
     run: "Lauf zeigen",
@@ -156,7 +157,7 @@ export const courseTask = {
     wrongBlock: (told) =>
       `Satz ${told} ist nicht die Ursache. Beobachten Sie, wo der Fehler auftritt, und versuchen Sie es erneut.`,
     wrongPlace: (told, is, mm) => `Ihre Antwort: ${told}. Richtig: ${is}, ${mm} mm entfernt.`,
-    nowhere: (told) => `Ihre Antwort: ${told}. Das kommt nirgends vor.`,
+    doesNotOccur: (told) => `Ihre Antwort: ${told}. Das kommt nirgends vor.`,
     yours: "Ihre Antwort im Bild",
     truth: "Richtige Stelle",
     isBlock: (block) => `Satz ${block}`,

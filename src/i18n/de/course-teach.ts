@@ -17,13 +17,13 @@ export const courseTeach = {
   takeBack: "Rückgängig",
   changedSince:
     "Das Programm wurde geändert, seit dieses Formular ausgefüllt wurde. Teil, Regeln und Maße sind noch die vorigen.",
-  proposeAnew: "Neu vorschlagen",
-  formNotKept:
+  proposeAgain: "Neu vorschlagen",
+  formNotStored:
     "Dieser Browser speichert das Formular nicht. Speichern Sie die Aufgabe als Datei, bevor Sie das Formular schließen.",
-  keptForm: "Das Formular wird auf diesem Gerät gespeichert.",
+  formStored: "Das Formular wird auf diesem Gerät gespeichert.",
   save: "Änderungen speichern",
-  keepIt: "Speichern",
-  keptNow: "Im Kurs gespeichert.",
+  saveNew: "Speichern",
+  saved: "Im Kurs gespeichert.",
 
   kind: "Art",
   kinds: { make: "Programmieren", fault: "Fehler finden", predict: "Ergebnis vorhersagen", drawing: "Nach Zeichnung" },
@@ -175,7 +175,7 @@ export const courseTeach = {
     truth: "Das kommt im Lauf nicht vor.",
     shape: "Ein Text ist zu lang, oder eine Zahl fehlt.",
   },
-  foretells: "Der Lauf beantwortet jede Frage.",
+  runAnswers: "Der Lauf beantwortet jede Frage.",
   passes: "Die Lösung besteht.",
   refused: "Die Lösung besteht nicht:",
   idle: "Die Ausgangslage besteht bereits: Es gäbe nichts zu tun.",

@@ -58,9 +58,9 @@ export const course = {
     openProgram: "Dieses Programm im Editor öffnen",
   },
 
-  anew: "Kurs neu beginnen",
+  restart: "Kurs neu beginnen",
   cancel: "Abbrechen",
-  begunAnew: "Der Kurs wurde neu begonnen. Rückgängig stellt Ihren Lernstand wieder her.",
+  restarted: "Der Kurs wurde neu begonnen. Rückgängig stellt Ihren Lernstand wieder her.",
   damaged: "Ihr Lernstand war nicht lesbar. Die beschädigten Daten wurden beiseitegelegt, der Kurs beginnt neu.",
   notKept:
     "Dieser Browser speichert Ihren Lernstand nicht. Sichern Sie Ihre Daten in den Einstellungen, bevor Sie die Seite schließen.",

@@ -50,7 +50,7 @@ export const device = {
       `${n === 1 ? "1 Programm" : `${n} Programme`}, Werkzeuge, eigene Zyklen, Einstellungen und Kursdaten wurden in die Downloads gesichert${files > 1 ? `, in ${files} Dateien` : ""}.`,
     notExported: "Die Sicherung konnte nicht erstellt werden.",
   },
-  bringIn: {
+  restore: {
     title: (name) => `Inhalt von ${name}`,
     works: (n) => (n === 1 ? "1 Programm" : `${n} Programme`),
     all: "Alle",
@@ -102,7 +102,7 @@ export const device = {
     wasTaken: (name) => `${name} wird jetzt in einem anderen Tab bearbeitet`,
     wasTakenLead: "Der neueste Stand wurde übertragen; nichts ist verloren.",
     take: "Hier bearbeiten",
-    takeBack: "Wieder hier bearbeiten",
+    editAgain: "Wieder hier bearbeiten",
     takeLong: "Der andere Tab überträgt seinen neuesten Stand und beendet die Bearbeitung.",
     copy: "Kopie bearbeiten",
     copyLong: "Beide bleiben erhalten; die Kopie erhält einen eigenen Namen.",

@@ -72,7 +72,7 @@ export const guide = {
     finish: "Schlichten",
     watch: "Schritte ansehen",
   },
-  takeBack: "Wert zurücksetzen",
+  restoreValue: "Wert zurücksetzen",
   taken: (what: string, value: string) => `${what} = ${value} ist jetzt in Ihrem Programm.`,
   mistakes: "Häufige Fehler",
   terms: "Begriffe",

@@ -6,7 +6,7 @@ export const handed = {
   title: "Teilen",
   lead: "Der Empfänger sieht dieselbe Simulation und dasselbe Prüfergebnis. Kein Server ist beteiligt.",
   working: "Benötigte Werkzeuge werden ermittelt …",
-  along: "Inhalt",
+  contents: "Inhalt",
   facts: {
     name: "Name",
     kind: "Art",
@@ -43,7 +43,7 @@ export const handed = {
   from: { link: "Dieser Link enthält ein Programm.", file: "Diese Datei enthält ein Programm." },
   open: "Öffnen",
   notNow: "Jetzt nicht",
-  ofItsOwn: "Wird als eigenes Programm geöffnet; vorhandene Programme bleiben unverändert.",
+  opensSeparately: "Wird als eigenes Programm geöffnet; vorhandene Programme bleiben unverändert.",
   bare: "keine: verwendet die Werkzeuge dieses Geräts",
   tool: (number, name) => `T${number} ${name}`.trim(),
   state: {

@@ -54,7 +54,7 @@ export const which = {
   bestIs: (name, why) => `Am besten: ${name}, ${why}.`,
   passes: "Schnitte",
   time: "Zeit",
-  stays: "Restmaterial",
+  residual: "Restmaterial",
   nothing: "keins",
   noArea: "nicht gemessen",
   tool: (number, name) => `Werkzeug ${number} ${name}`,

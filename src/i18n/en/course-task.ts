@@ -36,9 +36,10 @@ export const courseTask = {
   hintAfterTry: "The last hint is available after the first counted try.",
   solution: "Solution",
   showSolution: "Show the solution",
-  sure: "The solution is shown next to your program, which is not changed. The exercise then counts as passed with the solution shown.",
-  yesShow: "Show it",
-  notYet: "Not yet",
+  confirmSolution:
+    "The solution is shown next to your program, which is not changed. The exercise then counts as passed with the solution shown.",
+  confirmShow: "Show it",
+  cancelShow: "Not yet",
   compare: "Compare with mine",
   openSolution: "Open as a new program",
   solutionName: "Solution",
@@ -46,8 +47,8 @@ export const courseTask = {
   nextTask: (title: string) => `Next exercise: ${title}`,
   toLesson: "To the lesson",
   toCourse: "To the course",
-  anew: "Start over",
-  gone: "The file of this exercise is missing. Your program is unchanged.",
+  startOver: "Start over",
+  fileMissing: "The file of this exercise is missing. Your program is unchanged.",
 
   is: {
     part: "The part as drawn, with no excess and nothing missing",
@@ -77,7 +78,7 @@ export const courseTask = {
     least: (q: string, from: string) => `${q} at least ${from}`,
     most: (q: string, to: string) => `${q} at most ${to}`,
     ofCycle: (what: string, cycle: string) => `${what} in cycle ${cycle}`,
-    foretold: (n: number, of: number) => (of === 1 ? "Answered correctly" : `Question ${n} answered correctly`),
+    answered: (n: number, of: number) => (of === 1 ? "Answered correctly" : `Question ${n} answered correctly`),
   },
 
   wrong: {
@@ -92,7 +93,7 @@ export const courseTask = {
     noThread: (name: string) => `Thread ${name} is missing: no groove is cut between crest and root`,
     threadPitch: (name: string, is: string, asked: string) =>
       `Thread ${name} has a pitch of ${is} mm instead of ${asked}`,
-    turnedRound: {
+    wrongSide: {
       inside:
         "With these values the cycle turns a bore: " +
         "its contour is above the start point. Check the diameters and the start first, then the tool",
@@ -138,7 +139,7 @@ export const courseTask = {
     finish: (block: string) => `block ${block}, finishing cut`,
   },
 
-  foretell: {
+  predict: {
     title: "Predict what will happen",
     lead: "The run is shown after you answer.",
     question: (n: number, of: number) => `Question ${n} of ${of}`,
@@ -149,7 +150,7 @@ export const courseTask = {
     z: "Z of the place",
     block: "Number of the block",
     tapBlock: "Type its number, or choose the line in the program.",
-    toPointed: { place: "Tap it on the part", block: "Choose it in the program" },
+    pointAt: { place: "Tap it on the part", block: "Choose it in the program" },
     nextQuestion: "Next question",
     back: "Previous question",
     run: "Show the run",
@@ -160,7 +161,7 @@ export const courseTask = {
     wrong: (told: string, is: string) => `Your answer: ${told}. Correct: ${is}.`,
     wrongBlock: (told: string) => `Block ${told} is not the cause. Watch where the fault occurs, then try again.`,
     wrongPlace: (told: string, is: string, mm: string) => `Your answer: ${told}. Correct: ${is}, ${mm} mm away.`,
-    nowhere: (told: string) => `Your answer: ${told}. This does not occur anywhere.`,
+    doesNotOccur: (told: string) => `Your answer: ${told}. This does not occur anywhere.`,
     yours: "Your answer in the picture",
     truth: "Correct place",
     isBlock: (block: string) => `block ${block}`,

@@ -61,9 +61,9 @@ export const course = {
     openProgram: "Open this program in the editor",
   },
 
-  anew: "Restart course",
+  restart: "Restart course",
   cancel: "Cancel",
-  begunAnew: "The course was restarted. Undo restores your progress.",
+  restarted: "The course was restarted. Undo restores your progress.",
   damaged:
     "Your progress in the course could not be read. The damaged data were set aside, and the course starts over.",
   notKept: "This browser does not store your progress. Back up your data in the settings before you close the page.",

@@ -51,7 +51,7 @@ export const device = {
       `${n === 1 ? "1 program" : `${n} programs`}, tools, own cycles, settings and course data were backed up to the downloads${files > 1 ? `, in ${files} files` : ""}.`,
     notExported: "The backup could not be created.",
   },
-  bringIn: {
+  restore: {
     title: (name: string) => `Contents of ${name}`,
     works: (n: number) => (n === 1 ? "1 program" : `${n} programs`),
     all: "All",
@@ -100,7 +100,7 @@ export const device = {
     wasTaken: (name: string) => `${name} is now edited in another tab`,
     wasTakenLead: "The latest version was transferred; nothing is lost.",
     take: "Edit here",
-    takeBack: "Edit here again",
+    editAgain: "Edit here again",
     takeLong: "The other tab transfers its latest version and stops editing.",
     copy: "Edit a copy",
     copyLong: "Both are kept; the copy gets its own name.",

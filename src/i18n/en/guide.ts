@@ -71,7 +71,7 @@ export const guide = {
     finish: "Finishing",
     watch: "Watch the steps",
   },
-  takeBack: "Restore value",
+  restoreValue: "Restore value",
   taken: (what: string, value: string) => `${what} = ${value} is now in your program.`,
   mistakes: "Common mistakes",
   terms: "Terms",

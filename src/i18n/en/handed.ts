@@ -6,7 +6,7 @@ export const handed = {
   title: "Share",
   lead: "The recipient sees the same simulation and the same result. No server is involved.",
   working: "Determining the required tools …",
-  along: "Contents",
+  contents: "Contents",
   facts: {
     name: "Name",
     kind: "Kind",
@@ -43,7 +43,7 @@ export const handed = {
   from: { link: "This link contains a program.", file: "This file contains a program." },
   open: "Open",
   notNow: "Not now",
-  ofItsOwn: "Opens as a separate program; your own programs are not changed.",
+  opensSeparately: "Opens as a separate program; your own programs are not changed.",
   bare: "none: uses the tools of this device",
   tool: (number: string, name: string) => `T${number} ${name}`.trim(),
   state: { same: "same as in your table", free: "not in your table", differs: "values differ from yours" },

@@ -54,7 +54,7 @@ export const which = {
   bestIs: (name, why) => `Best: ${name}, ${why}.`,
   passes: "Passes",
   time: "Time",
-  stays: "Residual",
+  residual: "Residual",
   nothing: "none",
   noArea: "not measured",
   tool: (number, name) => `Tool ${number} ${name}`,

@@ -34,9 +34,10 @@ export const courseTask = {
   hintAfterTry: "La dernière aide est disponible après le premier essai compté.",
   solution: "Solution",
   showSolution: "Montrer la solution",
-  sure: "La solution s’affiche à côté de votre programme, qui reste inchangé. L’exercice comptera comme réussi, solution montrée.",
-  yesShow: "Montrer",
-  notYet: "Pas encore",
+  confirmSolution:
+    "La solution s’affiche à côté de votre programme, qui reste inchangé. L’exercice comptera comme réussi, solution montrée.",
+  confirmShow: "Montrer",
+  cancelShow: "Pas encore",
   compare: "Comparer avec le mien",
   openSolution: "Ouvrir comme nouveau programme",
   solutionName: "Solution",
@@ -44,8 +45,8 @@ export const courseTask = {
   nextTask: (title) => `Exercice suivant : ${title}`,
   toLesson: "À la leçon",
   toCourse: "Au cours",
-  anew: "Recommencer",
-  gone: "Le fichier de cet exercice manque. Votre programme est inchangé.",
+  startOver: "Recommencer",
+  fileMissing: "Le fichier de cet exercice manque. Votre programme est inchangé.",
 
   is: {
     part: "La pièce du dessin : sans excédent ni manque de matière",
@@ -75,7 +76,7 @@ export const courseTask = {
     least: (q, from) => `${q} au moins ${from}`,
     most: (q, to) => `${q} au plus ${to}`,
     ofCycle: (what, cycle) => `${what} dans le cycle ${cycle}`,
-    foretold: (n, of) => (of === 1 ? "Réponse juste" : `Réponse juste à la question ${n}`),
+    answered: (n, of) => (of === 1 ? "Réponse juste" : `Réponse juste à la question ${n}`),
   },
 
   wrong: {
@@ -89,7 +90,7 @@ export const courseTask = {
     residue: (mm) => `Matière résiduelle, jusqu’à ${mm} mm d’épaisseur`,
     noThread: (name) => `Le filetage ${name} manque : aucun sillon entre crête et fond`,
     threadPitch: (name, is, asked) => `Le filetage ${name} a un pas de ${is} mm au lieu de ${asked}`,
-    turnedRound: {
+    wrongSide: {
       inside:
         "Avec ces valeurs, le cycle usine un alésage : " +
         "son contour est au-dessus du point de départ. Vérifier d’abord les diamètres et le point de départ, puis l’outil",
@@ -134,7 +135,7 @@ export const courseTask = {
     finish: (block) => `séquence ${block}, passe de finition`,
   },
 
-  foretell: {
+  predict: {
     title: "Prédisez ce qui va se passer",
     lead: "L’exécution s’affiche après votre réponse.",
     question: (n, of) => `Question ${n} sur ${of}`,
@@ -145,7 +146,7 @@ export const courseTask = {
     z: "Z de l’endroit",
     block: "Numéro de la séquence",
     tapBlock: "Saisissez son numéro, ou choisissez la ligne dans le programme.",
-    toPointed: { place: "Le toucher sur la pièce", block: "La choisir dans le programme" },
+    pointAt: { place: "Le toucher sur la pièce", block: "La choisir dans le programme" },
     nextQuestion: "Question suivante",
     back: "Question précédente",
     run: "Montrer l’exécution",
@@ -156,7 +157,7 @@ export const courseTask = {
     wrong: (told, is) => `Votre réponse : ${told}. Juste : ${is}.`,
     wrongBlock: (told) => `La séquence ${told} n’est pas la cause. Observez où l’erreur se produit, puis réessayez.`,
     wrongPlace: (told, is, mm) => `Votre réponse : ${told}. Juste : ${is}, à ${mm} mm de là.`,
-    nowhere: (told) => `Votre réponse : ${told}. Cela ne se produit nulle part.`,
+    doesNotOccur: (told) => `Votre réponse : ${told}. Cela ne se produit nulle part.`,
     yours: "Votre réponse dans l’image",
     truth: "L’endroit exact",
     isBlock: (block) => `séquence ${block}`,

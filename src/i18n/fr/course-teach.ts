@@ -17,13 +17,13 @@ export const courseTeach = {
   takeBack: "Annuler",
   changedSince:
     "Le programme a été modifié depuis que ce formulaire a été rempli. Pièce, règles et cotes sont encore les précédentes.",
-  proposeAnew: "Proposer à nouveau",
-  formNotKept:
+  proposeAgain: "Proposer à nouveau",
+  formNotStored:
     "Ce navigateur n’enregistre pas le formulaire. Enregistrez l’exercice comme fichier avant de fermer le formulaire.",
-  keptForm: "Le formulaire est enregistré sur cet appareil.",
+  formStored: "Le formulaire est enregistré sur cet appareil.",
   save: "Enregistrer les modifications",
-  keepIt: "Enregistrer",
-  keptNow: "Enregistré dans le cours.",
+  saveNew: "Enregistrer",
+  saved: "Enregistré dans le cours.",
 
   kind: "Genre",
   kinds: {
@@ -176,7 +176,7 @@ export const courseTeach = {
     truth: "Cela ne se produit pas dans l’exécution.",
     shape: "Un texte est trop long, ou un nombre manque.",
   },
-  foretells: "L’exécution répond à chaque question.",
+  runAnswers: "L’exécution répond à chaque question.",
   passes: "La solution est réussie.",
   refused: "La solution n’est pas réussie :",
   idle: "La situation de départ est déjà réussie : il n’y aurait rien à faire.",

@@ -58,9 +58,9 @@ export const course = {
     openProgram: "Ouvrir ce programme dans l’éditeur",
   },
 
-  anew: "Recommencer le cours",
+  restart: "Recommencer le cours",
   cancel: "Annuler",
-  begunAnew: "Le cours a été recommencé. Annuler rétablit votre progression.",
+  restarted: "Le cours a été recommencé. Annuler rétablit votre progression.",
   damaged:
     "Votre progression n’a pas pu être lue. Les données endommagées ont été mises de côté et le cours recommence.",
   notKept:

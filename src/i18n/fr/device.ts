@@ -55,7 +55,7 @@ export const device = typeset<DeviceTexts>({
       `${n === 1 ? "1 programme" : `${n} programmes`}, outils, cycles personnalisés, réglages et données du cours ont été sauvegardés dans les téléchargements${files > 1 ? `, en ${files} fichiers` : ""}.`,
     notExported: "La sauvegarde n’a pas pu être créée.",
   },
-  bringIn: {
+  restore: {
     title: (name) => `Contenu de ${name}`,
     works: (n) => (n === 1 ? "1 programme" : `${n} programmes`),
     all: "Tous",
@@ -107,7 +107,7 @@ export const device = typeset<DeviceTexts>({
     wasTaken: (name) => `${name} est maintenant modifié dans un autre onglet`,
     wasTakenLead: "La version la plus récente a été transférée ; rien n’est perdu.",
     take: "Modifier ici",
-    takeBack: "Modifier de nouveau ici",
+    editAgain: "Modifier de nouveau ici",
     takeLong: "L’autre onglet transfère sa version la plus récente et cesse de modifier.",
     copy: "Modifier une copie",
     copyLong: "Les deux sont conservés, la copie sous son propre nom.",

@@ -72,7 +72,7 @@ export const guide: GuideTexts = typeset({
     finish: "Finition",
     watch: "Voir les étapes",
   },
-  takeBack: "Rétablir la valeur",
+  restoreValue: "Rétablir la valeur",
   taken: (what: string, value: string) => `${what} = ${value} est maintenant dans votre programme.`,
   mistakes: "Erreurs fréquentes",
   terms: "Termes",

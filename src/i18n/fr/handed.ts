@@ -7,7 +7,7 @@ export const handed = typeset<HandedTexts>({
   title: "Partager",
   lead: "Le destinataire voit la même simulation et le même résultat. Aucun serveur n’intervient.",
   working: "Recherche des outils nécessaires …",
-  along: "Contenu",
+  contents: "Contenu",
   facts: {
     name: "Nom",
     kind: "Type",
@@ -44,7 +44,7 @@ export const handed = typeset<HandedTexts>({
   from: { link: "Ce lien contient un programme.", file: "Ce fichier contient un programme." },
   open: "Ouvrir",
   notNow: "Pas maintenant",
-  ofItsOwn: "S’ouvre comme programme à part ; vos programmes restent inchangés.",
+  opensSeparately: "S’ouvre comme programme à part ; vos programmes restent inchangés.",
   bare: "aucun : utilise les outils de cet appareil",
   tool: (number, name) => `T${number} ${name}`.trim(),
   state: {

@@ -55,7 +55,7 @@ export const which = typeset<WhichTexts>({
   bestIs: (name, why) => `Meilleure : ${name}, ${why}.`,
   passes: "Passes",
   time: "Temps",
-  stays: "Matière résiduelle",
+  residual: "Matière résiduelle",
   nothing: "aucune",
   noArea: "non mesuré",
   tool: (number, name) => `Outil ${number} ${name}`,

@@ -27,9 +27,9 @@ export const courseTask = {
   hintAfterTry: "第一次计入的尝试之后可查看最后一条提示。",
   solution: "答案",
   showSolution: "显示答案",
-  sure: "答案显示在您的程序旁边，您的程序不变。之后通过会记为“看答案后通过”。",
-  yesShow: "显示",
-  notYet: "先不看",
+  confirmSolution: "答案显示在您的程序旁边，您的程序不变。之后通过会记为“看答案后通过”。",
+  confirmShow: "显示",
+  cancelShow: "先不看",
   compare: "与我的程序比较",
   openSolution: "作为新程序打开",
   solutionName: "答案",
@@ -37,8 +37,8 @@ export const courseTask = {
   nextTask: (title) => `下一个练习：${title}`,
   toLesson: "回到课文",
   toCourse: "回到课程",
-  anew: "重新开始",
-  gone: "缺少这个练习的文件。您的程序没有变。",
+  startOver: "重新开始",
+  fileMissing: "缺少这个练习的文件。您的程序没有变。",
 
   is: {
     part: "与图纸一致，不多切，无残余材料",
@@ -68,7 +68,7 @@ export const courseTask = {
     least: (q, from) => `${q} 至少 ${from}`,
     most: (q, to) => `${q} 最多 ${to}`,
     ofCycle: (what, cycle) => `循环 ${cycle} 中 ${what}`,
-    foretold: (n, of) => (of === 1 ? "回答正确" : `问题 ${n} 回答正确`),
+    answered: (n, of) => (of === 1 ? "回答正确" : `问题 ${n} 回答正确`),
   },
 
   wrong: {
@@ -82,7 +82,7 @@ export const courseTask = {
     residue: (mm) => `有残余材料，最厚 ${mm} mm`,
     noThread: (name) => `缺少螺纹 ${name}：牙顶与牙底之间没有切出螺旋槽`,
     threadPitch: (name, is, asked) => `螺纹 ${name} 的螺距为 ${is} mm，应为 ${asked}`,
-    turnedRound: {
+    wrongSide: {
       inside: "按这些数值，循环在车内孔：轮廓位于起点之上。先检查直径和起点，再检查刀具",
       outside: "按这些数值，循环在车外圆：轮廓位于起点之下。先检查直径和起点，再检查刀具",
       away: "按这些数值，循环背离卡盘切削：终点在起点之前。先查是否漏了负号，再检查刀具",
@@ -120,7 +120,7 @@ export const courseTask = {
     finish: (block) => `程序段 ${block}，精车`,
   },
 
-  foretell: {
+  predict: {
     title: "预测结果",
     lead: "回答之后才显示运行。",
     question: (n, of) => `问题 ${n}/${of}`,
@@ -131,7 +131,7 @@ export const courseTask = {
     z: "位置的 Z",
     block: "程序段号",
     tapBlock: "输入段号，或在程序中选那一行。",
-    toPointed: { place: "在工件上点出", block: "在程序中选" },
+    pointAt: { place: "在工件上点出", block: "在程序中选" },
     nextQuestion: "下一题",
     back: "上一题",
     run: "显示运行",
@@ -141,7 +141,7 @@ export const courseTask = {
     wrong: (told, is) => `您的回答：${told}，正确：${is}。`,
     wrongBlock: (told) => `原因不在程序段 ${told}。观察哪里出错，再试一次。`,
     wrongPlace: (told, is, mm) => `您的回答：${told}，正确：${is}，相差 ${mm} mm。`,
-    nowhere: (told) => `您的回答：${told}，实际没有出现。`,
+    doesNotOccur: (told) => `您的回答：${told}，实际没有出现。`,
     yours: "您在图中的回答",
     truth: "正确位置",
     isBlock: (block) => `程序段 ${block}`,

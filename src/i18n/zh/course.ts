@@ -55,9 +55,9 @@ export const course = {
     openProgram: "在编辑器中打开此程序",
   },
 
-  anew: "重新开始课程",
+  restart: "重新开始课程",
   cancel: "取消",
-  begunAnew: "课程已重新开始。撤销可恢复原来的进度。",
+  restarted: "课程已重新开始。撤销可恢复原来的进度。",
   damaged: "课程进度无法读取，已另行保存，课程重新开始。",
   notKept: "此浏览器不保存课程进度。关闭页面前，请在设置中备份数据。",
 } satisfies CourseTexts;

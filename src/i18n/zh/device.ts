@@ -46,7 +46,7 @@ export const device = {
       `${n} 个程序以及刀具、自定义循环、设置和课程数据已备份到下载文件夹${files > 1 ? `，共 ${files} 个文件` : ""}。`,
     notExported: "无法创建备份。",
   },
-  bringIn: {
+  restore: {
     title: (name) => `${name} 的内容`,
     works: (n) => `${n} 个程序`,
     all: "全部",
@@ -93,7 +93,7 @@ export const device = {
     wasTaken: (name) => `${name} 现在另一个标签页中编辑`,
     wasTakenLead: "最新状态已传送，没有任何丢失。",
     take: "在此编辑",
-    takeBack: "重新在此编辑",
+    editAgain: "重新在此编辑",
     takeLong: "另一个标签页传送最新状态并停止编辑。",
     copy: "编辑副本",
     copyLong: "两份都保留，副本另有名称。",

@@ -67,7 +67,7 @@ export const guide = {
     finish: "精加工",
     watch: "观看步骤",
   },
-  takeBack: "恢复数值",
+  restoreValue: "恢复数值",
   taken: (what: string, value: string) => `${what} = ${value} 已写入您的程序。`,
   mistakes: "常见错误",
   terms: "术语",

@@ -4,7 +4,7 @@ export const handed = {
   title: "分享",
   lead: "接收者看到同样的仿真和同样的检查结果，不经过服务器。",
   working: "正在确定需要哪些刀具……",
-  along: "内容",
+  contents: "内容",
   facts: {
     name: "名称",
     kind: "类型",
@@ -39,7 +39,7 @@ export const handed = {
   from: { link: "此链接包含一个程序。", file: "此文件包含一个程序。" },
   open: "打开",
   notNow: "暂不",
-  ofItsOwn: "作为单独的程序打开，您已有的程序不变。",
+  opensSeparately: "作为单独的程序打开，您已有的程序不变。",
   bare: "无：使用本设备的刀具",
   tool: (number, name) => `T${number} ${name}`.trim(),
   state: { same: "与您的刀具表相同", free: "您的刀具表中没有", differs: "数值与您的不同" },

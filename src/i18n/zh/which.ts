@@ -37,7 +37,7 @@ export const which = {
   bestIs: (name, why) => `最佳：${name}，${why}。`,
   passes: "走刀次数",
   time: "时间",
-  stays: "残余材料",
+  residual: "残余材料",
   nothing: "无",
   noArea: "不测量",
   tool: (number, name) => `刀具 ${number} ${name}`,

@@ -2,7 +2,7 @@ import { areaOf } from "./area.ts";
 import { boxAround } from "./box.ts";
 import { difference, intersection } from "./clip.ts";
 import { at, type Ring } from "../geometry/point.ts";
-import { real } from "./real-area.ts";
+import { withoutSlivers } from "./real-area.ts";
 import { radius, radiusOf, toDiameter } from "../units.ts";
 
 /** How the workpiece is clamped. */
@@ -166,7 +166,7 @@ export function missesBlank({ kind, diameter: d, length, face }: Clamping, blank
   const r = radiusOf(d),
     [back, inside] = [face - length, kind === "chuckInside"];
   const has = (low: number, high: number) =>
-    areaOf(real(intersection(blank, [box(back, face, Math.max(0, low), high)]))) > 0;
+    areaOf(withoutSlivers(intersection(blank, [box(back, face, Math.max(0, low), high)]))) > 0;
   return inside ? !has(r, r + NEAR) || has(0, r - NEAR) : !has(r - NEAR, r) || has(r + NEAR, FAR);
 }
 

@@ -7,7 +7,7 @@ import { SLIVER } from "../tolerance.ts";
 export const REAL_AREA = 0.01;
 
 /** An area without slivers; empty when the rest is smaller than REAL_AREA. */
-export const real = (area: Ring[]): Ring[] => {
+export const withoutSlivers = (area: Ring[]): Ring[] => {
   if (areaOf(area) < REAL_AREA) return [];
   const thick = opened(area, SLIVER);
   return areaOf(thick) < REAL_AREA ? [] : thick;
@@ -15,4 +15,4 @@ export const real = (area: Ring[]): Ring[] => {
 
 /** The area outside another area, mm²; 0 where the two only differ by chords and grid. */
 export const areaOutside = (area: readonly Ring[], other: readonly Ring[]): number =>
-  areaOf(real(difference(area, other)));
+  areaOf(withoutSlivers(difference(area, other)));

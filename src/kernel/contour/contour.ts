@@ -4,7 +4,7 @@ import { hypotenuse } from "../geometry/vectors.ts";
 import { issue, type Issue } from "../plan/issue.ts";
 import type { Groove } from "./groove.ts";
 import { part, type Pt, type Segment, type Turn } from "../geometry/point.ts";
-import { putRecesses, type ContourChain, type Inset } from "./recessed.ts";
+import { putRecesses, type ContourChain, type PlacedRecess } from "./recessed.ts";
 import { ARC_END, ROUND, SAME } from "../tolerance.ts";
 import type { Undercut } from "./undercut.ts";
 
@@ -151,7 +151,7 @@ export function segmentTo(
 export function contourFrom(programmed: readonly ContourElement[]): Contour {
   const issues: Issue[] = [];
   const chain: ContourChain = { segments: [], corners: [], segmentNumbers: [], cornerNumbers: [] };
-  const recesses: Inset[] = [];
+  const recesses: PlacedRecess[] = [];
   let from: Pt | null = null;
   let waiting: { corner: CornerElement; element: number } | null = null;
   programmed.forEach((e, i) => {

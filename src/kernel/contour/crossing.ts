@@ -20,14 +20,14 @@ function crosses(a: Segment, b: Segment): boolean {
 type Crossing = readonly [number, number] | null;
 
 /** Cached per chain: chains are immutable and checked by several readers. */
-const known = new WeakMap<readonly Segment[], Crossing>();
+const cachedCrossings = new WeakMap<readonly Segment[], Crossing>();
 
 /** Two segments of a chain that cross or touch, as indices (the later one first), or null. Overlaps are not checked. */
 export function selfCrossing(chain: readonly Segment[]): Crossing {
-  const before = known.get(chain);
+  const before = cachedCrossings.get(chain);
   if (before !== undefined) return before;
   const found = firstCrossing(chain);
-  known.set(chain, found);
+  cachedCrossings.set(chain, found);
   return found;
 }
 

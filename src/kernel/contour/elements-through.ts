@@ -85,7 +85,7 @@ export function areaOfArc(line: number, radius: number): number {
  * The arc between the same ends that encloses the same area as its points. The circle through three of them depends on
  * the rounding of those three; the area depends on all.
  */
-function settled(arc: Arc, run: readonly Pt[], near: number): Arc {
+function equalAreaArc(arc: Arc, run: readonly Pt[], near: number): Arc {
   const sweep = part.sweepOf(arc);
   if (sweep > WIDE) return arc;
   const line = part.apart(arc.from, arc.to),
@@ -129,7 +129,7 @@ export function elementsThrough(points: readonly Pt[], near: Nearness): Segment[
     }
     if (!best) break;
     const { to, segment } = best;
-    out.push(segment.kind === "arc" ? settled(segment, points.slice(from, to + 1), near.arc) : segment);
+    out.push(segment.kind === "arc" ? equalAreaArc(segment, points.slice(from, to + 1), near.arc) : segment);
     from = to;
   }
   return out;

@@ -78,10 +78,10 @@ const BORE = 0.25;
  */
 export function nominalOfBore(bore: Diameter, pitch: number): number {
   const sizes = METRIC_SIZES.filter(([, ...pitches]) => pitches.includes(pitch)).map(([nominal]) => nominal);
-  const meant = sizes.find((nominal) => Math.abs(nominal - bore) <= INCH_ROUNDED);
-  if (meant !== undefined) return meant;
-  const sought = bore + METRIC.inside * pitch * 2;
-  const near = sizes.filter((nominal) => Math.abs(nominal - sought) <= BORE * pitch);
-  const apart = (nominal: number) => Math.abs(nominal - sought);
-  return near.length === 0 ? sought : near.reduce((a, b) => (apart(b) < apart(a) ? b : a));
+  const listedSize = sizes.find((nominal) => Math.abs(nominal - bore) <= INCH_ROUNDED);
+  if (listedSize !== undefined) return listedSize;
+  const computedNominal = bore + METRIC.inside * pitch * 2;
+  const near = sizes.filter((nominal) => Math.abs(nominal - computedNominal) <= BORE * pitch);
+  const apart = (nominal: number) => Math.abs(nominal - computedNominal);
+  return near.length === 0 ? computedNominal : near.reduce((a, b) => (apart(b) < apart(a) ? b : a));
 }

@@ -13,7 +13,7 @@ const { lengthOf, line } = part;
 const DECIMALS = 4;
 
 /** An undercut or recess of a contour, its element number, and the segment that it was programmed behind. */
-export interface Inset {
+export interface PlacedRecess {
   readonly recess: Undercut | Groove;
   readonly element: number;
   readonly after: number;
@@ -132,7 +132,7 @@ function putGroove(chain: ContourChain, groove: Groove, element: number, index: 
  * Distance of a recess along its segment, mm: the farthest is put in first, so that the positions of the others stay
  * valid.
  */
-function place(chain: ContourChain, r: Inset): number {
+function place(chain: ContourChain, r: PlacedRecess): number {
   if (r.recess.kind === "undercut") return Infinity;
   const on = chain.segments[r.after];
   const centre = r.recess.words.CENTER ?? 0;
@@ -140,7 +140,7 @@ function place(chain: ContourChain, r: Inset): number {
 }
 
 /** Puts undercuts and recesses into a chain; one that does not fit is left out and reported. */
-export function putRecesses(chain: ContourChain, recesses: readonly Inset[]): Issue[] {
+export function putRecesses(chain: ContourChain, recesses: readonly PlacedRecess[]): Issue[] {
   const backwards = recesses
     .map((r) => ({ r, place: place(chain, r) }))
     .sort((a, b) => b.r.after - a.r.after || b.place - a.place);

@@ -1,4 +1,4 @@
-import { shiftOf, TIP } from "./insert.ts";
+import { correctionShift, TIP } from "./insert.ts";
 import { at, type Ring } from "../geometry/point.ts";
 import { ROUND } from "../tolerance.ts";
 import type { Holder, HolderCorner, TipOrientation, Tool } from "../plan/tool.ts";
@@ -52,7 +52,7 @@ export function hullOf(corners: readonly Corner[]): readonly Corner[] {
  */
 export function holderOutlines(t: Tool): readonly Ring[] {
   if (!t.holder) return [];
-  const shift = shiftOf(t);
+  const shift = correctionShift(t);
   return [...(t.holder.head ?? []), shank(t.holder, t.TO)]
     .map((part) => hullOf(part).map(([z, x]) => at(z + shift.u, x + shift.v)))
     .filter((ring) => ring.length > 2);

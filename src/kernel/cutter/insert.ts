@@ -228,7 +228,7 @@ export function insertOutline(t: Tool, chord: number, body = true): Ring {
     const [next, last] = [at(p.u, p.v), out.at(-1)];
     if (!last || part.apart(last, next) > JOINED) out.push(next);
   };
-  for (const e of moved(insertShape(t, body), shiftOf(t))) {
+  for (const e of moved(insertShape(t, body), correctionShift(t))) {
     if (e.kind === "line") add(e.from);
     else {
       const step = e.radius > chord ? 2 * Math.acos(1 - chord / e.radius) : e.sweep;
@@ -257,4 +257,4 @@ function quarters(start: number, sweep: number): [start: number, sweep: number][
 }
 
 /** Shift of the insert by a correction, from the tip that the control calculates with. */
-export const shiftOf = (t: Tool): Flat => ({ u: t.correction?.z ?? 0, v: t.correction?.r ?? 0 });
+export const correctionShift = (t: Tool): Flat => ({ u: t.correction?.z ?? 0, v: t.correction?.r ?? 0 });

@@ -36,7 +36,7 @@ export interface FreeElement {
   /** Points that the element, or its extension, runs through. */
   readonly through: readonly PlanePoint[];
   /** A point at a given distance from the element. */
-  readonly beside: { readonly point: PlanePoint; readonly distance: number } | null;
+  readonly distancePoint: { readonly point: PlanePoint; readonly distance: number } | null;
   /** The line that this line is parallel to, and the distance between them. */
   readonly parallel: { readonly of: number; readonly distance: number | null } | null;
   /** The element whose end point is also the end point of this one. */

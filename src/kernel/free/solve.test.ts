@@ -22,7 +22,7 @@ const nothing: FreeElement = {
   centrePolar: null,
   sweep: null,
   through: [],
-  beside: null,
+  distancePoint: null,
   parallel: null,
   closes: null,
 };
@@ -191,7 +191,7 @@ describe("elements determined together with their neighbours", () => {
       [23, 12.5],
     ]);
     expect(
-      ends([line({ beside: { point: { x: 10, y: 4 }, distance: 4 }, angle: at(0), x: at(18) })], { x: 2, y: 0 }),
+      ends([line({ distancePoint: { point: { x: 10, y: 4 }, distance: 4 }, angle: at(0), x: at(18) })], { x: 2, y: 0 }),
     ).toEqual([[18, 0]]);
   });
   test("an arc through points, one by its sweep, one that begins in a direction", () => {

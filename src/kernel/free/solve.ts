@@ -1,7 +1,7 @@
 import { plane, type PlanePoint, type PlaneSegment } from "../plane/plane.ts";
 import type { Curve, FreeElement, FreeValue, FromPole } from "./element.ts";
-import { ROUNDED, solutionsOf, startOf, type Search } from "./find.ts";
-import { distanceFrom, endResiduals, windowOf, type FreePlaces, type Known, type Window } from "./window.ts";
+import { ROUNDED, solutionsOf, startOf, type Search } from "./search.ts";
+import { distanceFrom, endResiduals, windowOf, type FreePlaces, type KnownGeometry, type Window } from "./window.ts";
 
 const { apart, difference, dot, heading, lengthOf } = plane;
 
@@ -21,7 +21,7 @@ const CLOSED = 1000;
 const AHEAD = 2;
 
 /** Known geometry, and the results of windows without a unique solution: nothing, or the solutions to choose from. */
-interface Branch extends Known {
+interface Branch extends KnownGeometry {
   readonly curves: (Curve | null)[];
   readonly points: (PlanePoint | null)[];
   readonly tried: Map<string, Choice | null>;
@@ -35,7 +35,7 @@ const copy = (b: Branch): Branch => ({
   uncertain: new Set(b.uncertain),
 });
 
-function take(b: Branch, w: Window, found: FreePlaces): void {
+function adopt(b: Branch, w: Window, found: FreePlaces): void {
   for (let k = w.first; k <= w.last; k += 1) {
     b.curves[k] ??= found.curve(k);
     if (k < w.last || found.point(k)) b.points[k] ??= found.point(k);
@@ -55,7 +55,7 @@ interface Choice {
 }
 
 /** Solves one window: adopts a unique solution, and remembers the choice otherwise. */
-function madeOf(b: Branch, s: Search, first: number, last: number): Choice | null | "unique" | "nowhere" {
+function solveWindow(b: Branch, s: Search, first: number, last: number): Choice | null | "unique" | "nowhere" {
   const key = keyOf(b, first, last);
   const before = b.tried.get(key);
   if (before !== undefined) return before;
@@ -65,7 +65,7 @@ function madeOf(b: Branch, s: Search, first: number, last: number): Choice | nul
   const found = solutionsOf(window, s);
   if (found?.length === 0) return "nowhere";
   if (found?.length === 1 && found[0]) {
-    take(b, window, found[0]);
+    adopt(b, window, found[0]);
     return "unique";
   }
   const choice = found && { window, found };
@@ -77,12 +77,12 @@ function madeOf(b: Branch, s: Search, first: number, last: number): Choice | nul
  * Solves everything that needs no choice. Returns the smallest choice left, null if there is none, "nowhere" at a
  * contradiction.
  */
-function follow(b: Branch, s: Search): Choice | null | "nowhere" {
+function solveForced(b: Branch, s: Search): Choice | null | "nowhere" {
   for (;;) {
     let [choice, went]: [Choice | null, boolean] = [null, false];
     for (let width = 1; width <= WIDEST && !went; width += 1) {
       for (let first = 1; first + width - 1 <= s.elements.length && !went; first += 1) {
-        const made = madeOf(b, s, first, first + width - 1);
+        const made = solveWindow(b, s, first, first + width - 1);
         if (made === "nowhere") return made;
         if (made === "unique") went = true;
         else if (made && (!choice || made.found.length < choice.found.length)) choice = made;
@@ -95,12 +95,12 @@ function follow(b: Branch, s: Search): Choice | null | "nowhere" {
 
 /** Length of the shortest contour that is still possible, within the search depth; null when all choices contradict. */
 function shortest(b: Branch, s: Search, depth: number): number | null {
-  const next = follow(b, s);
-  if (next === "nowhere" || !agrees(b, s)) return null;
-  if (!next || depth === 0) return wayOf(b, s);
+  const next = solveForced(b, s);
+  if (next === "nowhere" || !isConsistent(b, s)) return null;
+  if (!next || depth === 0) return pathLength(b, s);
   return next.found.reduce((least: number | null, found) => {
     const other = copy(b);
-    take(other, next.window, found);
+    adopt(other, next.window, found);
     const way = shortest(other, s, depth - 1);
     return way === null || (least !== null && least <= way) ? least : way;
   }, null);
@@ -112,7 +112,7 @@ function isClosed({ points }: Branch): boolean {
 }
 
 /** Length of the contour so far; closed contours are preferred over any other. */
-const wayOf = (b: Branch, { size }: Search): number =>
+const pathLength = (b: Branch, { size }: Search): number =>
   (isClosed(b) ? -CLOSED * size : 0) +
   b.curves.reduce((way, own, i) => {
     const segment = i === 0 ? null : segmentOf(own, b.points[i - 1] ?? null, b.points[i] ?? null);
@@ -120,7 +120,7 @@ const wayOf = (b: Branch, { size }: Search): number =>
   }, 0);
 
 /** Whether the found geometry agrees with all given values. */
-function agrees(b: Branch, { elements, size }: Search): boolean {
+function isConsistent(b: Branch, { elements, size }: Search): boolean {
   const found: FreePlaces = { curve: (k) => b.curves[k] ?? null, point: (k) => b.points[k] ?? null };
   return elements.every((e, i) => {
     const [own, from, to] = [b.curves[i + 1], b.points[i], b.points[i + 1]];
@@ -147,7 +147,7 @@ function placeOf(x: FreeValue, y: FreeValue, polar: FromPole | null): PlanePoint
   return polar && far !== null && angle !== null ? plane.beyond(polar.pole, heading(angle), far) : null;
 }
 
-function beginning(elements: readonly FreeElement[], start: PlanePoint, before: Curve | null): Branch {
+function initialBranch(elements: readonly FreeElement[], start: PlanePoint, before: Curve | null): Branch {
   const b: Branch = { curves: [before], points: [start], tried: new Map(), uncertain: new Set() };
   elements.forEach((e, i) => {
     b.points.push(placeOf(e.x, e.y, e.polar) ?? (e.closes === null ? null : (b.points[e.closes] ?? null)));
@@ -166,13 +166,13 @@ function lengthsOf(e: FreeElement): number[] {
     v && "by" in v ? v.by : null,
   );
   const polar = [e.polar, e.centrePolar].map((p) => given(p?.radius ?? null));
-  return [...values, ...polar, e.radius, e.length, e.beside?.distance, e.parallel?.distance].map((n) =>
+  return [...values, ...polar, e.radius, e.length, e.distancePoint?.distance, e.parallel?.distance].map((n) =>
     Math.abs(n ?? 0),
   );
 }
 
 function searchOf(elements: readonly FreeElement[], b: Branch): Search {
-  const named = elements.flatMap((e) => [...e.through, e.beside?.point, e.polar?.pole, e.centrePolar?.pole]);
+  const named = elements.flatMap((e) => [...e.through, e.distancePoint?.point, e.polar?.pole, e.centrePolar?.pole]);
   const places = [...b.points, ...named, ...b.curves.map((c) => (c?.kind === "arc" ? c.centre : null))].filter(
     (p) => p !== null && p !== undefined,
   );
@@ -219,7 +219,7 @@ export function solveFreeContour(
 }
 
 /** Indices of undetermined elements: those solved from now on may follow from a choice, on either side of it. */
-const open = ({ curves, points }: Branch): number[] =>
+const undetermined = ({ curves, points }: Branch): number[] =>
   curves.flatMap((own, k) => (k > 0 && (!own || !points[k - 1] || !points[k]) ? [k] : []));
 
 /** The elements as far as they are determined; null at a contradiction. */
@@ -228,37 +228,43 @@ function solvedElements(
   start: PlanePoint,
   before: Curve | null,
 ): (FreeSolved | null)[] | null {
-  const b = beginning(elements, start, before);
+  const b = initialBranch(elements, start, before);
   const s = searchOf(elements, b);
   for (;;) {
-    const choice = follow(b, s);
+    const choice = solveForced(b, s);
     if (choice === "nowhere") return null;
     if (!choice) break;
     const { window } = choice;
     const leading = choice.found.flatMap((found) => {
       const other = copy(b);
-      take(other, window, found);
+      adopt(other, window, found);
       const way = shortest(other, s, AHEAD);
       return way === null ? [] : [{ found, way }];
     });
     const best = leading.toSorted((one, two) => one.way - two.way)[0];
     if (!best) return null;
     if (leading.length > 1) {
-      for (const k of open(b)) b.uncertain.add(k);
+      for (const k of undetermined(b)) b.uncertain.add(k);
     }
-    take(b, window, best.found);
+    adopt(b, window, best.found);
   }
   let ended = false;
   const found: FreePlaces = { curve: (k) => b.curves[k] ?? null, point: (k) => b.points[k] ?? null };
   return elements.map((e, i) => {
     const segment = segmentOf(b.curves[i + 1] ?? null, b.points[i] ?? null, b.points[i + 1] ?? null);
-    ended ||= !segment || !fits(e, i + 1, segment, found, s.size);
+    ended ||= !segment || !isElementConsistent(e, i + 1, segment, found, s.size);
     return ended || !segment ? null : { segment, certain: ![...b.uncertain].some((k) => k <= i + 1) };
   });
 }
 
 /** Whether the found geometry agrees with the given values of an element. */
-function fits(e: FreeElement, k: number, segment: PlaneSegment, found: FreePlaces, size: number): boolean {
+function isElementConsistent(
+  e: FreeElement,
+  k: number,
+  segment: PlaneSegment,
+  found: FreePlaces,
+  size: number,
+): boolean {
   const own = found.curve(k);
   if (!own) return false;
   if (endResiduals(e, k, found, size).some((r) => Math.abs(r) * size > ROUNDED)) return false;

@@ -9,7 +9,7 @@ const { apart, cross, difference, dot, scaled, sum, angleOf, heading } = plane;
  * Known geometry of a contour being solved: the curve of each element and the point at its end; 0 is the element before
  * the contour.
  */
-export interface Known {
+export interface KnownGeometry {
   readonly curves: readonly (Curve | null)[];
   readonly points: readonly (PlanePoint | null)[];
 }
@@ -110,7 +110,7 @@ export function endResiduals(e: FreeElement, k: number, { point }: FreePlaces, s
 /** Residuals of an element's curve alone. */
 function curveResiduals(e: FreeElement, found: FreePlaces, own: Curve, size: number): number[] {
   const out = e.through.map((p) => distanceFrom(own, p) / size);
-  if (e.beside) out.push((Math.abs(distanceFrom(own, e.beside.point)) - e.beside.distance) / size);
+  if (e.distancePoint) out.push((Math.abs(distanceFrom(own, e.distancePoint.point)) - e.distancePoint.distance) / size);
   if (own.kind === "line") {
     const other = e.parallel && found.curve(e.parallel.of);
     if (other?.kind !== "line" || !e.parallel) return out;
@@ -196,7 +196,7 @@ const ends = (e: FreeElement) =>
  */
 export function windowOf(
   elements: readonly FreeElement[],
-  known: Known,
+  known: KnownGeometry,
   first: number,
   last: number,
   size: number,

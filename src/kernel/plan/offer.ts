@@ -12,16 +12,20 @@ export function withOffer(found: Issue, offer: number | null): Issue {
 }
 
 /** The properties that identify a finding. */
-interface Told extends Pick<Issue, "severity"> {
+interface ComparedFinding extends Pick<Issue, "severity"> {
   readonly code: string;
   readonly at?: string;
   readonly data: object;
 }
 
-const keyOf = ({ code, at, data }: Told) => `${code} ${at ?? ""} ${"element" in data ? data.element : ""}`;
+const keyOf = ({ code, at, data }: ComparedFinding) => `${code} ${at ?? ""} ${"element" in data ? data.element : ""}`;
 
 /** Whether a change fixes a finding: the finding is gone, and there is no new error. */
-export function mends(found: Told, before: readonly Told[], after: readonly Told[]): boolean {
+export function fixesFinding(
+  found: ComparedFinding,
+  before: readonly ComparedFinding[],
+  after: readonly ComparedFinding[],
+): boolean {
   const known = new Set(before.filter((each) => each.severity === "error").map(keyOf));
   return !after.some((each) => keyOf(each) === keyOf(found) || (each.severity === "error" && !known.has(keyOf(each))));
 }

@@ -5,7 +5,7 @@ import type { Tool } from "./tool.ts";
 import type { Feed, Length } from "../units.ts";
 
 /** Input of a plan besides the cycle's own values. */
-export interface Setting {
+export interface PlanContext {
   readonly tool: Tool;
   /** Theoretical tip at the cycle call. */
   readonly start: Pt;
@@ -15,7 +15,7 @@ export interface Setting {
   /** Outlines of the stock at the call; null if it is unknown after earlier cuts. */
   readonly stock: readonly Ring[] | null;
   /** True if blank update is active (FUNCTION TURNDATA BLANK): roughing leaves out passes that cut air. */
-  readonly leavesOutAir?: boolean;
+  readonly skipsAirPasses?: boolean;
   /**
    * Undrilled material: outlines, and the Z from which on they are solid. `isBored`: a bore in them may be wider by
    * now, so that they are reliable only on the axis. Absent if unknown.
@@ -28,7 +28,8 @@ export interface Setting {
 }
 
 /** The stock that a path may depend on: a control only knows an updated blank, whatever BLK FORM says. */
-export const tracedStock = ({ stock, leavesOutAir }: Setting): readonly Ring[] | null => (leavesOutAir ? stock : null);
+export const tracedStock = ({ stock, skipsAirPasses }: PlanContext): readonly Ring[] | null =>
+  skipsAirPasses ? stock : null;
 
 /**
  * A stretch of the finishing path, and the reason why the insert cannot go deeper there (null: it is on the contour).
@@ -73,7 +74,7 @@ export interface MachiningLimit {
 }
 
 /** Residual material that the values of a cycle ask for. */
-export interface LeftOnPurpose {
+export interface IntendedResidual {
   readonly oversize: boolean;
   /** True if the corner keeps the radius of the insert. */
   readonly corner: boolean;
@@ -110,13 +111,13 @@ export interface Plan {
   /** The deepest path of this tool along the drawn contour; explains residual material. */
   readonly reach: readonly Reach[];
   /** The same along the contour with oversize: material above this path is not part of the oversize. */
-  readonly kept: readonly Reach[];
+  readonly oversizeReach: readonly Reach[];
   /** The greatest infeed that the values allow, mm; 0 if they set none. */
-  readonly most: Length;
+  readonly maxInfeed: Length;
   /** The oversize that the values leave on the radius and along Z, mm; absent when the cycle has none. */
   readonly oversize?: { readonly r: number; readonly z: number };
   /** Residual material that the values ask for; absent if none. */
-  readonly asked?: LeftOnPurpose;
+  readonly intendedResidual?: IntendedResidual;
   /** Threads only. */
   readonly thread?: ThreadPlan;
   /** The deepest path without machining limits; absent if there are none. */

@@ -12,7 +12,7 @@ export interface ContourCut {
   readonly on: PlanePoint;
 }
 /** The change that clears the path: another PS or PN, or another LEN or R. */
-export type FreeWay =
+export type ApproachFix =
   | { readonly kind: "point"; readonly point: PlanePoint }
   | { readonly kind: "value"; readonly word: "LEN" | "R"; readonly value: number };
 
@@ -99,11 +99,11 @@ const onGrid = (n: number, grid: number) => Math.round(n / grid) * grid;
  * Checks an approach or departure against the whole programmed contour, and looks for the nearest collision-free
  * variant. `contour` includes its roundings and chamfers; the control does not check PS→PH.
  */
-export function guardApproach(
+export function checkApproach(
   q: ApproachRequest,
   contour: readonly PlaneSegment[],
   checked: CheckedLegs = "all",
-): { readonly cut: ContourCut; readonly free: FreeWay | null } | null {
+): { readonly cut: ContourCut; readonly free: ApproachFix | null } | null {
   const made = approach(q);
   if (q.side === "none") return null;
   const inMaterial = materialOf(contour, q.side);
@@ -132,7 +132,7 @@ function nearby(q: ApproachRequest, made: Approach, contour: readonly PlaneSegme
   return contour.filter((s) => distanceTo(s, at) <= reach);
 }
 
-function freePoint(q: ApproachRequest, made: Approach, isFree: (q: ApproachRequest) => boolean): FreeWay | null {
+function freePoint(q: ApproachRequest, made: Approach, isFree: (q: ApproachRequest) => boolean): ApproachFix | null {
   const pivot = made.points.PH ?? made.points.PA ?? made.points.PE;
   const { outside } = q;
   if (!outside || !pivot || (q.departing && q.shape !== "LCT")) return null;
@@ -146,7 +146,7 @@ function freePoint(q: ApproachRequest, made: Approach, isFree: (q: ApproachReque
   return point ? { kind: "point", point } : null;
 }
 
-function freeValue(q: ApproachRequest, isFree: (q: ApproachRequest) => boolean): FreeWay | null {
+function freeValue(q: ApproachRequest, isFree: (q: ApproachRequest) => boolean): ApproachFix | null {
   const straight = q.shape === "LT" || q.shape === "LN";
   const size = Math.abs((straight ? q.length : q.radius) ?? 0);
   const step = Math.max(0.5, onGrid(size / 6, 0.5));

@@ -1,5 +1,5 @@
 import { issue, type Issue } from "../plan/issue.ts";
-import { mends, offerOf, withOffer } from "../plan/offer.ts";
+import { fixesFinding, offerOf, withOffer } from "../plan/offer.ts";
 import { plane, towardsTool, type PlanePoint, type PlaneSegment, type Side } from "./plane.ts";
 import { opposite, type Turn } from "../geometry/segments.ts";
 import { ROUND } from "../tolerance.ts";
@@ -174,19 +174,19 @@ function tangential(q: ApproachRequest, a: Anchor, issues: Issue[]): Arrival | n
  * issue.
  */
 export function approach(q: ApproachRequest): Approach {
-  const made = shaped(q);
-  return { ...made, issues: made.issues.map((each) => tried(each, q, made.issues)) };
+  const made = computeApproach(q);
+  return { ...made, issues: made.issues.map((each) => withTestedOffer(each, q, made.issues)) };
 }
 
 /** Keeps an offer only if trying it in its word fixes the finding. */
-function tried(found: Issue, q: ApproachRequest, before: readonly Issue[]): Issue {
+function withTestedOffer(found: Issue, q: ApproachRequest, before: readonly Issue[]): Issue {
   const offer = offerOf(found);
   if (offer === null) return found;
   const key = found.at === "R" ? "radius" : found.at === "CCA" ? "centreAngle" : "length";
-  return mends(found, before, shaped({ ...q, [key]: offer }).issues) ? found : withOffer(found, null);
+  return fixesFinding(found, before, computeApproach({ ...q, [key]: offer }).issues) ? found : withOffer(found, null);
 }
 
-function shaped(q: ApproachRequest): Approach {
+function computeApproach(q: ApproachRequest): Approach {
   const issues: Issue[] = [];
   const corner = q.departing ? q.element.to : q.element.from;
   const tangent = direction(q.element, corner);

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { below } from "./below.ts";
+import { intervalsBelow } from "./below.ts";
 import { upperEnvelope, valueAt, type EnvelopePiece } from "./envelope.ts";
 
 const origin = { feature: "nose", on: "contour", corner: false } as const;
@@ -29,7 +29,7 @@ test("intervals below a level contain exactly the places below it, also for piec
   const wrong: unknown[] = [];
   const touched = pieces.flatMap((p) => (p.arc === 0 ? [] : [p.cv + p.arc * p.radius]));
   for (const level of [-20, -9, -3.21, 0, 0.5, 4.4, 9.7, 12.9, 20, ...touched]) {
-    const found = below(envelope, level, left, right);
+    const found = intervalsBelow(envelope, level, left, right);
     for (let u = left; u <= right; u += step) {
       const heights = envelope.filter((s) => u > s.u0 && u < s.u1).map((s) => valueAt(s.piece, u));
       if (heights.some((v) => Math.abs(v - level) < step * step)) continue;

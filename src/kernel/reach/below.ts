@@ -20,7 +20,7 @@ function rangeOf(p: EnvelopePiece, a: number, b: number): readonly [low: number,
 }
 
 /** Maximal intervals within [u0, u1] where the envelope is at or below `level`, from left to right. */
-export function below(e: Envelope, level: number, u0: number, u1: number): Interval[] {
+export function intervalsBelow(e: Envelope, level: number, u0: number, u1: number): Interval[] {
   const out: Interval[] = [];
   const add = (from: number, to: number) => {
     if (to < from) return;

@@ -18,7 +18,7 @@ import { JOINED, ROUND } from "../tolerance.ts";
  * The envelope lowered to the cuts (from left to right, without overlap) wherever they are lower by no more than `most`
  * mm: under a deeper cut, material remains above the insert. Gaps of the envelope stay.
  */
-export function loweredBy(e: Envelope, cuts: readonly EnvelopePiece[], most: number): Envelope {
+export function withCuts(e: Envelope, cuts: readonly EnvelopePiece[], most: number): Envelope {
   const first = cuts[0];
   if (!first) return e;
   let i = firstSpan(e, first.u0);
@@ -53,7 +53,7 @@ const inOrder = (a: readonly number[], b: readonly number[]): readonly number[] 
   b.length === 0 ? a : a.length === 0 ? b : [...a, ...b].sort((x, y) => x - y);
 
 /** The section of an envelope between two places, moved up by `by` mm. */
-export const raised = (e: Envelope, u0: number, u1: number, by: number): Envelope =>
+export const raisedSection = (e: Envelope, u0: number, u1: number, by: number): Envelope =>
   e
     .filter((s) => s.u1 > u0 && s.u0 < u1)
     .map((s) => ({ piece: lifted(s.piece, by), u0: Math.max(s.u0, u0), u1: Math.min(s.u1, u1) }));
@@ -65,7 +65,7 @@ const lifted = (p: EnvelopePiece, by: number): EnvelopePiece =>
  * Intervals where one envelope is more than `by` mm above another, from left to right: checked at the ends of the
  * common pieces and in their middle.
  */
-export function aboveBy(e: Envelope, other: Envelope, from: number, to: number, by: number): Interval[] {
+export function intervalsAbove(e: Envelope, other: Envelope, from: number, to: number, by: number): Interval[] {
   const found: Interval[] = [];
   let j = firstSpan(other, from);
   for (let i = firstSpan(e, from); i < e.length && (e[i] as Span).u0 < to; i++) {
@@ -99,7 +99,7 @@ export function pieceOf(s: FlatSegment, origin: Origin): EnvelopePiece | null {
 }
 
 /** v of the envelope at u: the lower side at a jump, −∞ next to a gap. Pieces that only touch at u are no obstacle. */
-export function besideAt(e: Envelope, u: number): number {
+export function lowerSideAt(e: Envelope, u: number): number {
   const side = (from: number, to: number) => {
     const v = heightAt(e, u);
     const s = e[firstSpan(e, from + 2 * ROUND)];

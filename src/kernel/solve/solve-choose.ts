@@ -1,6 +1,6 @@
 import { at, part, type Pt } from "../geometry/point.ts";
 import type { Affine } from "./solve-linear.ts";
-import { arcRank, byRank, place, pointOf, type Rank, type Solving } from "./solve-work.ts";
+import { arcRank, byRank, setFoundPoint, pointOf, type Rank, type SolveState } from "./solve-work.ts";
 import { ARC_END, ROUND, SAME } from "../tolerance.ts";
 
 const { apart, beyond, difference, dot, heading, meet, sizeOf, sweepOf } = part;
@@ -12,7 +12,7 @@ interface Sliding {
 }
 
 const freeIn = (...forms: readonly Affine[]) => new Set(forms.flatMap((f) => [...f.by.keys()]));
-const slide = (w: Solving, i: number, free: number): Sliding => {
+const slide = (w: SolveState, i: number, free: number): Sliding => {
   const form = w.forms[i];
   return {
     start: at(form?.z.constant ?? 0, form?.r.constant ?? 0),
@@ -39,7 +39,7 @@ interface Candidate {
 }
 
 /** Sets a point to the best of its possible places and records their number. False if there is none. */
-function choose(w: Solving, element: number, candidates: readonly Candidate[]): boolean {
+function choose(w: SolveState, element: number, candidates: readonly Candidate[]): boolean {
   const rated = candidates
     .map((c) => ({ c, faults: faultsOf(w, c), ...orderOf(w, element, c) }))
     .sort((a, b) => byRank(a, b) || a.c.point.r - b.c.point.r);
@@ -50,11 +50,11 @@ function choose(w: Solving, element: number, candidates: readonly Candidate[]): 
     return false;
   }
   w.choices[element] = Math.max(1, fit.length);
-  return place(w, chosen.c.i, chosen.c.point);
+  return setFoundPoint(w, chosen.c.i, chosen.c.point);
 }
 
 /** Number of faults of a place: lines that run backwards, arcs without length, places below the axis. */
-function faultsOf(w: Solving, { i, point }: Candidate): number {
+function faultsOf(w: SolveState, { i, point }: Candidate): number {
   let faults = point.r < -SAME ? 1 : 0;
   for (const [element, from, to] of [
     [i, pointOf(w, i - 1), point],
@@ -72,7 +72,7 @@ function faultsOf(w: Solving, { i, point }: Candidate): number {
  * Prefers the likelier place: the shorter arc (the longer one for a negative radius), the shorter distance to the next
  * point, else towards the chuck.
  */
-function orderOf(w: Solving, element: number, { i, point }: Candidate): Omit<Rank, "faults"> {
+function orderOf(w: SolveState, element: number, { i, point }: Candidate): Omit<Rank, "faults"> {
   const circle = w.circle[element] ?? null,
     e = w.elements[element];
   const from = i === element ? pointOf(w, element - 1) : point,
@@ -85,7 +85,7 @@ function orderOf(w: Solving, element: number, { i, point }: Candidate): Omit<Ran
 }
 
 /** Determines one point by a length or a circle; the first that is possible. True when a point was found. */
-export function findPlace(w: Solving): boolean {
+export function findPlace(w: SolveState): boolean {
   for (let i = 1; i < w.elements.length; i += 1) {
     const e = w.elements[i],
       circle = w.circle[i] ?? null,
@@ -128,7 +128,7 @@ export function findPlace(w: Solving): boolean {
 }
 
 /** Determines a point known only by two distances: lengths of its lines, or circles it lies on. */
-function findMeeting(w: Solving): boolean {
+function findMeeting(w: SolveState): boolean {
   for (let i = 0; i < w.elements.length; i += 1) {
     if (w.z[i] !== null || w.r[i] !== null) continue;
     const [one, two] = [distance(w, i, i - 1), distance(w, i + 1, i + 1)];
@@ -139,7 +139,7 @@ function findMeeting(w: Solving): boolean {
   return false;
 }
 
-function distance(w: Solving, element: number, other: number) {
+function distance(w: SolveState, element: number, other: number) {
   const e = w.elements[element],
     circle = w.circle[element] ?? null,
     end = pointOf(w, other);

@@ -1,9 +1,9 @@
 import { issue, type Issue } from "../plan/issue.ts";
 import { part, type Pt, type Segment } from "../geometry/point.ts";
 import { findPlace } from "./solve-choose.ts";
-import { findAngles, findCircles, way } from "./solve-curves.ts";
+import { findAngles, findCircles, travelDirection } from "./solve-curves.ts";
 import { findTouches } from "./solve-touches.ts";
-import { pointOf, settle, startSolving, type SolveElement, type Solving } from "./solve-work.ts";
+import { pointOf, solveCoordinates, startSolving, type SolveElement, type SolveState } from "./solve-work.ts";
 import { ARC_END, SAME } from "../tolerance.ts";
 import {
   axial,
@@ -53,7 +53,7 @@ export function solveContour(elements: readonly SolveElement[]): SolvedContour {
   const w = startSolving(elements);
   // Each round finds at least one coordinate, direction or circle.
   for (let round = 0; round <= elements.length * 4 + 4; round += 1) {
-    const found = settle(w);
+    const found = solveCoordinates(w);
     const bent = findAngles(w),
       circled = findCircles(w),
       touched = findTouches(w);
@@ -69,7 +69,7 @@ const round = (angle: number): Degrees => {
   return degrees(n < 0 ? (n + 360) % 360 : n % 360);
 };
 
-function solvedElement(w: Solving, i: number): SolvedElement {
+function solvedElement(w: SolveState, i: number): SolvedElement {
   const [z, r, segment] = [w.z[i] ?? null, w.r[i] ?? null, segmentOf(w, i)];
   const straight = w.elements[i]?.kind === "line",
     angle = w.angle[i] ?? null;
@@ -84,7 +84,7 @@ function solvedElement(w: Solving, i: number): SolvedElement {
   };
 }
 
-function segmentOf(w: Solving, i: number): Segment | null {
+function segmentOf(w: SolveState, i: number): Segment | null {
   const [from, to, circle] = [pointOf(w, i - 1), pointOf(w, i), w.circle[i] ?? null];
   if (i === 0 || !from || !to) return null;
   if (w.elements[i]?.kind === "line" || circle === "straight") return { kind: "line", from, to };
@@ -95,7 +95,7 @@ function segmentOf(w: Solving, i: number): Segment | null {
  * Missing values of the end point that are not already missing at the point before it, less those that a length or a
  * circle determines; for an arc also those of its circle.
  */
-function freedomOf(w: Solving, i: number, segment: Segment | null): number {
+function freedomOf(w: SolveState, i: number, segment: Segment | null): number {
   const e = w.elements[i],
     form = w.forms[i],
     before = w.forms[i - 1];
@@ -124,7 +124,7 @@ function freedomOf(w: Solving, i: number, segment: Segment | null): number {
 /** The angle between two directions, degrees. */
 const between = (a: Pt, b: Pt) => Math.abs(inDegrees(Math.atan2(cross(a, b), dot(a, b))));
 
-function contradictions(w: Solving, e: SolveElement, i: number, freedom: number): Issue[] {
+function contradictions(w: SolveState, e: SolveElement, i: number, freedom: number): Issue[] {
   const found: Issue[] = [],
     element = i + 1;
   const say = (quantity: "angle" | "length" | "tangent" | "radius", given: number, nearest: number) =>
@@ -142,7 +142,10 @@ function contradictions(w: Solving, e: SolveElement, i: number, freedom: number)
     const miss = Math.max(...[from, to].map((p) => Math.abs(apart(p, circle.centre) - circle.radius)));
     if (miss > ARC_END && !e.centre) say("radius", circle.radius, apart(from, circle.centre));
   }
-  const [before, own] = [way(w, i - 1, i - 1), apart(from, to) > SAME ? way(w, i, i - 1) : null];
+  const [before, own] = [
+    travelDirection(w, i - 1, i - 1),
+    apart(from, to) > SAME ? travelDirection(w, i, i - 1) : null,
+  ];
   if (e.tangent && i > 1 && before && own && between(before, own) > TANGENT) say("tangent", 0, between(before, own));
   return found;
 }

@@ -1,6 +1,15 @@
 import type { CurveOf } from "../geometry/curves.ts";
 import { at, part, type Pt, type Turn } from "../geometry/point.ts";
-import { arcRank, aside, byRank, pointOf, same, type Circle, type Rank, type Solving } from "./solve-work.ts";
+import {
+  arcRank,
+  centreOffset,
+  byRank,
+  pointOf,
+  isSamePoint,
+  type Circle,
+  type Rank,
+  type SolveState,
+} from "./solve-work.ts";
 import { ROUND, SAME } from "../tolerance.ts";
 
 const {
@@ -23,23 +32,23 @@ const {
 } = part;
 
 /** The point at a distance from one point, on the ray to another. */
-export const towards = (from: Pt, to: Pt, far: number): Pt => beyond(from, unit(difference(to, from)), far);
+export const pointTowards = (from: Pt, to: Pt, far: number): Pt => beyond(from, unit(difference(to, from)), far);
 
 /** Direction of travel of element i in point p (i − 1 or i); null while it is not known. */
-export function way(w: Solving, i: number, p: number): Pt | null {
+export function travelDirection(w: SolveState, i: number, p: number): Pt | null {
   const angle = w.angle[i] ?? null,
     circle = w.circle[i] ?? null,
     point = pointOf(w, p);
   if (angle !== null) return heading(angle);
-  if (!circle || circle === "straight" || !point || same(point, circle.centre)) return null;
+  if (!circle || circle === "straight" || !point || isSamePoint(point, circle.centre)) return null;
   return direction({ kind: "arc", from: point, to: point, centre: circle.centre, turn: circle.turn }, point);
 }
 
 /** True where element i leaves the one before it tangentially. */
-export const tangent = (w: Solving, i: number) => w.elements[i]?.tangent === true && i > 1;
+export const isTangent = (w: SolveState, i: number) => w.elements[i]?.tangent === true && i > 1;
 
 /** Finds directions of lines from their ends or from a tangential neighbour. */
-export function findAngles(w: Solving): boolean {
+export function findAngles(w: SolveState): boolean {
   let changed = false;
   w.elements.forEach((e, i) => {
     if (i === 0 || (w.angle[i] ?? null) !== null) return;
@@ -47,7 +56,9 @@ export function findAngles(w: Solving): boolean {
     const [from, to] = [pointOf(w, i - 1), pointOf(w, i)];
     const ends = from && to && apart(from, to) > SAME ? difference(to, from) : null;
     const found =
-      ends ?? (tangent(w, i) ? way(w, i - 1, i - 1) : null) ?? (tangent(w, i + 1) ? way(w, i + 1, i) : null);
+      ends ??
+      (isTangent(w, i) ? travelDirection(w, i - 1, i - 1) : null) ??
+      (isTangent(w, i + 1) ? travelDirection(w, i + 1, i) : null);
     if (!found) return;
     w.angle[i] = angleOf(found);
     changed = true;
@@ -56,7 +67,7 @@ export function findAngles(w: Solving): boolean {
 }
 
 /** Finds circles of arcs from centre, radius, ends and neighbours. */
-export function findCircles(w: Solving): boolean {
+export function findCircles(w: SolveState): boolean {
   let changed = false;
   w.elements.forEach((e, i) => {
     if (i === 0 || e.kind !== "arc" || (w.circle[i] ?? null) !== null) return;
@@ -68,7 +79,7 @@ export function findCircles(w: Solving): boolean {
   return changed;
 }
 
-function circleOf(w: Solving, i: number): Circle | "straight" | null {
+function circleOf(w: SolveState, i: number): Circle | "straight" | null {
   const e = w.elements[i];
   if (e?.kind !== "arc") return null;
   const [from, to] = [pointOf(w, i - 1), pointOf(w, i)],
@@ -77,18 +88,18 @@ function circleOf(w: Solving, i: number): Circle | "straight" | null {
     const radius = from ? apart(from, e.centre) : (size ?? (to && apart(to, e.centre)));
     return radius !== null && radius > SAME && e.turn ? { centre: e.centre, radius, turn: e.turn } : null;
   }
-  const before = tangent(w, i) ? way(w, i - 1, i - 1) : null,
-    after = tangent(w, i + 1) ? way(w, i + 1, i) : null;
+  const before = isTangent(w, i) ? travelDirection(w, i - 1, i - 1) : null,
+    after = isTangent(w, i + 1) ? travelDirection(w, i + 1, i) : null;
   if (size !== null && size > SAME && e.turn) {
-    if (from && before) return { centre: sum(from, aside(e.turn, before, size)), radius: size, turn: e.turn };
-    if (to && after) return { centre: sum(to, aside(e.turn, after, size)), radius: size, turn: e.turn };
+    if (from && before) return { centre: sum(from, centreOffset(e.turn, before, size)), radius: size, turn: e.turn };
+    if (to && after) return { centre: sum(to, centreOffset(e.turn, after, size)), radius: size, turn: e.turn };
     if (from && to) {
       const made = arcByRadius(from, to, e.radius ?? size, e.turn).segment;
       return made?.kind === "arc" ? { centre: made.centre, radius: size, turn: e.turn } : null;
     }
     return circleBetween(w, i, size, e.turn);
   }
-  if (size !== null || !from || !to || same(from, to)) return null;
+  if (size !== null || !from || !to || isSamePoint(from, to)) return null;
   const made = before
     ? arcTangential(line(difference(from, before), from), to)
     : after
@@ -101,7 +112,7 @@ function circleOf(w: Solving, i: number): Circle | "straight" | null {
 }
 
 /** A point on the line of element i; null while that line is not known. */
-function onLine(w: Solving, i: number): Pt | null {
+function onLine(w: SolveState, i: number): Pt | null {
   const angle = w.angle[i] ?? null;
   if (angle === null) return null;
   for (const p of [i - 1, i]) {
@@ -118,7 +129,7 @@ function onLine(w: Solving, i: number): Pt | null {
 }
 
 /** Possible centres of an arc that touches element i on the side to which the arc turns. */
-function trackBeside(w: Solving, i: number, size: number, turn: Turn): CurveOf<Pt> | null {
+function trackBeside(w: SolveState, i: number, size: number, turn: Turn): CurveOf<Pt> | null {
   const circle = w.circle[i] ?? null;
   if (circle && circle !== "straight")
     return {
@@ -128,15 +139,15 @@ function trackBeside(w: Solving, i: number, size: number, turn: Turn): CurveOf<P
   const point = onLine(w, i),
     angle = w.angle[i] ?? null;
   return point && angle !== null
-    ? { point: sum(point, aside(turn, heading(angle), size)), along: heading(angle) }
+    ? { point: sum(point, centreOffset(turn, heading(angle), size)), along: heading(angle) }
     : null;
 }
 
 /** The circle of a given size that touches or contains two neighbours, one of them not known as a point. */
-function circleBetween(w: Solving, i: number, size: number, turn: Turn): Circle | null {
+function circleBetween(w: SolveState, i: number, size: number, turn: Turn): Circle | null {
   const around = (p: Pt | null): CurveOf<Pt> | null => p && { centre: p, radius: size };
-  const one = tangent(w, i) ? trackBeside(w, i - 1, size, turn) : around(pointOf(w, i - 1));
-  const two = tangent(w, i + 1) ? trackBeside(w, i + 1, size, turn) : around(pointOf(w, i));
+  const one = isTangent(w, i) ? trackBeside(w, i - 1, size, turn) : around(pointOf(w, i - 1));
+  const two = isTangent(w, i + 1) ? trackBeside(w, i + 1, size, turn) : around(pointOf(w, i));
   if (!one || !two) return null;
   const centres = meet(one, two)
     .map((centre) => ({ centre, ...rankOf(w, i, { centre, radius: size, turn }) }))
@@ -149,7 +160,7 @@ function circleBetween(w: Solving, i: number, size: number, turn: Turn): Circle 
 }
 
 /** Rank of a circle as element i: number of neighbours that would run backwards, and the angle it turns. */
-function rankOf(w: Solving, i: number, { centre, turn }: Circle): Rank {
+function rankOf(w: SolveState, i: number, { centre, turn }: Circle): Rank {
   const [start, end] = [
     touching(w, i - 1, i - 1, centre) ?? pointOf(w, i - 1),
     touching(w, i + 1, i, centre) ?? pointOf(w, i),
@@ -166,11 +177,11 @@ function rankOf(w: Solving, i: number, { centre, turn }: Circle): Rank {
 }
 
 /** Point where a circle about `c` touches element i, if it does and point p between them is not known. */
-function touching(w: Solving, i: number, p: number, c: Pt): Pt | null {
+function touching(w: SolveState, i: number, p: number, c: Pt): Pt | null {
   if (pointOf(w, p)) return null;
   const circle = w.circle[i] ?? null,
     angle = w.angle[i] ?? null,
     point = onLine(w, i);
-  if (circle && circle !== "straight") return towards(circle.centre, c, circle.radius);
+  if (circle && circle !== "straight") return pointTowards(circle.centre, c, circle.radius);
   return point && angle !== null ? beyond(point, heading(angle), dot(difference(c, point), heading(angle))) : null;
 }

@@ -13,7 +13,7 @@ export interface Equation {
 /** Smaller factors are rounding errors: two directions nearer than this, in radians, are the same. */
 const NO_FACTOR = 1e-7;
 
-export const known = (constant: number): Affine => ({ constant, by: new Map() });
+export const constantForm = (constant: number): Affine => ({ constant, by: new Map() });
 
 interface Row {
   readonly factors: Map<number, number>;

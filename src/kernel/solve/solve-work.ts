@@ -1,6 +1,6 @@
 import { signOf } from "../geometry/segments.ts";
 import { at, part, type Pt, type Turn } from "../geometry/point.ts";
-import { known, solveLinear, type Affine, type Equation } from "./solve-linear.ts";
+import { constantForm, solveLinear, type Affine, type Equation } from "./solve-linear.ts";
 import { SAME } from "../tolerance.ts";
 import { radians, type Axial, type Degrees, type Length, type Radius } from "../units.ts";
 
@@ -34,7 +34,7 @@ export interface Circle {
 }
 
 /** State of a contour being solved. Element i runs from point i − 1 to point i. */
-export interface Solving {
+export interface SolveState {
   readonly elements: readonly SolveElement[];
   readonly z: (number | null)[];
   readonly r: (number | null)[];
@@ -53,12 +53,12 @@ export interface Solving {
 /** Longest run of unknown points solved at once. */
 const STRETCH = 64;
 
-export const pointOf = (w: Solving, i: number): Pt | null => {
+export const pointOf = (w: SolveState, i: number): Pt | null => {
   const [z, r] = [w.z[i] ?? null, w.r[i] ?? null];
   return z === null || r === null ? null : at(z, r);
 };
 /** Vector from a line to the centre of a tangent arc of radius `far` with this turn. */
-export const aside = (turn: Turn, way: Pt, far: number): Pt => part.scaled(part.leftOf(way), signOf(turn) * far);
+export const centreOffset = (turn: Turn, way: Pt, far: number): Pt => part.scaled(part.leftOf(way), signOf(turn) * far);
 
 /** Rank of a candidate, compared in this order; the lower is better. */
 export interface Rank {
@@ -76,8 +76,8 @@ export function arcRank(e: SolveElement | undefined, sweep: number): Omit<Rank, 
   return { otherWay: longer === sweep > Math.PI ? 0 : 1, detour: sweep };
 }
 
-export function startSolving(elements: readonly SolveElement[]): Solving {
-  const work: Solving = {
+export function startSolving(elements: readonly SolveElement[]): SolveState {
+  const work: SolveState = {
     elements,
     z: [],
     r: [],
@@ -92,7 +92,7 @@ export function startSolving(elements: readonly SolveElement[]): Solving {
       const before = i === 0 ? 0 : (work[axis][i - 1] ?? null);
       work[axis].push(coordinateOf(e[axis], before));
     }
-    work.forms.push({ z: known(work.z[i] ?? 0), r: known(work.r[i] ?? 0) });
+    work.forms.push({ z: constantForm(work.z[i] ?? 0), r: constantForm(work.r[i] ?? 0) });
   });
   return work;
 }
@@ -108,19 +108,19 @@ function coordinateOf(given: GivenCoordinate<Axial> | GivenCoordinate<Radius>, b
  * Finds everything that follows from coordinates, directions and lengths along them. True if something new became
  * known.
  */
-export function settle(w: Solving): boolean {
+export function solveCoordinates(w: SolveState): boolean {
   let changed = false;
   const unknown = (i: number) => i < w.elements.length && (w.z[i] === null || w.r[i] === null);
   for (let i = 0; i < w.elements.length; i += 1) {
     if (!unknown(i)) continue;
     const from = i;
     while (unknown(i + 1) && i + 1 - from < STRETCH) i += 1;
-    changed = settleStretch(w, from, i) || changed;
+    changed = solveStretch(w, from, i) || changed;
   }
   return changed;
 }
 
-function settleStretch(w: Solving, from: number, to: number): boolean {
+function solveStretch(w: SolveState, from: number, to: number): boolean {
   const variables = new Map<string, number>();
   for (let i = from; i <= to; i += 1)
     for (const axis of ["z", "r"] as const) if (w[axis][i] === null) variables.set(`${axis}${i}`, variables.size);
@@ -195,23 +195,23 @@ function settleStretch(w: Solving, from: number, to: number): boolean {
     for (const axis of ["z", "r"] as const) {
       const constant = w[axis][i] ?? null,
         forms = w.forms[i];
-      if (forms && constant !== null) forms[axis] = known(constant);
+      if (forms && constant !== null) forms[axis] = constantForm(constant);
     }
   return changed;
 }
 
 /** Sets the unknown coordinates of a point that was found. True if there were any. */
-export function place(w: Solving, i: number, found: Pt): boolean {
+export function setFoundPoint(w: SolveState, i: number, found: Pt): boolean {
   let news = false;
   for (const axis of ["z", "r"] as const)
     if (w[axis][i] === null && Number.isFinite(found[axis])) {
       w[axis][i] = found[axis];
       const forms = w.forms[i];
-      if (forms) forms[axis] = known(found[axis]);
+      if (forms) forms[axis] = constantForm(found[axis]);
       news = true;
     }
   return news;
 }
 
 /** True for points that are identical on a control. */
-export const same = (a: Pt, b: Pt) => part.apart(a, b) <= SAME;
+export const isSamePoint = (a: Pt, b: Pt) => part.apart(a, b) <= SAME;

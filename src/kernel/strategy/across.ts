@@ -5,7 +5,7 @@ import { holderOutlines, hullOf } from "../cutter/holder.ts";
 import { insertOutline } from "../cutter/insert.ts";
 import { issue, type Issue } from "../plan/issue.ts";
 import type { Move } from "../plan/move.ts";
-import type { Plan, Setting } from "../plan/plan.ts";
+import type { Plan, PlanContext } from "../plan/plan.ts";
 import { at, part, type Pt, type Ring } from "../geometry/point.ts";
 import { CHORD, SAME } from "../tolerance.ts";
 import { radius, rounded, toDiameter } from "../units.ts";
@@ -17,7 +17,7 @@ const REAL = 0.01;
  * The part of an insert beyond the axis while its tip is at a distance of `r`: its range of z from the tip, and its
  * greatest reach.
  */
-function acrossAt(outline: Ring, r: number): { from: number; to: number; reach: number } | null {
+function overlapAcrossAxis(outline: Ring, r: number): { from: number; to: number; reach: number } | null {
   let [from, to, reach] = [Infinity, -Infinity, 0];
   const put = (z: number, beyond: number) => {
     [from, to, reach] = [Math.min(from, z), Math.max(to, z), Math.max(reach, beyond)];
@@ -49,12 +49,12 @@ const waypoints = (from: Pt, m: Move): readonly Pt[] =>
     : [m.to];
 
 /** The plan without its path, with the reason as an issue. */
-const refusedFor = (plan: Plan, found: Issue): Plan => ({
+const withoutPath = (plan: Plan, found: Issue): Plan => ({
   ...plan,
   moves: [],
   passes: 0,
   reach: [],
-  kept: [],
+  oversizeReach: [],
   issues: [...plan.issues, found],
 });
 
@@ -63,17 +63,17 @@ const refusedFor = (plan: Plan, found: Issue): Plan => ({
  * narrower than the insert is long. Such a plan is refused with the smallest diameter at which the tip stays clear. A
  * plan that bores without a bore is refused as well.
  */
-export function clearAcross(plan: Plan, setting: Setting, role: "startU" | "startV"): Plan {
+export function withAxisCheck(plan: Plan, setting: PlanContext, role: "startU" | "startV"): Plan {
   const { tool, start } = setting;
   const outline = insertOutline(plan.tool ?? tool, CHORD, false);
   const lowest = Math.min(0, ...outline.map((p) => p.r));
   if (!(plan.moves.length > 0)) return plan;
   const missing = role === "startV" && plan.openSide.r < 0 ? boreMissing(plan, setting, lowest) : null;
-  if (missing) return refusedFor(plan, missing);
+  if (missing) return withoutPath(plan, missing);
   if (Math.min(start.r, ...plan.moves.map((m) => m.to.r)) + lowest > -SAME) return plan;
   let from = start;
   for (const to of plan.moves.flatMap((m, i) => waypoints(plan.moves[i - 1]?.to ?? start, m))) {
-    const across = acrossAt(outline, Math.min(from.r, to.r));
+    const across = overlapAcrossAxis(outline, Math.min(from.r, to.r));
     const [left, right] = [Math.min(from.z, to.z), Math.max(from.z, to.z)];
     const way = [from, to] as const;
     from = to;
@@ -82,7 +82,7 @@ export function clearAcross(plan: Plan, setting: Setting, role: "startU" | "star
     if (areaOf(near) < REAL || areaOf(intersection(sweptAcross(outline, ...way), near)) < REAL) continue;
     const free = Math.min(...plan.contour.flatMap((s) => [s.from.r, s.to.r]));
     const x = wholeAbove(toDiameter(radius(-lowest - free)));
-    return refusedFor(
+    return withoutPath(
       plan,
       issue(
         "insertAcrossAxis",
@@ -105,7 +105,7 @@ const wholeAbove = (d: number) => Math.ceil(d - SAME);
  * The issue of a path inside the workpiece that runs into solid material: to the axis, or so near to it that a core is
  * left for the shank to hit. `lowest`: reach of the insert from the tip towards the axis and beyond.
  */
-function boreMissing(plan: Plan, { tool, start, solid }: Setting, lowest: number): Issue | null {
+function boreMissing(plan: Plan, { tool, start, solid }: PlanContext, lowest: number): Issue | null {
   const cuts = plan.moves.flatMap((m, i) => (m.kind === "rapid" ? [] : [plan.moves[i - 1]?.to ?? start, m.to]));
   if (!solid || cuts.length === 0) return null;
   const zs = cuts.map((p) => p.z);

@@ -1,4 +1,4 @@
-import { below } from "../reach/below.ts";
+import { intervalsBelow } from "../reach/below.ts";
 import { firstSpan, valueAt, type Envelope, type Interval, type Span } from "../reach/envelope.ts";
 import type { Flat } from "../geometry/flat.ts";
 import { ROUND, SAME } from "../tolerance.ts";
@@ -20,7 +20,7 @@ const RIDGE = 0.01;
  * two sections belongs to the left one.
  */
 export function basinsOf(e: Envelope, span: Interval, top: number): Basin[] {
-  const open = top < Infinity ? below(e, top - SAME, span.from, span.to) : [span];
+  const open = top < Infinity ? intervalsBelow(e, top - SAME, span.from, span.to) : [span];
   return open.flatMap((stretch) => parted(profile(e, stretch)).map((points) => basinOf(points, top - 3 * SAME)));
 }
 

@@ -21,7 +21,7 @@ const SLOT = 10 * JOINED;
 const NARROWER = SAME + 4 * SLOT;
 
 /** A bar or a button narrower by that tolerance; null for other tools, which have no two sides to fit. */
-export function slimmed(tool: Tool): Tool | null {
+export function narrowerTool(tool: Tool): Tool | null {
   if (isBar(tool) && cuttingWidth(tool) > 2 * NARROWER)
     return { ...tool, CUTWIDTH: length((tool.CUTWIDTH ?? 0) - NARROWER) };
   return tool.TYPE === "BUTTON" && noseRadius(tool) > NARROWER ? { ...tool, RS: length(tool.RS - NARROWER / 2) } : null;
@@ -97,7 +97,7 @@ function between(e: Envelope, from: number, to: number): Span[] {
 /**
  * Ends of a path along a contour: an end next to a slot moves to its far side, so that the path leads through the slot.
  */
-export function besideSlot(start: Flat, end: Flat, slots: readonly Interval[]): readonly [Flat, Flat] {
+export function endsBeyondSlots(start: Flat, end: Flat, slots: readonly Interval[]): readonly [Flat, Flat] {
   const beside = ({ u }: Flat) => slots.find(({ from, to }) => u >= from - NARROWER && u <= to + NARROWER);
   return [
     { ...start, u: Math.min(start.u, beside(start)?.from ?? start.u) },

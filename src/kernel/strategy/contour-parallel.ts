@@ -2,32 +2,32 @@ import { heightAt, pathAlong } from "../reach/envelope.ts";
 import { flat, segmentToFlat, toFlat, toPart, type Flat, type FlatSegment, type Frame } from "../geometry/flat.ts";
 import { flanksUnknown } from "../cutter/insert.ts";
 import { issue, type Issue } from "../plan/issue.ts";
-import { tracedStock, type Plan, type Setting } from "../plan/plan.ts";
+import { tracedStock, type Plan, type PlanContext } from "../plan/plan.ts";
 import type { Segment } from "../geometry/point.ts";
 import type { Bound } from "../reach/reach.ts";
 import { SAME } from "../tolerance.ts";
 import { roomOf } from "../plan/track.ts";
 import { length, toDiameter } from "../units.ts";
-import { clearAcross } from "./across.ts";
+import { withAxisCheck } from "./across.ts";
 import { beyondAxis } from "./axis.ts";
 import type { Feeds } from "./feeds.ts";
 import { followContour, type Finish } from "./finish.ts";
-import { unfit } from "./fit.ts";
-import { atCall, Frontier } from "./frontier.ts";
+import { unfitIssue } from "./fit.ts";
+import { envelopeAtCall, Frontier } from "./frontier.ts";
 import {
-  groundOver,
+  tipEnvelopeOver,
   insertIn,
   insidePart,
-  leadOf,
+  reachAhead,
   reachOf,
   startInPart,
-  type Ground,
+  type TipEnvelope,
   type Surroundings,
-} from "./ground.ts";
+} from "./tip-envelope.ts";
 import { limitedInfeed } from "./infeed.ts";
-import { keptOver } from "./kept.ts";
-import { empty, TURNING } from "./leveled.ts";
-import { countedAnew } from "./levels.ts";
+import { oversizeContour } from "./oversize-contour.ts";
+import { emptyPlan, TURNING } from "./leveled.ts";
+import { renumberedPasses } from "./levels.ts";
 import { Cutter } from "./link.ts";
 import { areaBetween, partUnder } from "./outline-area.ts";
 import { divideAllowance, type Allowance } from "./parallel-infeed.ts";
@@ -55,25 +55,25 @@ export interface ContourParallel {
 const AROUND: Surroundings = { wall: null, front: "free", frontWall: null, floors: [] };
 
 /** Plans roughing and finishing along a contour. Never throws; what cannot be planned is an issue. */
-export function planContourParallel(l: ContourParallel, setting: Setting): Plan {
+export function planContourParallel(l: ContourParallel, setting: PlanContext): Plan {
   const { tool } = setting;
   const contour = l.contour.map((s) => segmentToFlat(l.frame, s));
-  if (contour.length === 0) return empty([]);
+  if (contour.length === 0) return emptyPlan([]);
   const called = toFlat(l.frame, setting.start);
   const sketch = {
-    ...empty([]),
+    ...emptyPlan([]),
     contour: l.contour,
     part: partUnder(contour, l.frame, false),
-    area: areaBetween(contour, keptOver(l.contour, l.frame, { r: 0, z: 0, round: l.allowance }), l.frame),
+    area: areaBetween(contour, oversizeContour(l.contour, l.frame, { r: 0, z: 0, round: l.allowance }), l.frame),
     openSide: toPart(l.frame, { u: 0, v: 1 }),
     isParallel: true,
-    most: length(l.infeed),
+    maxInfeed: length(l.infeed),
     oversize: l.oversize,
   };
   const insert = insertIn(tool, l.frame);
-  const lead = leadOf(insert);
+  const lead = reachAhead(insert);
   const works = workingStart(l, contour, lead);
-  const refused = [unfit(tool, l.frame, TURNING), wrongStart(contour, called, setting, works)].filter(
+  const refused = [unfitIssue(tool, l.frame, TURNING), wrongStart(contour, called, setting, works)].filter(
     (i) => i !== null,
   );
   if (refused.length > 0) return { ...sketch, issues: refused };
@@ -83,15 +83,15 @@ export function planContourParallel(l: ContourParallel, setting: Setting): Plan 
 
   const bounds = contour.map((segment): Bound => ({ segment, on: "contour" }));
   const keep = l.frame.transverse ? { u: l.oversize.r, v: l.oversize.z } : { u: l.oversize.z, v: l.oversize.r };
-  const over = (round: number) => groundOver(bounds, tool, l.frame, { ...keep, round }, AROUND);
-  const drawn = groundOver(bounds, tool, l.frame, { u: 0, v: 0 }, AROUND);
+  const over = (round: number) => tipEnvelopeOver(bounds, tool, l.frame, { ...keep, round }, AROUND);
+  const drawn = tipEnvelopeOver(bounds, tool, l.frame, { u: 0, v: 0 }, AROUND);
   if (insidePart(drawn, called)) return { ...sketch, issues: [...issues, startInPart(works)] };
   const kept = over(0);
-  const blank = groundOver(bounds, tool, l.frame, { u: 0, v: 0, round: l.allowance }, AROUND);
-  const stands = atCall(
+  const blank = tipEnvelopeOver(bounds, tool, l.frame, { u: 0, v: 0, round: l.allowance }, AROUND);
+  const stands = envelopeAtCall(
     { stock: tracedStock(setting), area: sketch.area.map((p) => toFlat(l.frame, p)), frame: l.frame, insert },
-    drawn.bare,
-    l.operation > 1 ? { grown: kept.bare, infeed: Math.min(l.infeed, l.allowance) } : null,
+    drawn.partEnvelope,
+    l.operation > 1 ? { grown: kept.partEnvelope, infeed: Math.min(l.infeed, l.allowance) } : null,
   );
   const first = (contour[0] as FlatSegment).from;
   const start = startOf(l, called, { u: first.u - lead - l.clearance, behind: first.u }, blank);
@@ -108,7 +108,7 @@ export function planContourParallel(l: ContourParallel, setting: Setting): Plan 
     new Frontier(stands, insert),
     Math.max(called.v, start.v),
   );
-  back(cutter, start, l, l.operation > 1 ? "finish" : "rough", 0);
+  returnToStart(cutter, start, l, l.operation > 1 ? "finish" : "rough", 0);
 
   const follow = {
     contour,
@@ -129,21 +129,21 @@ export function planContourParallel(l: ContourParallel, setting: Setting): Plan 
     passes = divided;
     if (passes.length === 0) issues.push(issue("nothingToCut", "warning", {}, "infeed"));
     roughAlong(cutter, { ...follow, ground: kept, backTo: start.v }, passes, over);
-    back(cutter, start, l, "rough", 6);
+    returnToStart(cutter, start, l, "rough", 6);
   }
   if (l.operation !== 1) {
     followContour(cutter, { ...follow, ground: l.operation === 3 ? kept : drawn }, issues);
-    back(cutter, start, l, "finish", 4);
+    returnToStart(cutter, start, l, "finish", 4);
   }
-  return clearAcross(
+  return withAxisCheck(
     {
       ...sketch,
       issues,
       // A pass without a path is left out.
-      ...countedAnew(cutter.moves),
+      ...renumberedPasses(cutter.moves),
       infeed: length(greatest(passes)),
-      reach: reachOf(drawn, drawn.first, drawn.end.u, l.frame, tool),
-      kept: reachOf(kept, kept.first, Math.max(kept.end.u, drawn.end.u), l.frame, tool),
+      reach: reachOf(drawn, drawn.pathStart, drawn.end.u, l.frame, tool),
+      oversizeReach: reachOf(kept, kept.pathStart, Math.max(kept.end.u, drawn.end.u), l.frame, tool),
     },
     setting,
     l.frame.transverse ? "startU" : "startV",
@@ -154,7 +154,12 @@ export function planContourParallel(l: ContourParallel, setting: Setting): Plan 
  * The printed steps 1 to 5 of roughing: infeed, along the contour, back to the start point in X at feed, at rapid to
  * the beginning of the next pass, until the oversize is reached (TNC7, 81762x-17, topic "Cycle 815").
  */
-function roughAlong(cutter: Cutter, follow: Finish, passes: readonly number[], over: (round: number) => Ground): void {
+function roughAlong(
+  cutter: Cutter,
+  follow: Finish,
+  passes: readonly number[],
+  over: (round: number) => TipEnvelope,
+): void {
   let left = passes.reduce((sum, infeed) => sum + infeed, 0);
   passes.forEach((infeed, i) => {
     const last = i === passes.length - 1;
@@ -169,18 +174,18 @@ function roughAlong(cutter: Cutter, follow: Finish, passes: readonly number[], o
 }
 
 /** Input of the division: the allowance, and the length of a pass at its outside and at its inside. */
-function allowanceOf(l: ContourParallel, depth: number, over: (round: number) => Ground): Allowance {
+function allowanceOf(l: ContourParallel, depth: number, over: (round: number) => TipEnvelope): Allowance {
   if (!l.sameArea || !(depth > SAME)) return { depth, outer: 1, inner: 1 };
-  const along = ({ envelope, first, end }: Ground) =>
-    pathAlong(envelope, first, end.u).reduce((sum, { segment }) => sum + flat.lengthOf(segment), 0);
+  const along = ({ envelope, pathStart, end }: TipEnvelope) =>
+    pathAlong(envelope, pathStart, end.u).reduce((sum, { segment }) => sum + flat.lengthOf(segment), 0);
   return { depth, outer: along(over(depth)), inner: along(over(0)) };
 }
 
 const greatest = (infeeds: readonly number[]) => Math.max(0, ...infeeds);
 
 /** Height of the allowance at a tip position; −∞ in front of it. */
-const allowanceAt = (blank: Ground, u: number) => (u < blank.first ? -Infinity : heightAt(blank.envelope, u));
-const inAllowance = ({ u, v }: Flat, blank: Ground): boolean => v < allowanceAt(blank, u) - SAME;
+const allowanceAt = (blank: TipEnvelope, u: number) => (u < blank.pathStart ? -Infinity : heightAt(blank.envelope, u));
+const inAllowance = ({ u, v }: Flat, blank: TipEnvelope): boolean => v < allowanceAt(blank, u) - SAME;
 
 /**
  * Start position of the cycle: the position at the call; from behind the contour start along Z to the set-up clearance
@@ -190,7 +195,7 @@ function startOf(
   l: ContourParallel,
   called: Flat,
   front: { readonly u: number; readonly behind: number },
-  blank: Ground,
+  blank: TipEnvelope,
 ): Flat {
   const at = called.u > front.behind + SAME ? { u: front.u, v: called.v } : called;
   return inAllowance(at, blank) ? { u: at.u, v: allowanceAt(blank, at.u) + l.clearance } : at;
@@ -200,7 +205,7 @@ function startOf(
 function wrongStart(
   contour: readonly FlatSegment[],
   called: Flat,
-  { start }: Setting,
+  { start }: PlanContext,
   works: { x: number; z: number },
 ): Issue | null {
   const last = (contour.at(-1) as FlatSegment).to;
@@ -216,7 +221,7 @@ function workingStart(l: ContourParallel, contour: readonly FlatSegment[], lead:
 }
 
 /** Moves back to the cycle start. */
-function back(cutter: Cutter, start: Flat, l: ContourParallel, run: "rough" | "finish", step: number): void {
+function returnToStart(cutter: Cutter, start: Flat, l: ContourParallel, run: "rough" | "finish", step: number): void {
   const p = { phase: "position", run, step } as const;
   cutter.link(start, {
     gap: l.clearance,

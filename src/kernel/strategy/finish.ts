@@ -5,12 +5,12 @@ import { issue, type Issue } from "../plan/issue.ts";
 import { SAME } from "../tolerance.ts";
 import type { Purpose } from "../plan/track.ts";
 import type { Feeds } from "./feeds.ts";
-import type { Ground } from "./ground.ts";
-import { falls } from "./levels.ts";
+import type { TipEnvelope } from "./tip-envelope.ts";
+import { isFalling } from "./levels.ts";
 import type { Cutter, Link } from "./link.ts";
 
 export interface Finish {
-  readonly ground: Ground;
+  readonly ground: TipEnvelope;
   /** The finished contour, for the envelope of the set-up clearance. */
   readonly contour: readonly FlatSegment[];
   readonly start: Flat;
@@ -36,19 +36,19 @@ export interface Finish {
  * returns to the cycle start. A machining limit interrupts the cut until the contour comes back from behind the limit.
  */
 export function followContour(cutter: Cutter, f: Finish, issues: Issue[]): void {
-  const u0 = Math.max(f.ground.first, f.from);
+  const u0 = Math.max(f.ground.pathStart, f.from);
   const u1 = Math.min(f.ground.end.u, f.to);
   // In a groove as wide as the insert, only the way out remains.
   const along = u1 > u0 + SAME ? pathAlong(f.ground.envelope, u0, u1) : [];
-  const runs = u1 > u0 - SAME ? withinLimits([...along, ...outAt(f, Math.max(u0, u1))], f.ceiling) : [];
+  const runs = u1 > u0 - SAME ? withinLimits([...along, ...exitWall(f, Math.max(u0, u1))], f.ceiling) : [];
   if (runs.length === 0) return void issues.push(issue("nothingToCut", "warning", {}, "tool"));
-  const near = !roughing(f) && f.contour.some((s) => flat.distanceTo(s, f.start) < f.clearance - SAME);
+  const near = !isRoughing(f) && f.contour.some((s) => flat.distanceTo(s, f.start) < f.clearance - SAME);
   if (near) issues.push(issue("startInsideEnvelope", "warning", { clearance: f.clearance }, "start"));
   runs.forEach((run, i) => {
-    const whole = i === 0 && f.ground.first >= f.from - SAME ? joined(f, run) : run;
+    const whole = i === 0 && f.ground.pathStart >= f.from - SAME ? withEntryWall(f, run) : run;
     leadIn(cutter, f, whole, near && i === 0);
     cutter.along(whole, (s) =>
-      f.smoothing && falls(s)
+      f.smoothing && isFalling(s)
         ? { feed: f.feeds.plunge, purpose: { ...purpose(f, 2), plunging: true } }
         : { feed: feedOf(f), purpose: purpose(f, 2) },
     );
@@ -58,15 +58,15 @@ export function followContour(cutter: Cutter, f: Finish, issues: Issue[]): void 
   });
 }
 
-const roughing = (f: Finish) => f.smoothing || f.pass !== undefined;
+const isRoughing = (f: Finish) => f.smoothing || f.pass !== undefined;
 function purpose({ smoothing, pass }: Finish, step: number): Purpose {
   if (pass !== undefined) return { phase: "rough", run: "rough", step, pass };
   return smoothing ? { phase: "smooth", run: "rough", step: 5 } : { phase: "finish", run: "finish", step };
 }
-const feedOf = (f: Finish) => (roughing(f) ? f.feeds.rough : f.feeds.finish);
+const feedOf = (f: Finish) => (isRoughing(f) ? f.feeds.rough : f.feeds.finish);
 
 /** The end of the path: up a wall at the end of the contour, or one that closes the area behind it. */
-function outAt(f: Finish, u: number): Stretch[] {
+function exitWall(f: Finish, u: number): Stretch[] {
   const at = heightAt(f.ground.envelope, u - 2 * SAME);
   const end = Math.max(f.ground.end.v, f.runOut ?? -Infinity);
   // Without a bound below the tip there is no wall to leave by.
@@ -83,7 +83,7 @@ export function withinLimits(path: readonly Stretch[], ceiling: number): FlatSeg
     // A vertical step belongs to the section it leads to.
     const behind = origin === null ? next?.origin?.on === "limit" : origin.on === "limit";
     const above = flat.boxOf(segment).high > ceiling + SAME;
-    const parts = behind ? [] : above ? under(segment, ceiling) : [segment];
+    const parts = behind ? [] : above ? partsBelow(segment, ceiling) : [segment];
     if (parts.length === 0) open = false;
     for (const part of parts) {
       if (!open || part.from !== segment.from) runs.push([]);
@@ -95,7 +95,7 @@ export function withinLimits(path: readonly Stretch[], ceiling: number): FlatSeg
 }
 
 /** The parts of an element below a height, cut at the crossings. */
-function under(s: FlatSegment, height: number): FlatSegment[] {
+function partsBelow(s: FlatSegment, height: number): FlatSegment[] {
   const on = { feature: "nose", on: "limit", corner: false } as const;
   const piece = pieceOf(s, on);
   if (!piece) return Math.min(s.from.v, s.to.v) >= height - SAME ? [] : [upTo(s, height)];
@@ -116,7 +116,7 @@ const upTo = (s: FlatSegment, height: number): FlatSegment =>
       : s;
 
 /** A contour that begins with a wall is entered at the foot of that wall, or followed from its top down. */
-function joined(f: Finish, run: readonly FlatSegment[]): FlatSegment[] {
+function withEntryWall(f: Finish, run: readonly FlatSegment[]): FlatSegment[] {
   const first = run[0] as FlatSegment;
   const top = f.ground.start.v;
   const left = heightAt(f.ground.envelope, first.from.u - SAME);
@@ -145,20 +145,20 @@ function leadIn(cutter: Cutter, f: Finish, run: readonly FlatSegment[], near: bo
     down: purpose(f, 1),
     enter: purpose(f, 1),
   };
-  const bare = f.ground.bare;
-  if (near && staysAbove(bare, cutter.at, to) && !blocked(bare, cutter.at, to))
+  const bare = f.ground.partEnvelope;
+  if (near && staysAbove(bare, cutter.at, to) && !isBlocked(bare, cutter.at, to))
     return cutter.feed(to, feedOf(f), purpose(f, 1));
   const along = tangentAt(first, "from");
   const square = normalAt(first, "from");
   const from =
     [{ u: -along.u, v: -along.v }, square]
-      .map((d) => cutter.inBore({ u: to.u + d.u * f.clearance, v: to.v + d.v * f.clearance }, to))
-      .find((p) => staysAbove(bare, p, to) && !blocked(bare, p, to) && p.u >= f.from - f.clearance) ??
-    cutter.inBore({ u: to.u, v: to.v + f.clearance }, to);
+      .map((d) => cutter.limitedInBore({ u: to.u + d.u * f.clearance, v: to.v + d.v * f.clearance }, to))
+      .find((p) => staysAbove(bare, p, to) && !isBlocked(bare, p, to) && p.u >= f.from - f.clearance) ??
+    cutter.limitedInBore({ u: to.u, v: to.v + f.clearance }, to);
   cutter.link(from, link);
   cutter.feed(to, feedOf(f), purpose(f, 1));
 }
 
 /** True if a corner reaches over a vertical move down. */
-const blocked = (part: Envelope, from: Flat, to: Flat) =>
+const isBlocked = (part: Envelope, from: Flat, to: Flat) =>
   Math.abs(from.u - to.u) <= SAME && heightAt(part, to.u) > Math.max(to.v, from.v) + SAME;

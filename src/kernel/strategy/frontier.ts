@@ -1,5 +1,5 @@
 import { extent, type Convex } from "../reach/convex.ts";
-import { aboveBy, besideAt, loweredBy, pieceOf, raised } from "../reach/cut-envelope.ts";
+import { intervalsAbove, lowerSideAt, withCuts, pieceOf, raisedSection } from "../reach/cut-envelope.ts";
 import {
   highest,
   higherOf,
@@ -55,11 +55,11 @@ export class Frontier {
    * Whether the tip, clear at u0, may cross to u1 at a height without touching the stock. A wall in front of u1, left
    * by a deeper cut, may overhang there; one behind u0 only recedes.
    */
-  clear(u0: number, u1: number, v: number): boolean {
-    if (v < this.over(u0, u1) - SAME || this.roofed(Math.min(u0, u1), Math.max(u0, u1))) return false;
+  canCross(u0: number, u1: number, v: number): boolean {
+    if (v < this.over(u0, u1) - SAME || this.isRoofed(Math.min(u0, u1), Math.max(u0, u1))) return false;
     const [low, top] = this.columns.get(columnOf(u1)) ?? [Infinity, -Infinity];
-    if (v <= besideAt(this.now, u1) + SAME || (v >= low - SAME && v <= top + SAME)) return true;
-    return v >= this.hangs(u1, u1 > u0 ? 0 : this.behind, u1 > u0 ? this.before : 0) - SAME;
+    if (v <= lowerSideAt(this.now, u1) + SAME || (v >= low - SAME && v <= top + SAME)) return true;
+    return v >= this.overhangHeight(u1, u1 > u0 ? 0 : this.behind, u1 > u0 ? this.before : 0) - SAME;
   }
 
   /**
@@ -67,32 +67,35 @@ export class Frontier {
    * the nose has left more material than the nose shows, so the wall counts there too.
    */
   freeFrom(u: number): number {
-    if (this.roofed(u, u)) return Infinity;
-    const beside = besideAt(this.now, u);
+    if (this.isRoofed(u, u)) return Infinity;
+    const beside = lowerSideAt(this.now, u);
     const [low, top] = this.columns.get(columnOf(u)) ?? [Infinity, -Infinity];
     // A column that ends below material left by an insert lower than its cut leads nowhere.
-    return Math.max(top >= beside - SAME ? Math.min(beside, low) : beside, this.hangs(u, this.behind, this.before));
+    return Math.max(
+      top >= beside - SAME ? Math.min(beside, low) : beside,
+      this.overhangHeight(u, this.behind, this.before),
+    );
   }
 
   /**
    * Height of walls that overhang a place, from within a distance behind and before it, if there was material at the
    * place.
    */
-  private hangs(u: number, behind: number, before: number): number {
+  private overhangHeight(u: number, behind: number, before: number): number {
     return behind + before > 0
-      ? Math.min(besideAt(this.first, u), highest(this.now, u - behind, u + before).v)
+      ? Math.min(lowerSideAt(this.first, u), highest(this.now, u - behind, u + before).v)
       : -Infinity;
   }
 
   /** The interval where the stock is more than `by` mm above an envelope; null if there is none. */
-  standsOver(e: Envelope, { from, to }: Interval, by: number): Interval | null {
-    const above = aboveBy(this.now, e, from, to, by);
+  stockAbove(e: Envelope, { from, to }: Interval, by: number): Interval | null {
+    const above = intervalsAbove(this.now, e, from, to, by);
     const [first, last] = [above[0], above.at(-1)];
     return first && last ? { from: first.from, to: last.to } : null;
   }
 
   /** Marks the column above the tool position at the call as free, because the tool came down there. */
-  cameDown({ u, v }: Flat): void {
+  openColumn({ u, v }: Flat): void {
     this.columns.set(columnOf(u), [v, Infinity]);
   }
 
@@ -100,7 +103,7 @@ export class Frontier {
   lower(path: FlatSegment): void {
     const piece = pieceOf(path, CUT);
     if (piece) {
-      if (!this.roofed(piece.u0, piece.u1)) this.cuts.push(piece);
+      if (!this.isRoofed(piece.u0, piece.u1)) this.cuts.push(piece);
     } else {
       const key = columnOf(path.to.u);
       const [low, top] = [Math.min(path.from.v, path.to.v), Math.max(path.from.v, path.to.v)];
@@ -114,12 +117,12 @@ export class Frontier {
   }
 
   private get now(): Envelope {
-    for (const run of sideBySide(this.cuts)) this.settled = loweredBy(this.settled, run, this.height);
+    for (const run of monotonicRuns(this.cuts)) this.settled = withCuts(this.settled, run, this.height);
     this.cuts = [];
     return this.settled;
   }
 
-  private roofed(u0: number, u1: number): boolean {
+  private isRoofed(u0: number, u1: number): boolean {
     return this.roof < Infinity && highest(this.first, u0, u1).v > this.roof + SAME;
   }
 }
@@ -127,7 +130,7 @@ export class Frontier {
 const columnOf = (u: number) => Math.round(u / SAME);
 
 /** Groups pieces into runs that go only left or only right; each run is sorted from left to right. */
-function sideBySide(cuts: readonly EnvelopePiece[]): EnvelopePiece[][] {
+function monotonicRuns(cuts: readonly EnvelopePiece[]): EnvelopePiece[][] {
   const runs: EnvelopePiece[][] = [];
   for (const cut of cuts) {
     const run = runs.at(-1);
@@ -150,7 +153,7 @@ function overhang(insert: Convex): [behind: number, before: number] {
 }
 
 /** The stock in front of a tool as tip positions: chains of material (on the right of their direction). */
-function standing(chains: readonly (readonly FlatSegment[])[], insert: Convex): Envelope {
+function stockEnvelope(chains: readonly (readonly FlatSegment[])[], insert: Convex): Envelope {
   return chains
     .filter((c) => c.length > 0)
     .map((c) =>
@@ -183,7 +186,7 @@ function outlineChain(points: readonly Flat[]): FlatSegment[] {
  * after roughing with the same values: the contour grown by the oversize and at most one infeed, up to the height
  * (`top`) that roughing begins at.
  */
-export function atCall(
+export function envelopeAtCall(
   o: {
     readonly stock: readonly Ring[] | null;
     readonly area: readonly Flat[];
@@ -196,13 +199,13 @@ export function atCall(
   if (o.stock === null && roughed) {
     const us = o.area.map((p) => p.u);
     const [from, to] = [Math.min(...us), Math.max(...us)];
-    const left = raised(roughed.grown, from, to, roughed.infeed);
+    const left = raisedSection(roughed.grown, from, to, roughed.infeed);
     const most =
       roughed.top === undefined ? null : linePiece({ u: from, v: roughed.top }, { u: to, v: roughed.top }, CUT);
-    return higherOf(higherOf(part, roughed.grown), most ? loweredBy(left, [most], Infinity) : left);
+    return higherOf(higherOf(part, roughed.grown), most ? withCuts(left, [most], Infinity) : left);
   }
   const rings = o.stock === null ? [o.area] : o.stock.map((ring) => ring.map((p) => toFlat(o.frame, p)));
   // The workpiece rotates: an insert past the axis meets the material of the other side.
   const turned = o.frame.transverse ? rings.map((ring) => ring.map(({ u, v }): Flat => ({ u: -u, v }))) : [];
-  return higherOf(part, standing([...rings, ...turned].map(outlineChain), o.insert));
+  return higherOf(part, stockEnvelope([...rings, ...turned].map(outlineChain), o.insert));
 }

@@ -4,22 +4,31 @@ import { lowest, type Envelope } from "../reach/envelope.ts";
 import { lowestOf, segmentToFlat, toFlat, toPart, type Flat, type FlatSegment, type Frame } from "../geometry/flat.ts";
 import { flanksUnknown, isBar } from "../cutter/insert.ts";
 import { issue, type Issue } from "../plan/issue.ts";
-import { tracedStock, type Plan, type Setting } from "../plan/plan.ts";
+import { tracedStock, type Plan, type PlanContext } from "../plan/plan.ts";
 import { at, type Segment } from "../geometry/point.ts";
 import type { Bound } from "../reach/reach.ts";
 import { SAME } from "../tolerance.ts";
 import type { ToolType } from "../plan/tool.ts";
 import { roomOf, type Room } from "../plan/track.ts";
 import { length, radius, toDiameter } from "../units.ts";
-import { clearAcross } from "./across.ts";
+import { withAxisCheck } from "./across.ts";
 import { axisFloor, beyondAxis } from "./axis.ts";
 import type { Feeds } from "./feeds.ts";
 import { followContour } from "./finish.ts";
-import { unfit } from "./fit.ts";
-import { atCall, Frontier } from "./frontier.ts";
-import { FAR, groundOver, insertIn, insidePart, leadOf, reachOf, startInPart, type Surroundings } from "./ground.ts";
+import { unfitIssue } from "./fit.ts";
+import { envelopeAtCall, Frontier } from "./frontier.ts";
+import {
+  FAR,
+  tipEnvelopeOver,
+  insertIn,
+  insidePart,
+  reachAhead,
+  reachOf,
+  startInPart,
+  type Surroundings,
+} from "./tip-envelope.ts";
 import { divide, limitedInfeed, type Division } from "./infeed.ts";
-import { countedAnew, roughByLevels } from "./levels.ts";
+import { renumberedPasses, roughByLevels } from "./levels.ts";
 import { limitsInPart, limitsOf } from "./limits.ts";
 import { Cutter } from "./link.ts";
 import { areaOver, partUnder } from "./outline-area.ts";
@@ -74,7 +83,7 @@ interface Site {
   readonly inFront: boolean;
 }
 
-function siteOf(l: Leveled, setting: Setting): Site | null {
+function siteOf(l: Leveled, setting: PlanContext): Site | null {
   const flat = l.contour.map((s) => segmentToFlat(l.frame, s));
   const first = flat[0];
   if (!first) return null;
@@ -95,23 +104,23 @@ function siteOf(l: Leveled, setting: Setting): Site | null {
 }
 
 /** Plans roughing and finishing of a leveled cycle. Never throws; what cannot be planned is an issue. */
-export function planLeveled(l: Leveled, setting: Setting): Plan {
+export function planLeveled(l: Leveled, setting: PlanContext): Plan {
   const site = siteOf(l, setting);
-  if (!site) return empty([]);
+  if (!site) return emptyPlan([]);
   const { tool } = setting;
   const { flat, called, keep, insert } = site;
   const last = flat[flat.length - 1] as FlatSegment;
   const sketch = {
-    ...empty([]),
+    ...emptyPlan([]),
     contour: l.contour,
     part: partUnder(flat, l.frame, site.inFront),
-    most: length(l.infeed),
+    maxInfeed: length(l.infeed),
     area: areaOver(flat, l.frame, frontOf(l, site, called.u), Math.max(called.v, site.outer)),
     openSide: toPart(l.frame, { u: 0, v: 1 }),
     oversize: l.oversize,
   };
   const issues: Issue[] = [];
-  const refused = [unfit(tool, l.frame, TURNING), wrongStart(l, site, setting)].filter((i) => i !== null);
+  const refused = [unfitIssue(tool, l.frame, TURNING), wrongStart(l, site, setting)].filter((i) => i !== null);
   if (refused.length > 0) return { ...sketch, issues: refused };
   if (flanksUnknown(tool)) issues.push(issue("flanksNotChecked", "info", {}, "tool"));
   if (isBar(tool) && tool.TYPE === "RECESS")
@@ -120,7 +129,7 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   const bounds: Bound[] = l.plunging ? flat.map((segment) => ({ segment, on: "contour" })) : bridged(flat);
   const limits = limitsOf(l.limit, called, flat, issues);
   const over = toFinishOver(site, limits.floor);
-  const drawn = groundOver(bounds, tool, l.frame, NOTHING, over);
+  const drawn = tipEnvelopeOver(bounds, tool, l.frame, NO_OVERSIZE, over);
   const start = startOf(l, site, setting);
   const room: Room = {
     ...roomOf(l.frame, beyondAxis(tool, flat, l.frame)),
@@ -134,18 +143,18 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   // Material in front of a contour that begins or ends on the axis is removed with it: there is no floor.
   const floors =
     site.lowest > axisFloor(l.frame) + SAME ? [...over.floors, { v: floor, on: "edge" as const }] : over.floors;
-  const kept = groundOver(bounds, tool, l.frame, keep, { ...over, wall, floors });
+  const kept = tipEnvelopeOver(bounds, tool, l.frame, keep, { ...over, wall, floors });
   // The contour with oversize is needed only where a cut follows it, or where roughing has run before.
-  const grown = l.operation > 1 || l.smoothing === 1 ? groundOver(bounds, tool, l.frame, keep, over) : drawn;
-  const stands = atCall(
+  const grown = l.operation > 1 || l.smoothing === 1 ? tipEnvelopeOver(bounds, tool, l.frame, keep, over) : drawn;
+  const stands = envelopeAtCall(
     {
       stock: tracedStock(setting),
       area: areaCorners(site, top, site.inFront ? Infinity : start.u + leadIn(l, site)),
       frame: l.frame,
       insert,
     },
-    drawn.bare,
-    l.operation > 1 ? { grown: grown.bare, infeed: l.infeed, top } : null,
+    drawn.partEnvelope,
+    l.operation > 1 ? { grown: grown.partEnvelope, infeed: l.infeed, top } : null,
   );
   const cutter = new Cutter(
     l.frame,
@@ -155,16 +164,16 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
     new Frontier(stands, insert, limits.ceiling),
     Math.max(called.v, l.frame.transverse || l.frame.signV > 0 ? start.v : top),
   );
-  place(cutter, l, site, start, setting, issues);
+  moveToStart(cutter, l, site, start, setting, issues);
 
   const from = Math.max(start.u, limits.from, room.minU);
   const end = Math.max(kept.end.u, drawn.end.u, last.to.u + keep.u) + SAME;
-  const to = Math.min(end, limits.to - leadOf(insert), room.maxU);
+  const to = Math.min(end, limits.to - reachAhead(insert), room.maxU);
   const follow = {
     contour: flat,
     start,
     clearance: l.clearance,
-    runOut: wall === null ? null : cutter.inBore({ u: last.to.u, v: last.to.v + keep.v }).v,
+    runOut: wall === null ? null : cutter.limitedInBore({ u: last.to.u, v: last.to.v + keep.v }).v,
     feeds: l.feeds,
     from,
     to,
@@ -172,9 +181,9 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   };
   const unlimited = () => {
     if (!l.limit) return {};
-    const whole = groundOver(bounds, tool, l.frame, NOTHING, toFinishOver(site, null));
+    const whole = tipEnvelopeOver(bounds, tool, l.frame, NO_OVERSIZE, toFinishOver(site, null));
     const until = Math.min(whole.end.u, end, room.maxU);
-    return { unlimited: reachOf(whole, Math.max(whole.first, start.u, room.minU), until, l.frame, tool) };
+    return { unlimited: reachOf(whole, Math.max(whole.pathStart, start.u, room.minU), until, l.frame, tool) };
   };
   let division: Division = { passes: 0, infeed: 0 };
   if (l.operation === 0 || l.operation === 1) {
@@ -189,33 +198,39 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
       envelope: kept.envelope,
       top: upper,
       ...division,
-      first: kept.first,
+      first: kept.pathStart,
       from,
       to,
       smoothing: l.smoothing,
       clearance: l.clearance,
       feeds: l.feeds,
-      leavesOutAir: setting.leavesOutAir ?? false,
+      skipsAirPasses: setting.skipsAirPasses ?? false,
     });
     if (l.smoothing === 1 && division.passes > 0)
       followContour(cutter, { ...follow, ground: grown, smoothing: true }, issues);
-    back(cutter, start, l, "rough", 6);
+    returnToStart(cutter, start, l, "rough", 6);
   }
   if (l.operation !== 1) {
     followContour(cutter, { ...follow, ground: l.operation === 3 ? grown : drawn, smoothing: false }, issues);
-    back(cutter, start, l, "finish", 4);
+    returnToStart(cutter, start, l, "finish", 4);
   }
-  return clearAcross(
+  return withAxisCheck(
     {
       ...sketch,
       moves: cutter.moves,
       issues,
       ...division,
-      ...(setting.leavesOutAir && countedAnew(cutter.moves)),
+      ...(setting.skipsAirPasses && renumberedPasses(cutter.moves)),
       infeed: length(division.infeed),
       area: areaOver(flat, l.frame, frontOf(l, site, start.u), top),
-      reach: reachOf(drawn, Math.max(drawn.first, from), Math.min(drawn.end.u, to), l.frame, tool),
-      kept: reachOf(kept, Math.max(kept.first, from), Math.min(Math.max(kept.end.u, drawn.end.u), to), l.frame, tool),
+      reach: reachOf(drawn, Math.max(drawn.pathStart, from), Math.min(drawn.end.u, to), l.frame, tool),
+      oversizeReach: reachOf(
+        kept,
+        Math.max(kept.pathStart, from),
+        Math.min(Math.max(kept.end.u, drawn.end.u), to),
+        l.frame,
+        tool,
+      ),
       ...unlimited(),
       ...limitsInPart(l.limit, called, l.frame),
     },
@@ -227,7 +242,7 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
 /** Where the area begins: at the start point, or at the contour if the cycle ignores the material in front. */
 const frontOf = (l: Leveled, site: Site, from: number) => (l.partInFront ? (site.flat[0] as FlatSegment).from.u : from);
 
-const NOTHING: Flat = { u: 0, v: 0 };
+const NO_OVERSIZE: Flat = { u: 0, v: 0 };
 
 /** Bounds of the finishing path besides the contour. */
 const toFinishOver = (site: Site, floor: number | null): Surroundings => ({
@@ -241,11 +256,11 @@ const toFinishOver = (site: Site, floor: number | null): Surroundings => ({
  * The deepest level of roughing: of the contour without the elements that only break its edges, within the reach of
  * this tool.
  */
-function deepestLevel(l: Leveled, site: Site, { tool }: Setting, kept: Envelope, from: number, to: number): number {
+function deepestLevel(l: Leveled, site: Site, { tool }: PlanContext, kept: Envelope, from: number, to: number): number {
   const deepest = lowest(kept, from, to);
   const core = site.flat.slice(l.edges.start, site.flat.length - l.edges.end);
   if (core.length === 0 || core.length === site.flat.length) return deepest;
-  const surface = groundOver(
+  const surface = tipEnvelopeOver(
     core.map((segment) => ({ segment, on: "contour" })),
     tool,
     l.frame,
@@ -270,7 +285,7 @@ function areaCorners(site: Site, top: number, front: number): Flat[] {
 /**
  * Start position of the cycle, as the manual states it before step 1: clear of the area, or up to the contour start.
  */
-function startOf(l: Leveled, site: Site, setting: Setting): Flat {
+function startOf(l: Leveled, site: Site, setting: PlanContext): Flat {
   const { called } = site;
   const first = (site.flat[0] as FlatSegment).from;
   const finishing = l.operation > 1;
@@ -289,14 +304,14 @@ function startOf(l: Leveled, site: Site, setting: Setting): Flat {
 /** Reach ahead of the tip of the edge that an infeed brings into the material. */
 function leadIn(l: Leveled, site: Site): number {
   const depth = Math.max(site.called.v, site.highest, site.outer) - site.lowest;
-  return leadOf(site.insert, l.operation > 1 ? undefined : l.infeed > 0 ? Math.min(l.infeed, depth) : depth);
+  return reachAhead(site.insert, l.operation > 1 ? undefined : l.infeed > 0 ? Math.min(l.infeed, depth) : depth);
 }
 
-const reachesIn = (l: Leveled, site: Site, setting: Setting) =>
+const reachesIn = (l: Leveled, site: Site, setting: PlanContext) =>
   site.called.u + leadIn(l, site) > (site.flat[0] as FlatSegment).from.u + SAME && setting.start.r >= 0;
 
 /** Refuses a free contour that runs towards the start point, and a start on the other side of the axis. */
-function wrongStart(l: Leveled, site: Site, setting: Setting): Issue | null {
+function wrongStart(l: Leveled, site: Site, setting: PlanContext): Issue | null {
   const last = (site.flat[site.flat.length - 1] as FlatSegment).to;
   const behind = l.startRule === "contour" && site.called.u > last.u - SAME;
   if (!behind && setting.start.r >= -SAME) return null;
@@ -311,7 +326,7 @@ function workingStart(l: Leveled, site: Site): { x: number; z: number } {
 }
 
 /** Moves the tool from the call to the start of the cycle, and reports a different start. */
-function place(cutter: Cutter, l: Leveled, site: Site, start: Flat, setting: Setting, issues: Issue[]): void {
+function moveToStart(cutter: Cutter, l: Leveled, site: Site, start: Flat, setting: PlanContext, issues: Issue[]): void {
   const { called } = site;
   const first = (site.flat[0] as FlatSegment).from;
   const at = { x: toDiameter(setting.start.r), z: setting.start.z };
@@ -319,11 +334,11 @@ function place(cutter: Cutter, l: Leveled, site: Site, start: Flat, setting: Set
     issues.push(issue("startBelowContour", "info", { below: first.v - called.v }, "startV"));
   const inside = reachesIn(l, site, setting) && (l.startRule === "contour" || called.v < site.outer - SAME);
   if (inside) issues.push(issue("startInArea", "warning", at, "start"));
-  back(cutter, start, l, l.operation > 1 ? "finish" : "rough", 0);
+  returnToStart(cutter, start, l, l.operation > 1 ? "finish" : "rough", 0);
 }
 
 /** Moves back to the cycle start. */
-function back(cutter: Cutter, start: Flat, l: Leveled, run: "rough" | "finish", step: number): void {
+function returnToStart(cutter: Cutter, start: Flat, l: Leveled, run: "rough" | "finish", step: number): void {
   const p = { phase: "position", run, step } as const;
   cutter.link(start, {
     gap: l.clearance,
@@ -335,7 +350,7 @@ function back(cutter: Cutter, start: Flat, l: Leveled, run: "rough" | "finish", 
 }
 
 /** A plan without a path, for the given reasons; `contour`: the drawn contour, in machining direction. */
-export const empty = (issues: readonly Issue[], contour: readonly Segment[] = []): Plan => ({
+export const emptyPlan = (issues: readonly Issue[], contour: readonly Segment[] = []): Plan => ({
   moves: [],
   issues,
   contour,
@@ -345,6 +360,6 @@ export const empty = (issues: readonly Issue[], contour: readonly Segment[] = []
   part: [],
   openSide: at(0, 0),
   reach: [],
-  kept: [],
-  most: length(0),
+  oversizeReach: [],
+  maxInfeed: length(0),
 });

@@ -1,4 +1,4 @@
-import { below } from "../reach/below.ts";
+import { intervalsBelow } from "../reach/below.ts";
 import {
   heightAt,
   higherOf,
@@ -33,7 +33,7 @@ export interface Levels {
   readonly clearance: number;
   readonly feeds: Feeds;
   /** Leave out passes that cut air. */
-  readonly leavesOutAir: boolean;
+  readonly skipsAirPasses: boolean;
 }
 
 /**
@@ -55,7 +55,7 @@ const purpose = (step: number, pass: number, plunging = false): Purpose =>
     : { phase: "rough", run: "rough", step, pass };
 
 /** Whether an element falls, so that the tool goes into the material. */
-export const falls = (s: FlatSegment) => s.to.v < s.from.v - ROUND;
+export const isFalling = (s: FlatSegment) => s.to.v < s.from.v - ROUND;
 
 const level = (l: Levels, pass: number) => l.top - pass * l.infeed;
 
@@ -73,7 +73,7 @@ function* cuts(l: Levels): Generator<Cut> {
     });
   // A crest higher than the start point ends the area.
   const front = Math.max(l.top, heightAt(l.envelope, l.from));
-  const reachable = below(l.envelope, level(l, 1), l.from, l.to).filter(
+  const reachable = intervalsBelow(l.envelope, level(l, 1), l.from, l.to).filter(
     (v) => open(v) || highest(l.envelope, l.from, v.from).v <= front + SAME,
   );
   // If the part in front is as high as the area, nothing is cut before the contour begins.
@@ -85,7 +85,7 @@ function* cuts(l: Levels): Generator<Cut> {
       pending.push(
         ...within(
           cut.pass + 1,
-          below(l.envelope, level(l, cut.pass + 1), cut.valley.from, cut.valley.to),
+          intervalsBelow(l.envelope, level(l, cut.pass + 1), cut.valley.from, cut.valley.to),
           cut.valley,
         ).reverse(),
       );
@@ -99,7 +99,7 @@ function* cuts(l: Levels): Generator<Cut> {
 export function roughByLevels(cutter: Cutter, l: Levels): void {
   if (l.passes === 0) return;
   for (const cut of cuts(l)) {
-    if (l.leavesOutAir && isInAir(cutter, l, cut)) continue;
+    if (l.skipsAirPasses && isInAir(cutter, l, cut)) continue;
     enter(cutter, l, cut);
     cutter.feed({ u: cut.valley.to, v: level(l, cut.pass) }, l.feeds.rough, purpose(2, cut.pass));
     lift(cutter, l, cut);
@@ -108,7 +108,7 @@ export function roughByLevels(cutter: Cutter, l: Levels): void {
 }
 
 /** The moves with passes renumbered after some were left out, and the number of passes. */
-export function countedAnew(moves: readonly Move[]): { readonly moves: readonly Move[]; readonly passes: number } {
+export function renumberedPasses(moves: readonly Move[]): { readonly moves: readonly Move[]; readonly passes: number } {
   const left = [
     ...new Set(moves.flatMap(({ phase, pass }) => (phase === "rough" && pass !== undefined ? [pass] : []))),
   ].sort((a, b) => a - b);
@@ -128,7 +128,7 @@ function isInAir({ frontier }: Cutter, l: Levels, { pass, valley, entry, limit }
   const height = level(l, pass);
   const floor = linePiece({ u: from, v: height }, { u: to, v: height }, FLOOR);
   return (
-    floor === null || frontier.standsOver(higherOf(l.envelope, upperEnvelope([floor])), { from, to }, SLIVER) === null
+    floor === null || frontier.stockAbove(higherOf(l.envelope, upperEnvelope([floor])), { from, to }, SLIVER) === null
   );
 }
 
@@ -147,7 +147,7 @@ function enter(cutter: Cutter, l: Levels, { pass, valley, entry }: Cut) {
   cutter.link({ u: entry, v: Math.max(height, heightAt(l.envelope, entry)) }, linked(l, pass));
   cutter.along(
     pathAlong(l.envelope, entry, valley.from).map((s) => s.segment),
-    (s) => ({ feed: falls(s) ? l.feeds.plunge : l.feeds.rough, purpose: purpose(2, pass, falls(s)) }),
+    (s) => ({ feed: isFalling(s) ? l.feeds.plunge : l.feeds.rough, purpose: purpose(2, pass, isFalling(s)) }),
   );
   cutter.feed({ u: valley.from, v: height }, l.feeds.plunge, purpose(2, pass, true));
 }
@@ -163,13 +163,13 @@ function lift(cutter: Cutter, l: Levels, { pass, valley, limit, outer }: Cut) {
       pathAlong(l.envelope, valley.to, end).map((s) => s.segment),
       () => ({ feed: l.feeds.rough, purpose: p }),
     );
-    cutter.feed(cutter.inBore({ u: end, v: previous }), l.feeds.rough, p);
-    cutter.feed(cutter.inBore({ u: end, v: previous + l.infeed }), l.feeds.rough, p);
+    cutter.feed(cutter.limitedInBore({ u: end, v: previous }), l.feeds.rough, p);
+    cutter.feed(cutter.limitedInBore({ u: end, v: previous + l.infeed }), l.feeds.rough, p);
     return;
   }
   const back = Math.min(l.infeed, valley.to - valley.from);
   cutter.leave(back, -1, l.envelope, l.feeds.rough, p);
-  cutter.feed(cutter.inBore({ u: cutter.at.u, v: previous }), l.feeds.rough, p);
+  cutter.feed(cutter.limitedInBore({ u: cutter.at.u, v: previous }), l.feeds.rough, p);
   // Too narrow to retract at 45°: straight up first, then back where the valley is wide enough.
   cutter.leave(Math.min(l.infeed - back, cutter.at.u - outer.from), -1, l.envelope, l.feeds.rough, p);
 }
@@ -177,7 +177,7 @@ function lift(cutter: Cutter, l: Levels, { pass, valley, limit, outer }: Cut) {
 /** Cuts along the contour below the last level (a chamfer or a radius at an edge). */
 function followBelow(cutter: Cutter, l: Levels) {
   const p = (step: number) => purpose(step, l.passes);
-  for (const deeper of below(l.envelope, level(l, l.passes) - 2 * SAME, l.from, l.to)) {
+  for (const deeper of intervalsBelow(l.envelope, level(l, l.passes) - 2 * SAME, l.from, l.to)) {
     const lowest = pathAlong(l.envelope, deeper.from, deeper.to).map((s) => s.segment);
     const first = lowest[0];
     if (!first) continue;
@@ -189,6 +189,6 @@ function followBelow(cutter: Cutter, l: Levels) {
 
 /** First u at or after `from` where the envelope has risen to `height`; `limit` when it does not. */
 export function riseTo(e: Envelope, from: number, limit: number, height: number): number {
-  const first = below(e, height, from, limit)[0];
+  const first = intervalsBelow(e, height, from, limit)[0];
   return first && first.from <= from + JOINED ? first.to : from;
 }

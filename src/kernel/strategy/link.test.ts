@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { linePiece, upperEnvelope } from "../reach/envelope.ts";
 import type { Flat, Frame } from "../geometry/flat.ts";
-import { insertIn } from "./ground.ts";
+import { insertIn } from "./tip-envelope.ts";
 import type { Move } from "../plan/move.ts";
 import type { Tool } from "../plan/tool.ts";
 import { roomOf } from "../plan/track.ts";

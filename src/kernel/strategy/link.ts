@@ -55,8 +55,8 @@ export class Cutter extends Track {
     const height = Math.max(this.at.v, to.v, over);
     const free = this.frontier.freeFrom(this.at.u) <= this.at.v + SAME;
     // Next to a wall the move across is free at once, the move up is not.
-    if (free || !this.frontier.clear(this.at.u, to.u, this.at.v)) this.up(height, l);
-    if (this.frontier.clear(this.at.u, to.u, this.at.v)) this.rapid("u", to.u, l.out);
+    if (free || !this.frontier.canCross(this.at.u, to.u, this.at.v)) this.up(height, l);
+    if (this.frontier.canCross(this.at.u, to.u, this.at.v)) this.rapid("u", to.u, l.out);
     else this.feed({ u: to.u, v: this.at.v }, l.feed, l.out);
     if (to.v > this.at.v) this.up(to.v, l);
     else this.down(to.v, l);
@@ -80,8 +80,11 @@ export class Cutter extends Track {
    * in either axis; straight up by the same if the part is in the way. `room`: limit of the sideways travel.
    */
   leave(by: number, towards: 1 | -1, part: Envelope, value: number, purpose: Purpose, room = by): void {
-    const lift = this.inBore({ u: this.at.u, v: this.at.v + by }).v - this.at.v;
-    const leaning = this.inBore({ u: this.at.u + towards * Math.max(0, Math.min(lift, room)), v: this.at.v + lift });
+    const lift = this.limitedInBore({ u: this.at.u, v: this.at.v + by }).v - this.at.v;
+    const leaning = this.limitedInBore({
+      u: this.at.u + towards * Math.max(0, Math.min(lift, room)),
+      v: this.at.v + lift,
+    });
     this.feed(
       lift > 0 && staysAbove(part, leaning, this.at) ? leaning : { u: this.at.u, v: this.at.v + lift },
       value,
@@ -94,7 +97,7 @@ export class Cutter extends Track {
    * material on the other side. Returns the nearest allowed position, no nearer to the axis than `cut`; outside a bore
    * the point itself.
    */
-  inBore({ u, v }: Flat, cut: Flat = this.at): Flat {
+  limitedInBore({ u, v }: Flat, cut: Flat = this.at): Flat {
     const { transverse, signV } = this.frame;
     if (transverse) return { u: Math.max(u, Math.min(this.nearest, cut.u)), v };
     return { u, v: signV < 0 ? Math.min(v, Math.max(this.ceiling, cut.v)) : v };

@@ -3,7 +3,7 @@ import { flat, type Flat, type FlatSegment } from "../geometry/flat.ts";
 import { SAME } from "../tolerance.ts";
 import type { Purpose } from "../plan/track.ts";
 import type { Basin } from "./basins.ts";
-import type { Ground } from "./ground.ts";
+import type { TipEnvelope } from "./tip-envelope.ts";
 import { partsOf } from "./infeed.ts";
 import type { Cutter } from "./link.ts";
 import { reachOfStep, type Places, type Spacing } from "./plunge-places.ts";
@@ -25,7 +25,7 @@ export interface PlungeCut {
 }
 
 export interface PlungeRough extends PlungeCut {
-  readonly ground: Ground;
+  readonly ground: TipEnvelope;
   readonly basins: readonly Basin[];
   readonly places: readonly Places[];
   readonly spacing: Spacing;
@@ -173,13 +173,13 @@ function alongWalls(cutter: Cutter, r: PlungeRough, { from, to, floor }: Basin):
     );
     cutter.link({ u: cutter.at.u, v: r.top }, link);
   };
-  const left = cutter.frontier.standsOver(e, { from, to: floor.to }, LEFT);
+  const left = cutter.frontier.stockAbove(e, { from, to: floor.to }, LEFT);
   if (left && left.to > left.from + SAME)
     cut(
       pathAlong(e, left.from, left.to).map((s) => s.segment),
       1,
     );
-  const right = cutter.frontier.standsOver(e, { from: floor.to, to }, LEFT);
+  const right = cutter.frontier.stockAbove(e, { from: floor.to, to }, LEFT);
   if (right && right.to > right.from + SAME)
     cut(
       pathAlong(e, right.from, right.to)

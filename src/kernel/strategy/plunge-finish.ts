@@ -3,12 +3,12 @@ import { flat, type FlatSegment } from "../geometry/flat.ts";
 import { SAME } from "../tolerance.ts";
 import type { Purpose } from "../plan/track.ts";
 import type { Basin } from "./basins.ts";
-import type { Ground } from "./ground.ts";
+import type { TipEnvelope } from "./tip-envelope.ts";
 import type { Cutter } from "./link.ts";
 import { liftUnder } from "./valley.ts";
 
 export interface PlungeFinish {
-  readonly ground: Ground;
+  readonly ground: TipEnvelope;
   readonly basins: readonly Basin[];
   /** Height in front of the recess at which the tool may travel. */
   readonly top: number;

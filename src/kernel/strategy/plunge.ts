@@ -1,18 +1,18 @@
 import { toPart } from "../geometry/flat.ts";
 import { cuttingWidth, isBar, noseRadius } from "../cutter/insert.ts";
 import { issue, type Issue } from "../plan/issue.ts";
-import type { Plan, Setting } from "../plan/plan.ts";
+import type { Plan, PlanContext } from "../plan/plan.ts";
 import { SAME } from "../tolerance.ts";
 import type { Tool, ToolType } from "../plan/tool.ts";
 import { roomOf } from "../plan/track.ts";
 import { length, toDiameter } from "../units.ts";
-import { clearAcross } from "./across.ts";
+import { withAxisCheck } from "./across.ts";
 import { beyondAxis } from "./axis.ts";
 import { basinsOf, type Basin } from "./basins.ts";
-import { unfit } from "./fit.ts";
-import { groundOver, insertIn, insidePart, startInPart } from "./ground.ts";
+import { unfitIssue } from "./fit.ts";
+import { tipEnvelopeOver, insertIn, insidePart, startInPart } from "./tip-envelope.ts";
 import { MOST_PASSES } from "./infeed.ts";
-import { empty } from "./leveled.ts";
+import { emptyPlan } from "./leveled.ts";
 import { limitsInPart, limitsOf } from "./limits.ts";
 import { Cutter } from "./link.ts";
 import { bitesOf, roughByPlunges, type Bites, type PlungeCut } from "./plunge-cuts.ts";
@@ -24,15 +24,15 @@ import {
   onContour,
   reachWithin,
   siteOf,
-  sketchOf,
+  draftPlan,
   surroundingsOf,
   tipBetween,
   unlimitedReach,
-  type Sunk,
+  type RecessInput,
 } from "./recess-site.ts";
 
 /** A recess, or a contour with any number of them, cut by plunges side by side. */
-export interface Plunging extends PlungeCut, Sunk {
+export interface Plunging extends PlungeCut, RecessInput {
   readonly clearance: number;
   readonly finishingFeed: number;
   /** Side step as a share of the width of the edge. */
@@ -47,28 +47,28 @@ const PLUNGING: readonly ToolType[] = ["RECESS", "RECTURN", "BUTTON"];
 const NOMINAL = 6;
 
 /** Plans roughing and finishing by plunges. Never throws; what cannot be planned is an issue. */
-export function planPlunging(l: Plunging, setting: Setting): Plan {
+export function planPlunging(l: Plunging, setting: PlanContext): Plan {
   const { tool } = setting;
   // A hill between two recesses is skipped: no plunge begins that high.
   const site = siteOf(l, setting, (s) => Math.max(s.from.v, s.to.v));
-  if (!site) return empty([]);
+  if (!site) return emptyPlan([]);
   const { bounds, first, last, called, keep, opening, top } = site;
   const issues: Issue[] = [];
-  const sketch = sketchOf(l, site, l.bite);
-  const refused = unfit(tool, l.frame, PLUNGING);
+  const sketch = draftPlan(l, site, l.bite);
+  const refused = unfitIssue(tool, l.frame, PLUNGING);
   if (refused) return { ...sketch, issues: [refused] };
   if (called.v < opening - SAME)
     issues.push(issue("startBelowContour", "info", { below: opening - called.v }, "startV"));
 
   const limits = limitsOf(l.limit, called, site.flat, issues);
   const over = surroundingsOf(site, limits, floorOf(tool, site, setting, issues));
-  const kept = groundOver(bounds, tool, l.frame, keep, over(true));
-  const drawn = groundOver(bounds, tool, l.frame, { u: 0, v: 0 }, over(false));
+  const kept = tipEnvelopeOver(bounds, tool, l.frame, keep, over(true));
+  const drawn = tipEnvelopeOver(bounds, tool, l.frame, { u: 0, v: 0 }, over(false));
   if (insidePart(drawn, called)) {
     const works = toPart(l.frame, { u: (first.u + last.u) / 2, v: opening + l.clearance });
     return { ...sketch, issues: [...issues, startInPart({ x: toDiameter(works.r), z: works.z })] };
   }
-  const grown = groundOver(bounds, tool, l.frame, keep, over(false));
+  const grown = tipEnvelopeOver(bounds, tool, l.frame, keep, over(false));
   const insert = insertIn(tool, l.frame);
   const frontier = frontierAt(site, setting, insert, {
     drawn,
@@ -115,7 +115,7 @@ export function planPlunging(l: Plunging, setting: Setting): Plan {
     finishByHalves(cutter, { ground, basins, top, clearance: l.clearance, feed: l.finishingFeed });
     back("finish", 8);
   }
-  return clearAcross(
+  return withAxisCheck(
     {
       ...sketch,
       moves: cutter.moves,
@@ -123,7 +123,7 @@ export function planPlunging(l: Plunging, setting: Setting): Plan {
       passes: cuts.passes,
       infeed: length(cuts.infeed),
       reach: reachWithin(drawn, room, l.frame, tool),
-      kept: reachWithin(kept, onContour(drawn, room), l.frame, tool),
+      oversizeReach: reachWithin(kept, onContour(drawn, room), l.frame, tool),
       ...unlimitedReach(l, site, tool),
       ...limitsInPart(l.limit, called, l.frame),
     },

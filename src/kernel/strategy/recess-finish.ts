@@ -3,13 +3,13 @@ import { flat, lowestOf, tangentAt, type Flat, type FlatSegment } from "../geome
 import { SAME } from "../tolerance.ts";
 import type { Purpose } from "../plan/track.ts";
 import { withinLimits } from "./finish.ts";
-import type { Ground } from "./ground.ts";
-import { falls } from "./levels.ts";
+import type { TipEnvelope } from "./tip-envelope.ts";
+import { isFalling } from "./levels.ts";
 import type { Cutter } from "./link.ts";
 import { liftUnder, RECESS_CLEARANCE } from "./valley.ts";
 
 export interface RecessFinish {
-  readonly ground: Ground;
+  readonly ground: TipEnvelope;
   /** Height in front of the recess at which the tool may travel. */
   readonly top: number;
   readonly feed: number;
@@ -118,7 +118,7 @@ function cutsOf(run: readonly FlatSegment[], at: Flat, walls: EndWalls, f: Reces
     if (!rises(k)) continue;
     const foot = corner(k);
     let b = k;
-    while (b > begin && !falls(segments[b - 1] as FlatSegment)) b -= 1;
+    while (b > begin && !isFalling(segments[b - 1] as FlatSegment)) b -= 1;
     const ramp = segments[b - 1];
     if (b === k && b > begin && ramp && f.downwards === "steep" && tangentAt(ramp, "to").u > STEEP.rise) b -= 1;
     const from = segments[b]?.from.u ?? foot.u;

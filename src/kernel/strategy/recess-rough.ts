@@ -3,8 +3,8 @@ import { flat, type Flat, type FlatSegment } from "../geometry/flat.ts";
 import { SAME } from "../tolerance.ts";
 import type { Purpose } from "../plan/track.ts";
 import type { Feeds } from "./feeds.ts";
-import type { Ground } from "./ground.ts";
-import { falls } from "./levels.ts";
+import type { TipEnvelope } from "./tip-envelope.ts";
+import { isFalling } from "./levels.ts";
 import type { Cutter } from "./link.ts";
 import { heightOf, type Rim, type RecessSection, sectionsOf } from "./sections.ts";
 import { liftUnder, RECESS_CLEARANCE } from "./valley.ts";
@@ -12,7 +12,7 @@ import { liftUnder, RECESS_CLEARANCE } from "./valley.ts";
 const { reversed, shifted } = flat;
 
 export interface RecessRough {
-  readonly ground: Ground;
+  readonly ground: TipEnvelope;
   /** Range of the tip: between the walls that close the area, or up to the contact at the ends of the contour. */
   readonly area: Interval;
   readonly top: number;
@@ -70,8 +70,8 @@ function roughSection(cutter: Cutter, r: RecessRough, s: RecessSection, before: 
       const begin = Math.min(here.to, here.from + before.left);
       cutter.link({ u: begin, v: height }, linked(r, 4, purpose(4, pass)));
       const wall = before.left > 0 ? [] : pathAlong(e, here.from, next.from).map((x) => x.segment);
-      down(cutter, wall, { u: Math.min(next.to, next.from + before.left), v: heightOf(r, pass + 1) }, r, pass + 1);
-    } else beside(cutter, r, side, { here, next, shortened, began }, pass + 1);
+      descend(cutter, wall, { u: Math.min(next.to, next.from + before.left), v: heightOf(r, pass + 1) }, r, pass + 1);
+    } else descendBesideWall(cutter, r, side, { here, next, shortened, began }, pass + 1);
   });
   const last = s.inner.length - 1;
   s.inner.forEach((part, i) =>
@@ -111,7 +111,7 @@ function endOf({ at }: Cutter, side: Side, { here, next, shortened }: Descent): 
  * Feeds down along a wall, at a distance equal to the shortening; where it cannot be followed, sideways and down. A
  * used-up pass goes straight down, or along the wall there.
  */
-function beside(
+function descendBesideWall(
   cutter: Cutter,
   r: RecessRough,
   side: Side,
@@ -140,16 +140,16 @@ function beside(
         : u < next.from
           ? pathAlong(e, u, next.from).map((s) => s.segment)
           : [];
-    return down(cutter, under, { u: Math.min(Math.max(u, next.from), next.to), v: target.v }, r, pass);
+    return descend(cutter, under, { u: Math.min(Math.max(u, next.from), next.to), v: target.v }, r, pass);
   }
   // A shoulder between the two levels is not a wall: it is left to the cut along the wall.
-  const steep = wall.every((s) => falls(s) || Math.abs(s.to.u - s.from.u) < SAME);
+  const steep = wall.every((s) => isFalling(s) || Math.abs(s.to.u - s.from.u) < SAME);
   const fits = steep && Math.abs(target.u - wanted) < SAME && Math.abs(cutter.at.u - stands) < SAME;
-  down(cutter, fits ? wall : [], target, r, pass);
+  descend(cutter, fits ? wall : [], target, r, pass);
 }
 
 /** Feeds along a wall to the next level; without one, sideways first and then straight down. */
-function down(cutter: Cutter, wall: readonly FlatSegment[], target: Flat, r: RecessRough, pass: number) {
+function descend(cutter: Cutter, wall: readonly FlatSegment[], target: Flat, r: RecessRough, pass: number) {
   const p = purpose(5, pass, true);
   if (wall.length === 0) cutter.feed({ u: target.u, v: cutter.at.v }, r.feeds.plunge, p);
   cutter.along(wall, () => ({ feed: r.feeds.plunge, purpose: p }));
@@ -160,8 +160,8 @@ const p = purpose(7);
 const plunging: Purpose = { ...p, plunging: true };
 /** A cut along a wall uses the plunging feed wherever it falls. */
 const alongWall = (r: RecessRough) => (s: FlatSegment) =>
-  falls(s) ? { feed: r.feeds.plunge, purpose: plunging } : { feed: r.feeds.rough, purpose: p };
-const out = (cutter: Cutter, r: RecessRough) => cutter.link({ u: cutter.at.u, v: r.top }, linked(r, 7, p));
+  isFalling(s) ? { feed: r.feeds.plunge, purpose: plunging } : { feed: r.feeds.rough, purpose: p };
+const retractToTop = (cutter: Cutter, r: RecessRough) => cutter.link({ u: cutter.at.u, v: r.top }, linked(r, 7, p));
 /** Links to the start of the cut along a wall. */
 const onRim = (cutter: Cutter, r: RecessRough, rim: Rim, wall: readonly FlatSegment[]) =>
   cutter.link({ u: rim.u, v: Math.max(rim.v, wall[0]?.from.v ?? rim.v) }, linked(r, 7, plunging));
@@ -173,7 +173,7 @@ function alongFloor(cutter: Cutter, r: RecessRough, s: RecessSection) {
   onRim(cutter, r, s.left, floor);
   cutter.along(floor, alongWall(r));
   cutter.leave(liftUnder(r.top, cutter.at.v), -1, e, r.feeds.rough, p, s.right.u - s.left.u);
-  out(cutter, r);
+  retractToTop(cutter, r);
 }
 
 /**
@@ -192,7 +192,7 @@ function alongWalls(cutter: Cutter, r: RecessRough, s: RecessSection, shortened:
   if (deeper) {
     const path = cutter.at.u > (a + b) / 2 ? backwards(segments(a, b)) : segments(a, b);
     const how = (x: FlatSegment) =>
-      falls(x)
+      isFalling(x)
         ? { feed: r.feeds.plunge, purpose: purpose(5, undefined, true) }
         : { feed: r.feeds.rough, purpose: purpose(2) };
     cutter.along(path, how);
@@ -206,10 +206,10 @@ function alongWalls(cutter: Cutter, r: RecessRough, s: RecessSection, shortened:
     else cutter.feed({ u: end, v: bottom }, r.feeds.rough, p);
     const room = away > 0 ? floor.to - cutter.at.u : cutter.at.u - floor.from;
     cutter.leave(liftUnder(r.top, cutter.at.v), away, e, r.feeds.rough, p, room);
-    out(cutter, r);
+    retractToTop(cutter, r);
   };
   cutter.feed({ u: cutter.at.u, v: cutter.at.v + Math.min(r.infeed, RECESS_CLEARANCE) }, r.feeds.rough, p);
-  out(cutter, r);
+  retractToTop(cutter, r);
   // A tool as wide as the groove has cut both walls.
   if (s.right.u - s.left.u <= SAME) return;
   const onward = pathAlong(e, s.left.u, floor.from).map((x) => x.segment);

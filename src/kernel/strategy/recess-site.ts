@@ -1,5 +1,5 @@
 import { extent, type Convex } from "../reach/convex.ts";
-import { loweredBy } from "../reach/cut-envelope.ts";
+import { withCuts } from "../reach/cut-envelope.ts";
 import type { Interval, Origin } from "../reach/envelope.ts";
 import {
   highestOf,
@@ -13,15 +13,15 @@ import {
 } from "../geometry/flat.ts";
 import { isBar } from "../cutter/insert.ts";
 import { issue, type Issue } from "../plan/issue.ts";
-import { tracedStock, type Plan, type Reach, type Setting } from "../plan/plan.ts";
+import { tracedStock, type Plan, type Reach, type PlanContext } from "../plan/plan.ts";
 import type { Ring, Segment } from "../geometry/point.ts";
 import type { Bound } from "../reach/reach.ts";
 import { SAME } from "../tolerance.ts";
 import type { Tool } from "../plan/tool.ts";
 import { length } from "../units.ts";
-import { atCall, Frontier } from "./frontier.ts";
-import { FAR, type Ground, groundOver, reachOf, type Surroundings } from "./ground.ts";
-import { empty } from "./leveled.ts";
+import { envelopeAtCall, Frontier } from "./frontier.ts";
+import { FAR, type TipEnvelope, tipEnvelopeOver, reachOf, type Surroundings } from "./tip-envelope.ts";
+import { emptyPlan } from "./leveled.ts";
 import type { Limits } from "./limits.ts";
 import { areaOver, partUnder } from "./outline-area.ts";
 
@@ -31,7 +31,7 @@ import { areaOver, partUnder } from "./outline-area.ts";
  */
 
 /** Input of such a machining operation, for all strategies. */
-export interface Sunk {
+export interface RecessInput {
   readonly frame: Frame;
   /** The finished contour in machining direction, part space. */
   readonly contour: readonly Segment[];
@@ -42,7 +42,7 @@ export interface Sunk {
 }
 
 /** Geometry shared by the steps of a plan, in strategy space. */
-export interface SunkSite {
+export interface RecessSite {
   readonly frame: Frame;
   readonly flat: readonly FlatSegment[];
   readonly bounds: readonly Bound[];
@@ -58,10 +58,10 @@ export interface SunkSite {
 
 /** The geometry of a contour; null if it has no elements. `height`: height of an element for this strategy. */
 export function siteOf(
-  { frame, contour, oversize }: Sunk,
-  { start }: Setting,
+  { frame, contour, oversize }: RecessInput,
+  { start }: PlanContext,
   height: (s: FlatSegment) => number = highestOf,
-): SunkSite | null {
+): RecessSite | null {
   const flat = contour.map((s) => segmentToFlat(frame, s));
   const [first, last] = [flat[0]?.from, flat.at(-1)?.to];
   if (!first || !last) return null;
@@ -73,19 +73,23 @@ export function siteOf(
 }
 
 /** The plan before the tool is considered. */
-export const sketchOf = ({ contour, frame, oversize }: Sunk, { flat, top }: SunkSite, most: number): Plan => ({
-  ...empty([]),
+export const draftPlan = (
+  { contour, frame, oversize }: RecessInput,
+  { flat, top }: RecessSite,
+  most: number,
+): Plan => ({
+  ...emptyPlan([]),
   contour,
   part: partUnder(flat, frame, true),
   area: areaOver(flat, frame, Infinity, top),
   openSide: toPart(frame, { u: 0, v: 1 }),
-  most: length(most),
+  maxInfeed: length(most),
   oversize,
 });
 
 /** Surroundings of the contour: the part, and when roughing a wall in front of an end lower than the start point. */
 export const surroundingsOf =
-  ({ first, last, top }: SunkSite, limits: Limits, deepest: number | null) =>
+  ({ first, last, top }: RecessSite, limits: Limits, deepest: number | null) =>
   (walls: boolean): Surroundings => ({
     wall: walls && top > last.v + SAME ? top + FAR : null,
     front: "part",
@@ -97,9 +101,9 @@ export const surroundingsOf =
   });
 
 /** Further input of a frontier: if the stock is unknown, finishing assumes `infeed` above the oversize of `grown`. */
-interface Standing {
-  readonly drawn: Ground;
-  readonly grown: Ground;
+interface FrontierInput {
+  readonly drawn: TipEnvelope;
+  readonly grown: TipEnvelope;
   readonly infeed: number;
   readonly operation: number;
   readonly ceiling: number;
@@ -108,7 +112,7 @@ interface Standing {
 const TOP: Origin = { feature: "nose", on: "edge", corner: false };
 
 /** The stock at the call. */
-export function frontierAt(site: SunkSite, setting: Setting, insert: Convex, o: Standing): Frontier {
+export function frontierAt(site: RecessSite, setting: PlanContext, insert: Convex, o: FrontierInput): Frontier {
   const { first, last, called, opening, top, frame } = site;
   // Next to an end lower than the rest there may be stock.
   const { minU, maxU } = extent(insert);
@@ -121,15 +125,15 @@ export function frontierAt(site: SunkSite, setting: Setting, insert: Convex, o: 
     { u: to, v: top - FAR },
   ];
   // Above the start point there is no stock to cut the recess from.
-  const grown = loweredBy(
-    o.grown.bare,
+  const grown = withCuts(
+    o.grown.partEnvelope,
     [{ arc: 0, u0: from - FAR, u1: to + FAR, v0: top, slope: 0, origin: TOP }],
     Infinity,
   );
   const roughed = o.operation > 1 ? { grown, infeed: o.infeed, top } : null;
-  const stands = atCall({ stock: tracedStock(setting), area, frame, insert }, o.drawn.bare, roughed);
+  const stands = envelopeAtCall({ stock: tracedStock(setting), area, frame, insert }, o.drawn.partEnvelope, roughed);
   const frontier = new Frontier(stands, insert, o.ceiling);
-  frontier.cameDown(called);
+  frontier.openColumn(called);
   return frontier;
 }
 
@@ -137,7 +141,7 @@ export function frontierAt(site: SunkSite, setting: Setting, insert: Convex, o: 
  * Height of the material above a contour: of the stock if known, else of the blank, assumed to be cut down to the
  * contour's height (decision "CUTLENGTH counts in the material").
  */
-function standsUpTo({ frame, flat, opening }: SunkSite, { stock, blank }: Setting): number {
+function stockHeight({ frame, flat, opening }: RecessSite, { stock, blank }: PlanContext): number {
   const us = flat.flatMap((s) => [s.from.u, s.to.u]);
   const span = { from: Math.min(...us), to: Math.max(...us) };
   const high = (rings: readonly Ring[]) =>
@@ -164,10 +168,10 @@ const highestIn = (ring: readonly Flat[], { from, to }: Interval): number =>
   }, -Infinity);
 
 /** The deepest level that CUTLENGTH of a bar allows, measured in the material; null if it reaches the floor. */
-export function floorOf(tool: Tool, site: SunkSite, setting: Setting, issues: Issue[]): number | null {
+export function floorOf(tool: Tool, site: RecessSite, setting: PlanContext, issues: Issue[]): number | null {
   const edge = tool.CUTLENGTH;
   if (!isBar(tool) || edge === undefined || !(edge > 0)) return null;
-  const stands = standsUpTo(site, setting);
+  const stands = stockHeight(site, setting);
   const depth = stands - Math.min(...site.flat.map(lowestOf));
   if (depth <= edge + SAME) return null;
   issues.push(issue("depthOverCutLength", "warning", { depth, cutLength: edge }, "depth"));
@@ -181,21 +185,21 @@ export function tipBetween({ from, to }: Limits, insert: Convex): Interval {
 }
 
 /** The part of an interval that is on the contour. */
-export const onContour = ({ start, end }: Ground, { from, to }: Interval): Interval => ({
+export const onContour = ({ start, end }: TipEnvelope, { from, to }: Interval): Interval => ({
   from: Math.max(start.u, from),
   to: Math.min(end.u, to),
 });
 
 /** The deepest path over a ground, within this interval. */
-export function reachWithin(g: Ground, places: Interval, frame: Frame, tool: Tool): Reach[] {
+export function reachWithin(g: TipEnvelope, places: Interval, frame: Frame, tool: Tool): Reach[] {
   const { from, to } = onContour(g, places);
   return reachOf(g, from, to, frame, tool);
 }
 
 /** The same without machining limits, for a plan that has some. */
-export function unlimitedReach({ limit, frame }: Sunk, site: SunkSite, tool: Tool): Pick<Plan, "unlimited"> {
+export function unlimitedReach({ limit, frame }: RecessInput, site: RecessSite, tool: Tool): Pick<Plan, "unlimited"> {
   if (!limit) return {};
   const around = { wall: null, front: "part", frontWall: null, floors: [] } as const;
-  const whole = groundOver(site.bounds, tool, frame, { u: 0, v: 0 }, around);
+  const whole = tipEnvelopeOver(site.bounds, tool, frame, { u: 0, v: 0 }, around);
   return { unlimited: reachOf(whole, whole.start.u, whole.end.u, frame, tool) };
 }

@@ -1,20 +1,20 @@
-import { below } from "../reach/below.ts";
+import { intervalsBelow } from "../reach/below.ts";
 import { lowest, type Interval } from "../reach/envelope.ts";
 import { toPart, type Flat } from "../geometry/flat.ts";
 import { cuttingWidth, isBar, noseRadius } from "../cutter/insert.ts";
 import { issue, type Issue } from "../plan/issue.ts";
-import type { Plan, Setting } from "../plan/plan.ts";
+import type { Plan, PlanContext } from "../plan/plan.ts";
 import { SAME } from "../tolerance.ts";
 import type { ToolType } from "../plan/tool.ts";
 import { roomOf } from "../plan/track.ts";
 import { length, toDiameter } from "../units.ts";
-import { clearAcross } from "./across.ts";
+import { withAxisCheck } from "./across.ts";
 import { beyondAxis } from "./axis.ts";
 import type { Feeds } from "./feeds.ts";
-import { unfit } from "./fit.ts";
-import { FAR, type Ground, groundOver, insertIn, insidePart, startInPart } from "./ground.ts";
+import { unfitIssue } from "./fit.ts";
+import { FAR, type TipEnvelope, tipEnvelopeOver, insertIn, insidePart, startInPart } from "./tip-envelope.ts";
 import { divide, limitedInfeed, type Division } from "./infeed.ts";
-import { empty } from "./leveled.ts";
+import { emptyPlan } from "./leveled.ts";
 import { limitsInPart, limitsOf } from "./limits.ts";
 import { Cutter } from "./link.ts";
 import { offsetPerPass } from "./offset.ts";
@@ -25,11 +25,11 @@ import {
   frontierAt,
   reachWithin,
   siteOf,
-  sketchOf,
+  draftPlan,
   surroundingsOf,
   tipBetween,
   unlimitedReach,
-  type Sunk,
+  type RecessInput,
 } from "./recess-site.ts";
 import { RECESS_CLEARANCE } from "./valley.ts";
 
@@ -37,7 +37,7 @@ import { RECESS_CLEARANCE } from "./valley.ts";
  * A groove turned by alternately plunging and cutting sideways: its contour runs from the edge where machining starts
  * to the other edge.
  */
-export interface Recess extends Sunk {
+export interface Recess extends RecessInput {
   readonly infeed: number;
   readonly feeds: Feeds;
   readonly oneWay: boolean;
@@ -56,13 +56,13 @@ export interface Recess extends Sunk {
 const RECESSING: readonly ToolType[] = ["RECTURN", "RECESS", "BUTTON"];
 
 /** Plans roughing and finishing of a recess. Never throws; what cannot be planned is an issue. */
-export function planRecess(l: Recess, setting: Setting): Plan {
+export function planRecess(l: Recess, setting: PlanContext): Plan {
   const { tool } = setting;
   const site = siteOf(l, setting);
-  if (!site) return empty([]);
+  if (!site) return emptyPlan([]);
   const { flat, bounds, first, last, called, keep, opening, top } = site;
-  const sketch = sketchOf(l, site, l.infeed);
-  const refused = unfit(tool, l.frame, RECESSING);
+  const sketch = draftPlan(l, site, l.infeed);
+  const refused = unfitIssue(tool, l.frame, RECESSING);
   if (refused) return { ...sketch, issues: [refused] };
   const issues: Issue[] = [];
   if (tool.TYPE === "RECESS") issues.push(issue("toolCannotCutSideways", "warning", { type: tool.TYPE }, "tool"));
@@ -74,26 +74,26 @@ export function planRecess(l: Recess, setting: Setting): Plan {
   const insert = insertIn(tool, l.frame);
   const room = tipBetween(limits, insert);
   const surroundings = surroundingsOf(site, limits, floorOf(tool, site, setting, issues));
-  const kept = groundOver(bounds, tool, l.frame, keep, surroundings(true));
-  const drawn = groundOver(bounds, tool, l.frame, { u: 0, v: 0 }, surroundings(false));
+  const kept = tipEnvelopeOver(bounds, tool, l.frame, keep, surroundings(true));
+  const drawn = tipEnvelopeOver(bounds, tool, l.frame, { u: 0, v: 0 }, surroundings(false));
   if (insidePart(drawn, called)) {
     const works = toPart(l.frame, { u: (span.from + span.to) / 2, v: opening + RECESS_CLEARANCE });
     return { ...sketch, issues: [...issues, startInPart({ x: toDiameter(works.r), z: works.z })] };
   }
-  const grown = groundOver(bounds, tool, l.frame, keep, surroundings(false));
+  const grown = tipEnvelopeOver(bounds, tool, l.frame, keep, surroundings(false));
   // Next to an end lower than the rest there may be stock: the finishing cut stays between the walls there, as roughing
   // does.
   const low = { first: opening > first.v + SAME, last: opening > last.v + SAME };
   const closed = low.first || low.last;
-  const finishedTo = (g: Ground, by: Flat): { readonly ground: Ground; readonly area: Interval } => {
+  const finishedTo = (g: TipEnvelope, by: Flat): { readonly ground: TipEnvelope; readonly area: Interval } => {
     if (!closed) return { ground: g, area: room };
     const around = {
       ...surroundings(false),
       ...(low.last && { wall: top + FAR }),
       ...(low.first && { frontWall: top + FAR }),
     };
-    const ground = groundOver(bounds, tool, l.frame, by, around);
-    const open = below(ground.envelope, top, span.from - FAR, span.to + FAR);
+    const ground = tipEnvelopeOver(bounds, tool, l.frame, by, around);
+    const open = intervalsBelow(ground.envelope, top, span.from - FAR, span.to + FAR);
     const [from, to] = [
       low.first ? (open[0]?.from ?? Infinity) : -Infinity,
       low.last ? (open.at(-1)?.to ?? -Infinity) : Infinity,
@@ -117,7 +117,13 @@ export function planRecess(l: Recess, setting: Setting): Plan {
     top,
   );
   const start = { u: called.u, v: top };
-  back(cutter, start, l.operation > 1 ? l.feeds.finish : l.feeds.rough, l.operation > 1 ? "finish" : "rough", 0);
+  returnToStart(
+    cutter,
+    start,
+    l.operation > 1 ? l.feeds.finish : l.feeds.rough,
+    l.operation > 1 ? "finish" : "rough",
+    0,
+  );
 
   let division: Division = { passes: 0, infeed: 0 };
   if (l.operation === 0 || l.operation === 1) {
@@ -148,7 +154,7 @@ export function planRecess(l: Recess, setting: Setting): Plan {
         feeds: l.feeds,
       });
     }
-    back(cutter, start, l.feeds.rough, "rough", 8);
+    returnToStart(cutter, start, l.feeds.rough, "rough", 8);
   }
   const enters = l.free || lowest(drawn.envelope, span.from, span.to) < opening - SAME;
   if (l.operation !== 1 && enters) {
@@ -160,9 +166,9 @@ export function planRecess(l: Recess, setting: Setting): Plan {
       apart: keep.u + noseRadius(tool),
       ceiling: limits.ceiling,
     });
-    back(cutter, start, l.feeds.finish, "finish", 7);
+    returnToStart(cutter, start, l.feeds.finish, "finish", 7);
   }
-  return clearAcross(
+  return withAxisCheck(
     {
       ...sketch,
       moves: cutter.moves,
@@ -170,7 +176,7 @@ export function planRecess(l: Recess, setting: Setting): Plan {
       passes: division.passes,
       infeed: length(division.infeed),
       reach: reachWithin(deepestPath.ground, deepestPath.area, l.frame, tool),
-      kept: reachWithin(kept, room, l.frame, tool),
+      oversizeReach: reachWithin(kept, room, l.frame, tool),
       ...unlimitedReach(l, site, tool),
       ...limitsInPart(l.limit, called, l.frame),
     },
@@ -180,7 +186,7 @@ export function planRecess(l: Recess, setting: Setting): Plan {
 }
 
 /** Moves to the cycle start, before and after: the tool was there before, so it comes down at rapid. */
-function back(cutter: Cutter, start: Flat, feed: number, run: "rough" | "finish", step: number): void {
+function returnToStart(cutter: Cutter, start: Flat, feed: number, run: "rough" | "finish", step: number): void {
   const p = { phase: "position", run, step } as const;
   cutter.link(start, { gap: 0, feed, out: p, down: p, enter: p });
 }

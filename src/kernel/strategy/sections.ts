@@ -1,4 +1,4 @@
-import { below } from "../reach/below.ts";
+import { intervalsBelow } from "../reach/below.ts";
 import { highest, lowest, type Envelope, type Interval } from "../reach/envelope.ts";
 import { SAME } from "../tolerance.ts";
 
@@ -37,7 +37,7 @@ export const heightOf = ({ top, infeed }: Heights, pass: number) => top - pass *
  */
 export function sectionsOf(e: Envelope, h: Heights, area: Interval): RecessSection[] {
   const within = (pass: number, valley: Interval, left: Rim, right: Rim): RecessSection[] => {
-    const parts = pass > h.passes ? [] : below(e, heightOf(h, pass), valley.from, valley.to);
+    const parts = pass > h.passes ? [] : intervalsBelow(e, heightOf(h, pass), valley.from, valley.to);
     const crest = (i: number): Rim => {
       const [before, after] = [parts[i - 1], parts[i]];
       return before && after
@@ -51,14 +51,14 @@ export function sectionsOf(e: Envelope, h: Heights, area: Interval): RecessSecti
   const downFrom = (first: number, part: Interval, left: Rim, right: Rim): RecessSection => {
     const levels = [part];
     for (let pass = first + 1, here = part; pass <= h.passes; pass += 1) {
-      const next = below(e, heightOf(h, pass), here.from, here.to);
+      const next = intervalsBelow(e, heightOf(h, pass), here.from, here.to);
       if (next.length !== 1) return { left, right, first, levels, inner: within(pass, here, left, right) };
       here = next[0] as Interval;
       levels.push(here);
     }
     return { left, right, first, levels, inner: [] };
   };
-  return below(e, h.top, area.from, area.to).flatMap((open) => {
+  return intervalsBelow(e, h.top, area.from, area.to).flatMap((open) => {
     const [left, right]: Rim[] = [
       { u: open.from, v: h.top },
       { u: open.to, v: h.top },

@@ -7,30 +7,30 @@ import { toDiameter } from "../units.ts";
 import { heightOn, risesAt, shareAt, type ThreadLine } from "./thread-path.ts";
 
 /** Stretch along the thread. */
-interface Between {
+interface ThreadStretch {
   readonly from: number;
   readonly to: number;
 }
 
 /** Place and height of material above the crest. */
-interface Stands {
+interface StockOverCrest {
   readonly at: Flat;
   readonly over: number;
 }
 
-type Where = "before" | "over" | "behind";
+type ThreadPart = "before" | "over" | "behind";
 
 /** Lower steps between stock and crest are measuring errors, mm. */
-const TOLD = 0.05;
+const LEAST_STEP = 0.05;
 
 /** The highest material above the crest, or above its extension beyond the ends; the first of equal places. */
 function highestOver(
   crest: readonly Flat[],
   frame: Frame,
   stock: readonly Ring[],
-  { from, to }: Between,
-): Stands | null {
-  let best: Stands | null = null;
+  { from, to }: ThreadStretch,
+): StockOverCrest | null {
+  let best: StockOverCrest | null = null;
   const look = (at: Flat) => {
     const over = at.v - heightOn(crest, at.u);
     if (!best || over > best.over + SAME || (over > best.over - SAME && at.u < best.at.u)) best = { at, over };
@@ -51,7 +51,10 @@ function highestOver(
 }
 
 /** The sections of a pass: its run-in, the thread, and its overrun. */
-function stretches({ crest }: ThreadLine, { from, to }: Between): (Between & { readonly where: Where })[] {
+function stretches(
+  { crest }: ThreadLine,
+  { from, to }: ThreadStretch,
+): (ThreadStretch & { readonly where: ThreadPart })[] {
   const [first, last] = [(crest[0] as Flat).u, (crest.at(-1) as Flat).u];
   return [
     { where: "over", from: first, to: last },
@@ -60,10 +63,10 @@ function stretches({ crest }: ThreadLine, { from, to }: Between): (Between & { r
   ];
 }
 
-const FIELD: Readonly<Record<Where, string>> = { over: "crest", before: "runIn", behind: "overrun" };
+const FIELD: Readonly<Record<ThreadPart, string>> = { over: "crest", before: "runIn", behind: "overrun" };
 
 /** The finding about material above the crest; `most`: permitted height, where it is exceeded. */
-function meets(frame: Frame, where: Where, { at, over }: Stands, most?: number): Issue {
+function stockIssue(frame: Frame, where: ThreadPart, { at, over }: StockOverCrest, most?: number): Issue {
   const { r, z } = toPart(frame, at);
   const data = { place: where, over, x: toDiameter(r), z };
   return most === undefined
@@ -75,13 +78,18 @@ function meets(frame: Frame, where: Where, { at, over }: Stands, most?: number):
  * Reports material above the crest, and higher material in the run-in or the overrun: the first pass cuts it on top of
  * its infeed, and between the grooves it remains. Empty if the stock is unknown.
  */
-export function standingOver(w: ThreadLine, frame: Frame, stock: readonly Ring[] | null, along: Between): Issue[] {
-  let told = TOLD;
+export function stockOverCrestIssues(
+  w: ThreadLine,
+  frame: Frame,
+  stock: readonly Ring[] | null,
+  along: ThreadStretch,
+): Issue[] {
+  let threshold = LEAST_STEP;
   return stretches(w, along).flatMap(({ where, ...between }) => {
     const stands = highestOver(w.crest, frame, stock ?? [], between);
-    if (!stands || stands.over <= told) return [];
-    if (where === "over") told = stands.over + TOLD;
-    return [meets(frame, where, stands)];
+    if (!stands || stands.over <= threshold) return [];
+    if (where === "over") threshold = stands.over + LEAST_STEP;
+    return [stockIssue(frame, where, stands)];
   });
 }
 
@@ -90,12 +98,12 @@ export function standingOver(w: ThreadLine, frame: Frame, stock: readonly Ring[]
  * Reports material too high above the thread or above its run-in; null if there is none. Material in the overrun is a
  * visible collision in the stock; but at the bottom of a bore there is no way back.
  */
-export function tooHigh(
+export function stockTooHighIssue(
   w: ThreadLine,
   frame: Frame,
   insert: Convex,
   stock: readonly Ring[] | null,
-  { from, to }: Between,
+  { from, to }: ThreadStretch,
 ): Issue | null {
   const { maxV } = extent(insert);
   const rises = risesAt(w);
@@ -115,5 +123,5 @@ export function tooHigh(
     });
   });
   const [worst] = found.sort((a, b) => b.stands.over - a.stands.over);
-  return worst ? meets(frame, worst.where, worst.stands, worst.most) : null;
+  return worst ? stockIssue(frame, worst.where, worst.stands, worst.most) : null;
 }

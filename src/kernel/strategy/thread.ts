@@ -3,7 +3,7 @@ import { segmentToPart, toFlat, toPart, type Flat, type Frame } from "../geometr
 import { issue, type Issue } from "../plan/issue.ts";
 import { cutLength, pointAngle, withToothFor } from "../cutter/insert.ts";
 import { METRIC, METRIC_ANGLE, WHITWORTH } from "../contour/metric-thread.ts";
-import type { Plan, Setting } from "../plan/plan.ts";
+import type { Plan, PlanContext } from "../plan/plan.ts";
 import { part, type Segment } from "../geometry/point.ts";
 import { CHORD, ROUND, SAME } from "../tolerance.ts";
 import type { Tool } from "../plan/tool.ts";
@@ -19,19 +19,19 @@ import {
   roundedDown,
   toDiameter,
 } from "../units.ts";
-import { clearAcross } from "./across.ts";
+import { withAxisCheck } from "./across.ts";
 import { squareTo, unfitForThread } from "./fit.ts";
-import { atCall, Frontier } from "./frontier.ts";
-import { FAR, insertIn, startInPart } from "./ground.ts";
+import { envelopeAtCall, Frontier } from "./frontier.ts";
+import { FAR, insertIn, startInPart } from "./tip-envelope.ts";
 import { limitedInfeed } from "./infeed.ts";
-import { POINT } from "./kept.ts";
-import { empty } from "./leveled.ts";
+import { POINT_TOOL } from "./oversize-contour.ts";
+import { emptyPlan } from "./leveled.ts";
 import { areaAbove, areaUnder, partBetween } from "./outline-area.ts";
 import { heightOn, passAt, risesAt, type ThreadLine } from "./thread-path.ts";
 import { threadDepths } from "./thread-infeeds.ts";
 import { shortestRunIn } from "./thread-run-in.ts";
 import { lowerSide, teeth, tipsOf } from "./thread-profile.ts";
-import { standingOver, tooHigh } from "./thread-stock.ts";
+import { stockOverCrestIssues, stockTooHighIssue } from "./thread-stock.ts";
 
 /** A cycle that cuts a thread. Lengths mm, angles degrees. */
 export interface Thread {
@@ -64,7 +64,7 @@ const MOST_TURNS = 100_000;
 const MOST_TEETH = 10_000;
 
 /** The target thread, independent of its passes. */
-interface Wanted extends ThreadLine {
+interface ThreadTarget extends ThreadLine {
   readonly pitch: number;
 }
 
@@ -72,7 +72,7 @@ interface Wanted extends ThreadLine {
  * The issue for a depth that was not entered: that of the metric profile is assumed, which an insert with another angle
  * does not have.
  */
-function depthTold(depth: number, pitch: number, factor: number, tool: Tool): Issue {
+function assumedDepthIssue(depth: number, pitch: number, factor: number, tool: Tool): Issue {
   // A tool of another kind makes no thread at all.
   const angle = tool.TYPE === "THREAD" ? pointAngle(tool) : METRIC_ANGLE;
   if (Math.abs(angle - METRIC_ANGLE) < ROUND)
@@ -83,7 +83,7 @@ function depthTold(depth: number, pitch: number, factor: number, tool: Tool): Is
 }
 
 /** The target thread, with all issues that can be found before it is cut; null if its values make none. */
-function wanted(t: Thread, tool: Tool, issues: Issue[]): Wanted | null {
+function threadTarget(t: Thread, tool: Tool, issues: Issue[]): ThreadTarget | null {
   if (!(t.lead > 0)) {
     issues.push(issue("pitchZero", "error", {}, "pitch"));
     return null;
@@ -91,7 +91,7 @@ function wanted(t: Thread, tool: Tool, issues: Issue[]): Wanted | null {
   const pitch = t.lead / Math.max(1, t.starts);
   const factor = t.inside ? METRIC.inside : METRIC.outside;
   const depth = t.depth > 0 ? t.depth : pitch * factor;
-  if (!(t.depth > 0)) issues.push(depthTold(depth, pitch, factor, tool));
+  if (!(t.depth > 0)) issues.push(assumedDepthIssue(depth, pitch, factor, tool));
   const crest = part
     .flattenedChain(t.contour, CHORD)
     .map((p) => toFlat(t.frame, p))
@@ -122,10 +122,10 @@ function wanted(t: Thread, tool: Tool, issues: Issue[]): Wanted | null {
 
 /** The insert of a thread tool, or for pictures one with the flanks of the metric profile. */
 const insertFor = (tool: Tool, frame: Frame): Tool =>
-  tool === POINT ? { ...POINT, TYPE: "THREAD", TO: squareTo(frame) } : tool;
+  tool === POINT_TOOL ? { ...POINT_TOOL, TYPE: "THREAD", TO: squareTo(frame) } : tool;
 
 /** Issues of a tool that does not fit the thread. */
-function wrongTool(t: Thread, w: Wanted, tool: Tool): Issue[] {
+function toolIssues(t: Thread, w: ThreadTarget, tool: Tool): Issue[] {
   const unfit = unfitForThread(tool, t.frame);
   if (unfit) return [unfit];
   const half = pointAngle(tool) / 2;
@@ -150,7 +150,7 @@ function wrongTool(t: Thread, w: Wanted, tool: Tool): Issue[] {
 }
 
 /** Required height of a flank, mm: on a cone the crest rises on one side of the tip. */
-function depthAlong({ crest, depth }: Wanted, half: number): number {
+function depthAlong({ crest, depth }: ThreadTarget, half: number): number {
   const rise = Math.max(
     0,
     ...crest.slice(1).map((p, i) => Math.abs((p.v - (crest[i] as Flat).v) / (p.u - (crest[i] as Flat).u))),
@@ -160,14 +160,14 @@ function depthAlong({ crest, depth }: Wanted, half: number): number {
 }
 
 /** Plans the passes of a thread. Never throws; what cannot be planned is an issue. */
-export function planThread(t: Thread, setting: Setting): Plan {
+export function planThread(t: Thread, setting: PlanContext): Plan {
   const issues: Issue[] = [];
   const called = insertFor(setting.tool, t.frame);
-  const w = wanted(t, called, issues);
-  if (!w) return empty(issues, t.contour);
+  const w = threadTarget(t, called, issues);
+  if (!w) return emptyPlan(issues, t.contour);
   const tool = withToothFor(depthAlong(w, pointAngle(called) / 2), called);
-  const refused = wrongTool(t, w, tool);
-  if (setting.tool !== POINT && refused.length === 0 && cutLength(called) === undefined)
+  const refused = toolIssues(t, w, tool);
+  if (setting.tool !== POINT_TOOL && refused.length === 0 && cutLength(called) === undefined)
     issues.push(issue("toothAssumed", "info", { height: extent(insertIn(tool, t.frame)).maxV }, "tool"));
   const most = limitedInfeed(t.infeed, tool, w.depth, issues);
   const depths = threadDepths(w.depth, most, t.constantDepth, issues);
@@ -180,10 +180,10 @@ export function planThread(t: Thread, setting: Setting): Plan {
     { turns: inOneCut, most: MOST_TEETH },
     { turns, most: MOST_TURNS },
   ];
-  const passed = bounds.find((b) => b.turns > b.most);
-  if (passed)
-    refused.push(issue("threadTooMany", "error", { turns: Math.round(passed.turns), most: passed.most }, "pitch"));
-  if (!depths || refused.length > 0) return { ...empty([...refused, ...issues], t.contour) };
+  const exceeded = bounds.find((b) => b.turns > b.most);
+  if (exceeded)
+    refused.push(issue("threadTooMany", "error", { turns: Math.round(exceeded.turns), most: exceeded.most }, "pitch"));
+  if (!depths || refused.length > 0) return { ...emptyPlan([...refused, ...issues], t.contour) };
   const side = lowerSide(tool, t.frame);
   const slope = Math.tan(radians(t.flankAngle));
   const phase = ((((-t.startAngle * t.starts) / 360) % 1) + 1) % 1;
@@ -196,13 +196,13 @@ export function planThread(t: Thread, setting: Setting): Plan {
   const tips = [...tipsOf(deepest, w.pitch, phase), ...rising];
   const contour = teeth(w, tips, side);
   const sketch: Plan = {
-    ...empty([]),
-    ...(tool !== setting.tool && setting.tool !== POINT && { tool }),
+    ...emptyPlan([]),
+    ...(tool !== setting.tool && setting.tool !== POINT_TOOL && { tool }),
     contour: contour.map((s) => segmentToPart(t.frame, s)),
     part: partBetween(contour, t.frame),
     area: areaUnder(contour, w.crest, t.frame),
     openSide: toPart(t.frame, { u: 0, v: 1 }),
-    most: length(t.infeed),
+    maxInfeed: length(t.infeed),
     thread: {
       pitch: length(w.pitch),
       lead: length(t.lead),
@@ -217,13 +217,13 @@ export function planThread(t: Thread, setting: Setting): Plan {
       side,
     },
   };
-  const way = wayFor(t, w, { tool, setting, deepest, depths, slope });
+  const way = rapidHeights(t, w, { tool, setting, deepest, depths, slope });
   if ("code" in way) return { ...sketch, issues: [...issues, way] };
-  issues.push(...standingOver(w, t.frame, setting.stock, { from: (deepest[0] as Flat).u, to: ends.u }));
+  issues.push(...stockOverCrestIssues(w, t.frame, setting.stock, { from: (deepest[0] as Flat).u, to: ends.u }));
   const reach = tips
     .map((p) => toPart(t.frame, p))
     .map((at) => ({ path: { kind: "line", from: at, to: at } as const, reason: null }));
-  return clearAcross(
+  return withAxisCheck(
     {
       ...sketch,
       moves: movesOf(t, setting, way, passes),
@@ -231,7 +231,7 @@ export function planThread(t: Thread, setting: Setting): Plan {
       passes: depths.length,
       infeed: length(depths[0] as number),
       reach,
-      kept: reach,
+      oversizeReach: reach,
     },
     setting,
     "startV",
@@ -245,18 +245,18 @@ interface Passes {
 }
 
 /** Heights of the moves across: from the start point and back, and from pass to pass. */
-interface Way {
+interface RapidHeights {
   readonly start: Flat;
   readonly link: number;
   readonly over: number;
 }
 
 /** Heights at which rapids are free; the issue if there are none. */
-function wayFor(
+function rapidHeights(
   t: Thread,
-  w: Wanted,
-  { tool, setting, deepest, depths, slope }: Passes & { tool: Tool; setting: Setting },
-): Way | Issue {
+  w: ThreadTarget,
+  { tool, setting, deepest, depths, slope }: Passes & { tool: Tool; setting: PlanContext },
+): RapidHeights | Issue {
   const { frame } = t;
   const insert = insertIn(tool, frame);
   const start = toFlat(frame, setting.start);
@@ -264,7 +264,7 @@ function wayFor(
   const top = Math.max(...w.crest.map((p) => p.v));
   const corner = (u: number, v: number): Flat => ({ u, v });
   const area = [corner(first.u, top - FAR), ...w.crest, corner(last.u, top - FAR)];
-  const frontier = new Frontier(atCall({ stock: setting.stock, area, frame, insert }, [], null), insert);
+  const frontier = new Frontier(envelopeAtCall({ stock: setting.stock, area, frame, insert }, [], null), insert);
   const [begins, ends] = [deepest[0] as Flat, deepest.at(-1) as Flat];
   const back = (w.depth - (depths[0] as number)) * slope;
   const stands = Math.max(
@@ -301,7 +301,7 @@ function wayFor(
       "runIn",
     );
   }
-  const blocked = tooHigh(w, frame, insert, setting.stock, { from: begins.u - back, to: ends.u });
+  const blocked = stockTooHighIssue(w, frame, insert, setting.stock, { from: begins.u - back, to: ends.u });
   if (blocked) return blocked;
   if (frontier.freeFrom(start.u) > start.v + SAME) {
     const works = toPart(frame, { u: begins.u, v: over });
@@ -311,7 +311,12 @@ function wayFor(
 }
 
 /** The moves of all starts, in the steps of the manual. */
-function movesOf(t: Thread, setting: Setting, way: Way, passes: readonly (readonly Flat[])[]): Plan["moves"] {
+function movesOf(
+  t: Thread,
+  setting: PlanContext,
+  way: RapidHeights,
+  passes: readonly (readonly Flat[])[],
+): Plan["moves"] {
   const track = new Track(t.frame, setting.feedUnit, way.start, roomOf(t.frame));
   const axis = t.frame.transverse ? "r" : "z";
   const at = (step: number, pass?: number): Purpose => ({

@@ -9,7 +9,7 @@ export type Spindle =
   | { readonly kind: "surface"; readonly cuttingSpeed: number; readonly limit: number };
 
 /** Why the spindle does not turn as a cut requires: it is stopped, has no speed, or turns in the wrong direction. */
-export interface Idle {
+export interface SpindleFault {
   readonly how: "stopped" | "noSpeed" | "hand";
   /** Number of the block that stopped it or set its direction; null where none has. */
   readonly by: number | null;
@@ -45,19 +45,19 @@ export interface Step {
    * The block whose rapid brought the tool to `from` from an unknown place; absent if the path there is a step or a
    * feed.
    */
-  readonly broughtBy?: number;
+  readonly positionedBy?: number;
   /** Of a feed move outside cycles: cut along a compensated contour, or marked as intended by the program. */
   readonly intent?: "compensated" | "meant";
   /**
    * Set if the step feeds while the spindle certainly does not turn as required: a fault as soon as it meets material.
    */
-  readonly idle?: Idle;
+  readonly spindleFault?: SpindleFault;
   /** The hole that the step feeds through. */
   readonly hole?: NeededHole;
 }
 
 /** A blank that a program states while it runs: the outline of the stock at a step. */
-export interface Stated {
+export interface StatedBlank {
   /** Index of the first step after it. */
   readonly step: number;
   readonly block: number;
@@ -72,7 +72,7 @@ export interface Stated {
  * A block that was read and not simulated although it can change the path or the stock: everything from its step on is
  * unverified.
  */
-export interface Unproved {
+export interface UnsimulatedBlock {
   /** Index of the first step after it. */
   readonly step: number;
   /** Number of the block; null when it concerns the whole program. */

@@ -9,7 +9,7 @@ import {
   radiusField,
   tailFields,
 } from "./path-words.ts";
-import { choice, held } from "./words.ts";
+import { choice, property } from "./words.ts";
 
 type Form = { readonly form: ApproachForm };
 
@@ -18,7 +18,7 @@ export const approach = defineBlock({
   kind: "approach",
   keyword: ["APPR", "DEP"],
   words: [
-    held<boolean>()("departing", { say: (departing, said) => void said.put("", departing ? "DEP" : "APPR") }),
+    property<boolean>()("departing", { compareAs: (departing, said) => void said.put("", departing ? "DEP" : "APPR") }),
     choice("form", APPROACH_FORMS, { compared: true }),
     pathWords(
       (words: Words, { form }: Form) => [
@@ -37,8 +37,8 @@ export const approach = defineBlock({
   ],
   found: ({ head }) => ({ departing: head.toUpperCase() === "DEP" }),
   lead: (s) => (s.departing ? "DEP" : "APPR"),
-  pairs: (s) => `approach ${s.departing}`,
-  like: (s) => `approach ${s.departing}`,
+  pairKey: (s) => `approach ${s.departing}`,
+  nameKey: (s) => `approach ${s.departing}`,
   part: "operations",
   nameOf: (s) => (s.departing ? "departure" : "approach"),
   names: {

@@ -3,9 +3,9 @@ import { readAssignment, type Assignment } from "../read-formula.ts";
 import type { Formula, FunctionNumber } from "../words.ts";
 import { NUMBER_PARAMETER } from "../value.ts";
 import { defineBlock, within, type Field } from "./define.ts";
-import { BARE, plainText } from "./said.ts";
+import { BARE, plainText } from "./compared-words.ts";
 import { cut } from "./sample.ts";
-import { held, textField } from "./words.ts";
+import { property, textField } from "./words.ts";
 
 const TARGET = new RegExp(String.raw`^\s*${NUMBER_PARAMETER}\s*$`, "i");
 const rightSide = (text: string) => text.replace(/^[^=]*=\s*/, "");
@@ -17,7 +17,7 @@ const fields: readonly Field<Assign, "target" | "formula">[] = [
       "target",
       (target) => target,
       (typed) => (TARGET.test(typed) ? typed.trim().toUpperCase() : undefined),
-      { unseen: "name" },
+      { noPicture: "name" },
     ),
     (s: Assign) => s.target,
     (s, target) => ({ ...s, target }),
@@ -38,16 +38,16 @@ const fields: readonly Field<Assign, "target" | "formula">[] = [
 export const assign = defineBlock({
   kind: "assign",
   begins: String.raw`(?=FN[ \t]*(?:[0-8]|13)[ \t]*:|${NUMBER_PARAMETER}[ \t]*=)`,
-  words: [held<FunctionNumber | null>()("fn"), held<string>()("target"), held<Formula>()("formula")],
+  words: [property<FunctionNumber | null>()("fn"), property<string>()("target"), property<Formula>()("formula")],
   read: ({ scan }) => {
     const read = readAssignment(scan);
     return read && { kind: "assign", ...read };
   },
   print: assignmentText,
   fields: () => fields,
-  like: (s) => `assign ${s.target}`,
+  nameKey: (s) => `assign ${s.target}`,
   // FN 0 only sets, as a formula of one value does.
-  say: (s, said) =>
+  compareAs: (s, said) =>
     void said.put(
       s.target,
       plainText(assignmentText(s.fn === 0 ? { ...s, fn: null } : s, BARE).replace(/^[^=]*=/, "")),

@@ -3,7 +3,7 @@ import type { AxisName, AxisWord } from "../words.ts";
 import { defineBlock, type Field } from "./define.ts";
 import { axesText, listFields } from "./path-words.ts";
 import { CONE, program } from "./sample.ts";
-import { held, optionalToolAxis, word } from "./words.ts";
+import { property, optionalToolAxis, word } from "./words.ts";
 
 type Axes = readonly AxisWord[];
 const ALONE = /([XYZABCUVW])(?=[ \t]|$)/iy;
@@ -18,7 +18,7 @@ export const blankBox = defineBlock({
   kind: "blankBox",
   begins: String.raw`BLK[ \t]+FORM[ \t\u00a0]*0[.,][12](?!\d)`,
   words: [
-    held<1 | 2>()("corner"),
+    property<1 | 2>()("corner"),
     {
       ...toolAxisWord,
       fields: (axis: AxisName | null, { corner }: { readonly corner: 1 | 2 }) =>
@@ -27,14 +27,14 @@ export const blankBox = defineBlock({
     word<"axes", Axes, "x" | "y" | "z">("axes", {
       take: (scan) => readWords(scan).axes,
       text: axesText,
-      say: (axes, said) => void said.axes(axes),
+      compareAs: (axes, said) => void said.axes(axes),
       fields: () => cornerFields,
     }),
   ],
   // The second corner names no axis.
   found: ({ head }) => (head.endsWith("1") ? { corner: 1 as const } : { corner: 2 as const, axis: null }),
   lead: (s) => `BLK FORM 0.${s.corner}`,
-  like: (s) => `blankBox ${s.corner}`,
+  nameKey: (s) => `blankBox ${s.corner}`,
   tags: ["blank", "opening"],
   offered: {
     group: "frame",

@@ -15,7 +15,7 @@ export const blankFile = defineBlock({
       text: (file) => (file === null ? "" : ` TARGET "${file}"`),
     }),
   ],
-  asText: () => true,
+  isTypedAsText: () => true,
   tags: ["blank", "opening"],
   part: "labels",
 });

@@ -20,7 +20,7 @@ export const call = defineBlock({
         return m[3] === undefined ? readLabel(m[1], m[2]) : { parameter: m[3].toUpperCase(), negative: false };
       },
       text: (name, style) => ` ${typeof name === "object" ? unsigned(name, style) : labelText(name)}`,
-      say: (name, said) => void said.label("LBL", name),
+      compareAs: (name, said) => void said.label("LBL", name),
       fields: () => [labelField()],
     }),
     word<"repeat", Value | null, "repeat">("repeat", {
@@ -30,7 +30,7 @@ export const call = defineBlock({
         return m ? scan.value(m[1] ?? "") : undefined;
       },
       text: (times, style) => (times === null ? "" : ` REP ${unsigned(times, style)}`),
-      say: (times, said) => void said.number("REP", times),
+      compareAs: (times, said) => void said.number("REP", times),
       fields: () => [
         {
           id: "repeat",

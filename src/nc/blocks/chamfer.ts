@@ -21,7 +21,7 @@ export const chamfer = defineBlock({
         return bare ? scan.value(bare[0]) : undefined;
       },
       text: (length, style) => (length === null ? "" : `${style.wide ? "  " : " "}${unsigned(length, style)}`),
-      say: (length, said) => void said.put("", "CHF").number("LEN", length),
+      compareAs: (length, said) => void said.put("", "CHF").number("LEN", length),
       fields: () => [
         {
           id: "chamfer",
@@ -37,7 +37,7 @@ export const chamfer = defineBlock({
     }),
     pathWords(() => [feedField]),
   ],
-  pairs: () => "path",
+  pairKey: () => "path",
   tags: ["waits"],
   offered: { group: "path", begins: { kind: "chamfer", length: 1, words: noWords } },
   sample: cut(...TO_CUT, "L Z-20", "> CHF 2", "L X+58"),

@@ -50,6 +50,6 @@ export const contourDefinition = defineBlock({
   ],
   // Apart from cycles the only block that a control writes on several lines.
   lines: "joined",
-  asText: () => true,
+  isTypedAsText: () => true,
   tags: ["namesContour"],
 });

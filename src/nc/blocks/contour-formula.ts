@@ -2,7 +2,7 @@ import type { Scan } from "../scan.ts";
 import type { OutlinePlace, Value } from "../words.ts";
 import { areaText, placeFrom, PLACE, takeDepth } from "./contour-definition.ts";
 import { defineBlock } from "./define.ts";
-import { held } from "./words.ts";
+import { property } from "./words.ts";
 
 const CONTOUR = String.raw`QC\d{1,4}(?!\d)`;
 const DECLARED = new RegExp(String.raw`DECLARE[ \t]+CONTOUR[ \t]+(${CONTOUR})[ \t]*=[ \t]*${PLACE}`, "iy");
@@ -34,7 +34,7 @@ function readTerms(scan: Scan): string[] | null {
 export const declareContour = defineBlock({
   kind: "declareContour",
   begins: String.raw`(?=DECLARE[ \t]+CONTOUR)`,
-  words: [held<string>()("contour"), held<OutlinePlace>()("from"), held<Value | null>()("depth")],
+  words: [property<string>()("contour"), property<OutlinePlace>()("from"), property<Value | null>()("depth")],
   read({ scan }) {
     const declared = scan.take(DECLARED);
     const [, contour = "", ...place] = declared ?? [];
@@ -44,7 +44,7 @@ export const declareContour = defineBlock({
       : null;
   },
   print: (s, style) => `DECLARE CONTOUR ${s.contour} = ${areaText(s, style)}`,
-  asText: () => true,
+  isTypedAsText: () => true,
   tags: ["namesContour"],
 });
 
@@ -52,13 +52,13 @@ export const declareContour = defineBlock({
 export const contourFormula = defineBlock({
   kind: "contourFormula",
   begins: String.raw`(?=QC\d)`,
-  words: [held<string>()("target"), held<readonly string[]>()("terms")],
+  words: [property<string>()("target"), property<readonly string[]>()("terms")],
   read({ scan }) {
     const target = scan.take(TARGET)?.[1]?.toUpperCase();
     const terms = target === undefined ? null : readTerms(scan);
     return target !== undefined && terms ? { kind: "contourFormula", target, terms } : null;
   },
   print: (s) => `${s.target} = ${s.terms.join(" ")}`,
-  asText: () => true,
+  isTypedAsText: () => true,
   tags: ["namesContour"],
 });

@@ -17,14 +17,14 @@ export const cycleCall = defineBlock({
       absent: "",
       take: (scan) => scan.take(HOW)?.[1]?.toUpperCase() as How | undefined,
       text: (how) => (how === "" ? "" : ` ${how}`),
-      say: (how, said) => void (how !== "" && said.put("", how)),
+      compareAs: (how, said) => void (how !== "" && said.put("", how)),
       fields: () => [
         choiceField<How, "how">(
           "how",
           ["here", "POS", "PAT"],
           (how) => (how === "" ? "here" : how),
           (chosen) => (chosen === "POS" || chosen === "PAT" ? chosen : ""),
-          { unseen: "choice" },
+          { noPicture: "choice" },
         ),
       ],
     }),

@@ -2,8 +2,8 @@ import { takeCycleNumber } from "../read-cycle.ts";
 import type { Label, Parameter } from "../words.ts";
 import { PARAMETER } from "../value.ts";
 import { defineBlock } from "./define.ts";
-import { plainLabel, plainText } from "./said.ts";
-import { held, takeRest, textField } from "./words.ts";
+import { plainLabel, plainText } from "./compared-words.ts";
+import { property, takeRest, textField } from "./words.ts";
 
 /** The cycle that names the labels of a contour. */
 export const CONTOUR_CYCLE = 14;
@@ -29,9 +29,9 @@ export const cycleLine = defineBlock({
   keyword: "CYCL DEF",
   begins: String.raw`CYCLE?[ \t]*DEF(?![A-Z_])`,
   words: [
-    held<number>()("cycle"),
-    held<number>()("line"),
-    held<string>()("text", {
+    property<number>()("cycle"),
+    property<number>()("line"),
+    property<string>()("text", {
       fields: () => [
         textField<string, "cycleLine">(
           "cycleLine",
@@ -49,9 +49,9 @@ export const cycleLine = defineBlock({
       : null;
   },
   print: (s, style) => `CYCL DEF ${s.cycle}.${s.line}${s.text === "" ? "" : `${style.wide ? "  " : " "}${s.text}`}`,
-  pairs: (s) => `cycleLine ${s.cycle}`,
-  like: (s) => `cycleLine ${s.cycle}.${s.line}`,
-  say({ cycle, line, text }, said) {
+  pairKey: (s) => `cycleLine ${s.cycle}`,
+  nameKey: (s) => `cycleLine ${s.cycle}.${s.line}`,
+  compareAs({ cycle, line, text }, said) {
     // The first line only names the cycle.
     if (line === 0) said.put("", "");
     else if (cycle === CONTOUR_CYCLE) said.put("", contourLabels(text).map(plainLabel).join(" "));

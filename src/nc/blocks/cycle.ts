@@ -2,8 +2,8 @@ import { parameterValueText } from "../print-words.ts";
 import { readParameters, takeCycleNumber, type BlockLine } from "../read-cycle.ts";
 import type { CycleParameter } from "../words.ts";
 import { defineBlock, type BlockReading } from "./define.ts";
-import { BARE, plainText, type Said } from "./said.ts";
-import { held } from "./words.ts";
+import { BARE, plainText, type ComparedWords } from "./compared-words.ts";
+import { property } from "./words.ts";
 import { NUMBER_PARAMETER } from "../value.ts";
 
 const INLINE = new RegExp(String.raw`\s${NUMBER_PARAMETER}[ \t]*=`, "i");
@@ -42,9 +42,9 @@ export const cycle = defineBlock({
   keyword: "CYCL DEF",
   begins: String.raw`CYCLE?[ \t]*DEF(?![A-Z_])`,
   words: [
-    held<number>()("cycle"),
-    held<string>()("name"),
-    held<Parameters>()<"parameters", never>("parameters", {
+    property<number>()("cycle"),
+    property<string>()("name"),
+    property<Parameters>()<"parameters", never>("parameters", {
       fields: (parameters) =>
         parameters.map(({ q, label }) => ({
           id: q,
@@ -71,9 +71,9 @@ export const cycle = defineBlock({
     return style.continued ? lines.map((line, i) => (i < lines.length - 1 ? `${line} ~` : line)) : lines;
   },
   lines: "own",
-  pairs: (s) => `cycle ${s.cycle}`,
-  like: (s) => `cycle ${s.cycle}`,
-  say(s, said: Said, raw) {
+  pairKey: (s) => `cycle ${s.cycle}`,
+  nameKey: (s) => `cycle ${s.cycle}`,
+  compareAs(s, said: ComparedWords, raw) {
     for (const { q, value } of s.parameters)
       said.put(q, value === null ? unread(raw, q) : parameterValueText(value, BARE));
   },

@@ -3,7 +3,7 @@ import type { BlockLine } from "../read-cycle.ts";
 import type { Scan } from "../scan.ts";
 import type { FeedWord, Label, Parameter, Value } from "../words.ts";
 import type { Style } from "../style.ts";
-import type { Said } from "./said.ts";
+import type { ComparedWords } from "./compared-words.ts";
 
 /** The values of a word shown on its guide page, besides the usual one. */
 export type Spread =
@@ -49,7 +49,7 @@ export interface FieldFacts<Name extends string = string> {
   /** Letters in front of its value, where they differ from its id. */
   readonly letter?: string;
   readonly spread?: Spread;
-  readonly unseen?: Unseen;
+  readonly noPicture?: Unseen;
   /** The set-up page about it. */
   readonly setup?: string;
   /** The guide text about it, where it has none of its own. */
@@ -100,7 +100,7 @@ export interface Word<Key extends string = string, T = unknown, Name extends str
   /** Stores a word that nothing else reads. */
   keep?(value: T, word: string): T;
   /** Adds the word to a block comparison; a kind without such words is compared as text. */
-  say?(value: T, said: Said): void;
+  compareAs?(value: T, said: ComparedWords): void;
   fields?(value: T, statement: never): readonly Field<T, Name>[];
   /** Never set: carries the field names for the compiler. */
   readonly names?: Name;
@@ -176,7 +176,7 @@ export interface Named<S> {
   readonly offered?: { readonly group: Group; readonly begins: S | ((nc: NcWords) => S) | null };
   readonly sample?: Sample;
   /** Why its words have no live picture. */
-  readonly unseen?: Unseen;
+  readonly noPicture?: Unseen;
   /** Samples for single words, by field id. */
   readonly samples?: Readonly<Record<string, Sample>>;
 }
@@ -209,13 +209,13 @@ export interface BlockDefinition<
   /** Never set: carries their names for the compiler. */
   readonly fieldNames?: F;
   /** Whether a statement is edited as text. */
-  asText?(s: StatementOfWords<K, W>): boolean;
+  isTypedAsText?(s: StatementOfWords<K, W>): boolean;
   /** Key of comparable blocks: only blocks with the same key are paired. */
-  pairs?(s: StatementOfWords<K, W>): string;
+  pairKey?(s: StatementOfWords<K, W>): string;
   /** The pairing key with the block's own name. */
-  like?(s: StatementOfWords<K, W>): string;
+  nameKey?(s: StatementOfWords<K, W>): string;
   /** Custom comparison, where its words are not enough. `raw`: the text of the block. */
-  say?(s: StatementOfWords<K, W>, said: Said, raw: string): void;
+  compareAs?(s: StatementOfWords<K, W>, said: ComparedWords, raw: string): void;
   readonly tags?: readonly Tag[];
   /** Where the list of parts shows it. */
   readonly part?: "operations" | "labels" | "notes";

@@ -18,7 +18,7 @@ import {
   turnField,
 } from "./path-words.ts";
 import { cut, TO_CUT } from "./sample.ts";
-import { held } from "./words.ts";
+import { property } from "./words.ts";
 
 type Given = readonly NamedWord[];
 interface Free {
@@ -84,7 +84,7 @@ function givenField(name: string): Field<Given, never> {
       name: plain.name,
       choices: ["", "+", "-"],
       about: "free",
-      unseen: "choice",
+      noPicture: "choice",
       entry: "choice",
       get(given) {
         const closes = plain.get(given);
@@ -123,8 +123,8 @@ export const free = defineBlock({
   kind: "free",
   keyword: ["FL", "FLT", "FC", "FCT", "FPOL", "FSELECT"],
   words: [
-    held<FreeForm>()("form", { say: (form, said) => void said.put("", form) }),
-    held<Given>()("given", { say: (given, said) => void said.named(given) }),
+    property<FreeForm>()("form", { compareAs: (form, said) => void said.put("", form) }),
+    property<Given>()("given", { compareAs: (given, said) => void said.named(given) }),
     pathWords<never>(() => []),
   ],
   fields: ({ form, given, words }) => [
@@ -150,9 +150,9 @@ export const free = defineBlock({
     s.form === "FSELECT"
       ? `FSELECT ${unsigned(s.given[0]?.value ?? 1, style)}`
       : `${s.form}${wordsText(s.words, style)}${s.given.map((w) => ` ${w.name}${givenText(w, style)}`).join("")}`,
-  asText: (s) => s.form === "FSELECT",
-  like: (s) => s.form,
+  isTypedAsText: (s) => s.form === "FSELECT",
+  nameKey: (s) => s.form,
   tags: ["waits"],
-  unseen: "free",
+  noPicture: "free",
   sample: cut(...TO_CUT, "> FL AN+30"),
 });

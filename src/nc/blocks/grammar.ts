@@ -11,7 +11,7 @@ import {
   type BlockReading,
   type Tag,
 } from "./define.ts";
-import { Said } from "./said.ts";
+import { ComparedWords } from "./compared-words.ts";
 
 /** A statement of any kind, as its declaration sees it. */
 interface AnyStatement {
@@ -24,9 +24,9 @@ const LONGEST = 10_000;
 
 /** A statement for comparison: pairing keys and words; null words: compare as text. */
 export interface Compared {
-  readonly pairs: string;
-  readonly like: string;
-  readonly said: Said | null;
+  readonly pairKey: string;
+  readonly nameKey: string;
+  readonly comparedWords: ComparedWords | null;
 }
 
 const keywordsOf = ({ keyword = [] }: BlockDefinition): readonly string[] =>
@@ -81,7 +81,7 @@ const WHOLE: LineField<AnyStatement, "text"> = {
   id: "text",
   name: "text",
   wide: true,
-  unseen: "name",
+  noPicture: "name",
   entry: "line",
   shown: (text) => text,
   line: (_, typed) => typed,
@@ -171,7 +171,7 @@ export function grammarOf<S extends AnyStatement = AnyStatement>(kinds: readonly
     fields(s: S): readonly Field<S>[] {
       const block = blockOf(s);
       const held = s as AnyStatement as Held;
-      const fields: readonly Field<Held>[] = block.asText?.(held)
+      const fields: readonly Field<Held>[] = block.isTypedAsText?.(held)
         ? [WHOLE]
         : (block.fields?.(held) ??
           block.words.flatMap((word) =>
@@ -190,13 +190,14 @@ export function grammarOf<S extends AnyStatement = AnyStatement>(kinds: readonly
     compared(s: S, raw: string): Compared {
       const block = blockOf(s);
       const held = s as AnyStatement as Held;
-      const pairs = block.pairs?.(held) ?? s.kind;
-      const like = block.like?.(held) ?? s.kind;
-      const said = new Said();
-      if (block.say) block.say(held, said, raw);
-      else if (block.words.some((word) => word.say)) for (const word of block.words) word.say?.(held[word.key], said);
-      else return { pairs, like, said: null };
-      return { pairs, like, said };
+      const pairKey = block.pairKey?.(held) ?? s.kind;
+      const nameKey = block.nameKey?.(held) ?? s.kind;
+      const comparedWords = new ComparedWords();
+      if (block.compareAs) block.compareAs(held, comparedWords, raw);
+      else if (block.words.some((word) => word.compareAs))
+        for (const word of block.words) word.compareAs?.(held[word.key], comparedWords);
+      else return { pairKey, nameKey, comparedWords: null };
+      return { pairKey, nameKey, comparedWords };
     },
 
     /** The name of a statement. */

@@ -22,7 +22,7 @@ export const groove = defineBlock({
   kind: "groove",
   keyword: "GRV",
   words: [
-    choice("form", ["RADIAL", "AXIAL"], { compared: true, unseen: "choice" }),
+    choice("form", ["RADIAL", "AXIAL"], { compared: true, noPicture: "choice" }),
     namedWords(() => WORDS, { spreads: { ANGLE: { plus: [-15, 15] }, ANG_WIDTH: { plus: [-30, 30] } } }),
   ],
   offered: {

@@ -4,8 +4,8 @@ import { COMPARISONS, type Comparison, type Label, type Parameter, type Value } 
 import type { Style } from "../style.ts";
 import { PARAMETER, readLabel, readValue, VALUE } from "../value.ts";
 import { defineBlock } from "./define.ts";
-import { BARE, plainText } from "./said.ts";
-import { held, labelText } from "./words.ts";
+import { BARE, plainText } from "./compared-words.ts";
+import { property, labelText } from "./words.ts";
 
 const HEAD = /(?:FN[ \t]*(9|1[0-2])[ \t]*:[ \t]*)?IF(?![A-Z])/iy;
 const OPERAND = new RegExp(VALUE, "iy");
@@ -34,12 +34,12 @@ export const jump = defineBlock({
   kind: "jump",
   begins: String.raw`(?=(?:FN[ \t]*(?:9|1[0-2])[ \t]*:[ \t]*)?IF(?![A-Z]))`,
   words: [
-    held<Jump["fn"]>()("fn"),
-    held<Value>()("left"),
-    held<Comparison>()("compare"),
+    property<Jump["fn"]>()("fn"),
+    property<Value>()("left"),
+    property<Comparison>()("compare"),
     // None with IS DEFINED and IS UNDEFINED.
-    held<Value | null>()("right"),
-    held<Label | Parameter>()("label"),
+    property<Value | null>()("right"),
+    property<Label | Parameter>()("label"),
   ],
   read({ scan }) {
     const head = scan.take(HEAD);
@@ -62,7 +62,7 @@ export const jump = defineBlock({
     return { kind: "jump", fn, left, compare, right, label };
   },
   print: jumpText,
-  asText: () => true,
+  isTypedAsText: () => true,
   // Compared without its FN number.
-  say: (s, said) => void said.put("", plainText(jumpText({ ...s, fn: null }, BARE))),
+  compareAs: (s, said) => void said.put("", plainText(jumpText({ ...s, fn: null }, BARE))),
 });

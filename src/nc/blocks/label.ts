@@ -1,7 +1,7 @@
 import type { Label } from "../words.ts";
 import { readLabel, TEXT_PARAMETER } from "../value.ts";
 import { defineBlock } from "./define.ts";
-import { plainLabel } from "./said.ts";
+import { plainLabel } from "./compared-words.ts";
 import { CONE, cut } from "./sample.ts";
 import { labelField, labelText, word } from "./words.ts";
 
@@ -18,11 +18,11 @@ export const label = defineBlock({
         return m ? readLabel(m[1], m[2] ?? m[3]) : undefined;
       },
       text: (name, style) => `${name !== 0 && style.wide ? "  " : " "}${labelText(name)}`,
-      say: (name, said) => void said.label("LBL", name),
+      compareAs: (name, said) => void said.label("LBL", name),
       fields: () => [labelField<Label>()],
     }),
   ],
-  like: (s) => `label ${plainLabel(s.label)}`,
+  nameKey: (s) => `label ${plainLabel(s.label)}`,
   part: "labels",
   offered: { group: "order", begins: { kind: "label", label: 1 } },
   sample: cut("> LBL 1", ...CONE, "L X+58", "LBL 0"),

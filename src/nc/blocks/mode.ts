@@ -7,7 +7,7 @@ export const mode = defineBlock({
   kind: "mode",
   keyword: "FUNCTION MODE",
   words: [
-    choice("mode", ["TURN", "MILL"], { unseen: "choice" }),
+    choice("mode", ["TURN", "MILL"], { noPicture: "choice" }),
     word<"kinematics", string | null, "kinematics">("kinematics", {
       absent: null,
       take: (scan) => takeQuoted(scan) ?? undefined,
@@ -17,7 +17,7 @@ export const mode = defineBlock({
           "kinematics",
           (name) => name ?? "",
           (typed) => (typed.includes('"') ? undefined : typed === "" ? null : typed),
-          { unseen: "name" },
+          { noPicture: "name" },
         ),
       ],
     }),

@@ -79,7 +79,7 @@ export const namedWords = (
     take: takeNamed,
     text: (words: Words, style: Style) =>
       words.map((w) => ` ${w.name}${colon ? ":" : ""}${unsigned(w.value, style)}`).join(""),
-    say: (words, said) => void said.named(words),
+    compareAs: (words, said) => void said.named(words),
     fields: (words, statement) => {
       const own = usual(statement);
       const order = [...own, ...words.map((w) => w.name).filter((name) => !own.includes(name))];

@@ -48,7 +48,7 @@ export const outlineFields = <T extends Outline>(
       sourceOf(from) === chosen
         ? from
         : ((chosen === "off" ? "off" : chosen === "file" ? { file: "BLANK.H" } : { label: 1 }) as T),
-    { unseen: "choice" },
+    { noPicture: "choice" },
   ),
   textField<T, "label">(
     "label",
@@ -57,7 +57,7 @@ export const outlineFields = <T extends Outline>(
       const label = typedLabel(typed);
       return label === undefined ? undefined : ({ label } as T);
     },
-    { letter: "LBL", unseen: "name" },
+    { letter: "LBL", noPicture: "name" },
   ),
   textField<T, "file">(
     "file",
@@ -67,6 +67,6 @@ export const outlineFields = <T extends Outline>(
       const file = typedFile(typed);
       return file === undefined ? undefined : ({ file } as T);
     },
-    { unseen: "name" },
+    { noPicture: "name" },
   ),
 ];

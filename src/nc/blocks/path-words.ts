@@ -4,7 +4,7 @@ import { readWords } from "../read-words.ts";
 import type { AxisName, AxisWord, PolarWord, Words } from "../words.ts";
 import type { Style } from "../style.ts";
 import { within, type Field, type FieldFacts, type Unseen, type ValueField, type Word } from "./define.ts";
-import { BARE, type Said } from "./said.ts";
+import { BARE, type ComparedWords } from "./compared-words.ts";
 import { choiceField, plainFeedField, word } from "./words.ts";
 
 type Fields<Name extends string> = readonly Field<Words, Name>[];
@@ -33,7 +33,7 @@ export function axisField(axis: AxisName): Field<readonly AxisWord[], AxisText> 
     name: NAMES[axis] ?? { word: axis },
     unit: "mm",
     about: "axis",
-    ...(isCut(axis) ? { spread: SPREADS[axis] } : { unseen: "axis" }),
+    ...(isCut(axis) ? { spread: SPREADS[axis] } : { noPicture: "axis" }),
     entry: "value",
     get: (axes) => find(axes)?.value ?? null,
     put: (axes, value) =>
@@ -131,7 +131,7 @@ const compensationField: Field<Words, "compensation"> = {
       put(words, "compensation", chosen === "R0" || chosen === "RL" || chosen === "RR" ? chosen : null),
   ),
   letter: "RL/RR",
-  unseen: "compensation",
+  noPicture: "compensation",
 };
 
 export const feedField: Field<Words, "feed"> = within(
@@ -144,7 +144,7 @@ export const functionsField: Field<Words, "functions"> = {
   id: "functions",
   name: "functions",
   letter: "M",
-  unseen: "functions",
+  noPicture: "functions",
   entry: "functions",
   get: (words) => words.functions,
   put: (words, functions) => ({ ...words, functions }),
@@ -167,11 +167,11 @@ export const straightTailFields = [
   functionsField,
 ];
 /** The same field without a picture, with the reason. */
-export const unseenField = <N extends string>({ spread: _, ...field }: Field<Words, N>, unseen: Unseen) =>
-  ({ ...field, unseen }) as Field<Words, N>;
+export const withoutPicture = <N extends string>({ spread: _, ...field }: Field<Words, N>, noPicture: Unseen) =>
+  ({ ...field, noPicture }) as Field<Words, N>;
 
 /** All words of a path block. */
-export function sayWords(words: Words, said: Said): void {
+export function comparePathWords(words: Words, said: ComparedWords): void {
   said.axes(words.axes).polar("PR", words.polarRadius).polar("PA", words.polarAngle);
   said.number("CCA", words.centreAngle).number("LEN", words.length).number("R", words.radius);
   if (words.turn) said.put("DR", words.turn === "ccw" ? "+" : "-");
@@ -195,7 +195,7 @@ export const pathWords = <const N extends string>(
   word("words", {
     take: readWords,
     text: (words, style, s) => wordsText(words, wide ? style : { ...style, wide: false }, signs(s)),
-    say: sayWords,
+    compareAs: comparePathWords,
     fields,
   });
 

@@ -14,10 +14,10 @@ import {
   straightTailFields,
   tailFields,
   turnField,
-  unseenField,
+  withoutPicture,
 } from "./path-words.ts";
 import { cut, TO_CUT } from "./sample.ts";
-import { held } from "./words.ts";
+import { property } from "./words.ts";
 
 const fieldsOf = (words: Words, { path }: { readonly path: PathKind }) => {
   switch (path) {
@@ -30,7 +30,7 @@ const fieldsOf = (words: Words, { path }: { readonly path: PathKind }) => {
       // A changed end point alone would be off the arc.
       return [
         ...axisFields(words).map((field) =>
-          field.id === "X" || field.id === "Z" ? unseenField(field, "together") : field,
+          field.id === "X" || field.id === "Z" ? withoutPicture(field, "together") : field,
         ),
         turnField,
         ...tailFields,
@@ -78,7 +78,7 @@ export const path = defineBlock({
   // C with a number behind it is a coordinate; a coordinate alone is a straight line.
   begins: String.raw`(?:CTP|CR|CT|CC|CP|LP|L|RND|C(?![ \t]*[+\-.\d]))(?![A-Z_])|(?=I?[XYZABCUVW][ \t]*${VALUE})`,
   words: [
-    held<PathKind>()("path", { say: (form, said) => void said.put("", form) }),
+    property<PathKind>()("path", { compareAs: (form, said) => void said.put("", form) }),
     pathWords(fieldsOf, {
       signs: ({ path: form }: { readonly path: PathKind }) => ({ length: true, radius: form !== "RND" }),
     }),
@@ -94,7 +94,7 @@ export const path = defineBlock({
     return { kind: "path", path: form, words };
   },
   lead: (s) => s.path,
-  like: (s) => `${s.path} ${axesIn(s.words)}`,
+  nameKey: (s) => `${s.path} ${axesIn(s.words)}`,
   tags: ["waits"],
   nameOf: (s) => s.path,
   names: {

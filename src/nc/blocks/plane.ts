@@ -1,17 +1,17 @@
 import { defineBlock } from "./define.ts";
-import { held } from "./words.ts";
+import { property } from "./words.ts";
 
 /** PLANE in all its forms, FUNCTION TCPM and its reset, stored as text and read at run time. */
 export const plane = defineBlock({
   kind: "plane",
   begins: String.raw`PLANE(?![A-Z_])|FUNCTION(?=[ \t\u00a0]+(?:RESET[ \t]+)?TCPM(?![A-Z]))`,
-  words: [held<string>()("text")],
+  words: [property<string>()("text")],
   read({ scan, head }) {
     const text = `${head.toUpperCase()} ${scan.rest}`.trimEnd();
     scan.at = scan.text.length;
     return { kind: "plane", text };
   },
   print: (s) => s.text,
-  asText: () => true,
+  isTypedAsText: () => true,
   tags: ["movesFrame"],
 });

@@ -1,10 +1,10 @@
 import type { FileName } from "../words.ts";
 import { defineBlock, type BlockReading } from "./define.ts";
 import { takeFileName } from "./file-name.ts";
-import { fileText, held } from "./words.ts";
+import { fileText, property } from "./words.ts";
 
 /** `bare`: the name has no quotes. */
-const words = [held<FileName>()("file"), held<boolean>()("bare")] as const;
+const words = [property<FileName>()("file"), property<boolean>()("bare")] as const;
 
 function read({ scan }: BlockReading) {
   const name = takeFileName(scan);
@@ -25,8 +25,8 @@ export const callProgram = defineBlock({
     return name && { kind: "callProgram", ...name };
   },
   print: (s) => `CALL PGM ${fileText(s.file, s.bare)}`,
-  asText: () => true,
-  say: (s, said) => void said.put("", plain("CALL PGM", s.file)),
+  isTypedAsText: () => true,
+  compareAs: (s, said) => void said.put("", plain("CALL PGM", s.file)),
   tags: ["calls"],
   part: "labels",
 });
@@ -42,8 +42,8 @@ export const selectProgram = defineBlock({
     return name && { kind: "selectProgram", ...name };
   },
   print: (s) => `SEL PGM ${fileText(s.file, s.bare)}`,
-  asText: () => true,
-  say: (s, said) => void said.put("", plain("SEL PGM", s.file)),
+  isTypedAsText: () => true,
+  compareAs: (s, said) => void said.put("", plain("SEL PGM", s.file)),
   part: "labels",
 });
 

@@ -1,6 +1,6 @@
 import { defineBlock, type Field, type BlockReading } from "./define.ts";
 import { CONE, cut } from "./sample.ts";
-import { choiceField, held, textField } from "./words.ts";
+import { choiceField, property, textField } from "./words.ts";
 
 type Unit = "MM" | "INCH";
 const UNIT = /(?:^|\s)(MM|INCH)$/i;
@@ -9,19 +9,19 @@ const nameField: Field<string, "name"> = textField<string, "name">(
   "name",
   (name) => name,
   (typed) => (/^\S{1,60}$/.test(typed.trim()) ? typed.trim() : undefined),
-  { unseen: "name" },
+  { noPicture: "name" },
 );
 const unitField = choiceField<Unit, "unit">(
   "unit",
   ["MM", "INCH"],
   (unit) => unit,
   (chosen) => (chosen === "INCH" ? "INCH" : "MM"),
-  { unseen: "choice" },
+  { noPicture: "choice" },
 );
 /** The name is not compared: a program under another name is the same program. */
 const words = [
-  held<string>()("name", { fields: () => [nameField] }),
-  held<Unit>()("unit", { say: (unit, said) => void said.put("", unit), fields: () => [unitField] }),
+  property<string>()("name", { fields: () => [nameField] }),
+  property<Unit>()("unit", { compareAs: (unit, said) => void said.put("", unit), fields: () => [unitField] }),
 ] as const;
 
 /** Everything after the keyword is the name, except the unit at its end. */

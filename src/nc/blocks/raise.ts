@@ -20,5 +20,5 @@ export const raise = defineBlock({
     }),
   ],
   lead: () => "FN 14:",
-  asText: () => true,
+  isTypedAsText: () => true,
 });

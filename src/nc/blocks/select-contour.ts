@@ -22,7 +22,7 @@ export const selectContour = defineBlock({
           "file",
           (file) => (typeof file === "object" ? file.parameter : file),
           (typed) => (typed.includes('"') ? undefined : (parameterOf(typed.trim()) ?? typed)),
-          { wide: true, unseen: "name" },
+          { wide: true, noPicture: "name" },
         ),
       ],
     }),

@@ -18,7 +18,7 @@ export const spin = defineBlock({
         return m ? m[1]?.toUpperCase() === "ON" : undefined;
       },
       text: (on) => ` VCONST:${on ? "ON" : "OFF"}`,
-      say: (on, said) => void said.put("VCONST", on ? "ON" : "OFF"),
+      compareAs: (on, said) => void said.put("VCONST", on ? "ON" : "OFF"),
       fields: () => [
         {
           ...choiceField<boolean, "constantSurface">(

@@ -1,6 +1,6 @@
 import { defineBlock, type Tag } from "./define.ts";
 import { CONE, cut } from "./sample.ts";
-import { held, takeRest, textField, word } from "./words.ts";
+import { property, takeRest, textField, word } from "./words.ts";
 
 const NOTE = [
   "note",
@@ -18,13 +18,13 @@ export const empty = defineBlock({ kind: "empty", words: [], print: () => "", ta
 export const comment = defineBlock({
   kind: "comment",
   words: [
-    held<string>()("text", {
+    property<string>()("text", {
       fields: () => [
         textField<string, "text">(
           "text",
           (text) => text,
           (typed) => typed,
-          { wide: true, unseen: "name" },
+          { wide: true, noPicture: "name" },
         ),
       ],
     }),
@@ -49,7 +49,7 @@ export const structure = defineBlock({
           "text",
           (text) => text,
           (typed) => typed.trimStart(),
-          { wide: true, unseen: "name" },
+          { wide: true, noPicture: "name" },
         ),
       ],
     }),
@@ -64,9 +64,9 @@ export const structure = defineBlock({
 /** A block that no kind reads. It stays unchanged. */
 export const unknown = defineBlock({
   kind: "unknown",
-  words: [held<string>()("text")],
+  words: [property<string>()("text")],
   print: (s) => s.text,
-  asText: () => true,
-  like: (s) => `unknown ${/^\S*/.exec(s.text.toUpperCase())?.[0] ?? ""}`,
+  isTypedAsText: () => true,
+  nameKey: (s) => `unknown ${/^\S*/.exec(s.text.toUpperCase())?.[0] ?? ""}`,
   part: "notes",
 });

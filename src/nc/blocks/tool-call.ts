@@ -21,7 +21,7 @@ export const toolCall = defineBlock({
       },
       text: (tool, style) =>
         tool === null ? "" : ` ${typeof tool === "object" ? unsigned(tool, style) : labelText(tool)}`,
-      say: (tool, said) => void (tool !== null && said.label("T", tool)),
+      compareAs: (tool, said) => void (tool !== null && said.label("T", tool)),
       fields: () => [
         {
           id: "tool",
@@ -36,13 +36,13 @@ export const toolCall = defineBlock({
       ],
     }),
     optionalToolAxis("axis"),
-    value("speed", "S", { plain: true, unseen: "milling" }),
+    value("speed", "S", { plain: true, noPicture: "milling" }),
     feed("feed"),
-    value("deltaLength", "DL", { unit: "mm", unseen: "milling" }),
-    value("deltaRadius", "DR", { unit: "mm", unseen: "milling" }),
+    value("deltaLength", "DL", { unit: "mm", noPicture: "milling" }),
+    value("deltaRadius", "DR", { unit: "mm", noPicture: "milling" }),
     extra("extra"),
   ],
-  like: (s) => (s.tool === null ? "toolWords" : "toolCall"),
+  nameKey: (s) => (s.tool === null ? "toolWords" : "toolCall"),
   tags: ["preparesTool", "endsContour"],
   part: "operations",
   offered: {

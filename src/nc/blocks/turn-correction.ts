@@ -18,27 +18,27 @@ export const turnCorrection = defineBlock({
         return m ? (m[1]?.toUpperCase() === "WPL" ? "WPL" : "TCS") : undefined;
       },
       text: (system) => `-${system}`,
-      say: (system, said) => void said.put("", system),
+      compareAs: (system, said) => void said.put("", system),
       fields: () => [
         choiceField<System, "system">(
           "system",
           ["TCS", "WPL"],
           (system) => system,
           (chosen) => (chosen === "WPL" ? "WPL" : "TCS"),
-          { unseen: "choice" },
+          { noPicture: "choice" },
         ),
       ],
     }),
     word<"plane", string, "plane">("plane", {
       take: (scan) => scan.take(PLANE)?.[1]?.replace(/[ \t]/g, "").toUpperCase(),
       text: (plane) => `:${plane}`,
-      say: (plane, said) => void said.put("", plane),
+      compareAs: (plane, said) => void said.put("", plane),
       fields: () => [
         textField<string, "plane">(
           "plane",
           (plane) => plane,
           (typed) => (/^[A-Z](\/[A-Z])?$/i.test(typed.trim()) ? typed.trim().toUpperCase() : undefined),
-          { unseen: "choice" },
+          { noPicture: "choice" },
         ),
       ],
     }),

@@ -21,7 +21,7 @@ export const undercut = defineBlock({
     word<"form", string, "form">("form", {
       take: (scan) => scan.take(FORM)?.[1]?.replace(/[ \t]/g, "").toUpperCase(),
       text: (form) => ` ${form}`,
-      say: (form, said) => void said.put("", form),
+      compareAs: (form, said) => void said.put("", form),
       fields: () => [
         {
           ...choiceField<string, "form">(

@@ -4,13 +4,13 @@ import { axisName } from "../read-words.ts";
 import type { Scan } from "../scan.ts";
 import type { AxisName, FeedWord, FileName, Label, Parameter, Value } from "../words.ts";
 import { readLabel, VALUE } from "../value.ts";
-import type { Said } from "./said.ts";
+import type { ComparedWords } from "./compared-words.ts";
 import type { Field, Spread, Unseen, Word } from "./define.ts";
 
 /** Guide data of a word, besides its name. */
 interface Guided {
   readonly spread?: Spread;
-  readonly unseen?: Unseen;
+  readonly noPicture?: Unseen;
   readonly setup?: string;
 }
 
@@ -21,11 +21,11 @@ export const word = <const K extends string, T, const N extends string = never>(
 ): Word<K, T, N> => ({ lettered: false, ...of, key });
 
 /** A property that its block kind reads and prints. `T`: its type. */
-export const held =
+export const property =
   <T>() =>
   <const K extends string, const N extends string = never>(
     key: K,
-    more: Pick<Word<K, T, N>, "say" | "fields"> = {},
+    more: Pick<Word<K, T, N>, "compareAs" | "fields"> = {},
   ): Word<K, T, N> =>
     word(key, { take: () => undefined, text: () => "", ...more });
 
@@ -107,7 +107,7 @@ export const value = <const K extends string, const N extends string = K>(
       return m ? scan.value(m[1] ?? "") : undefined;
     },
     text: (v, style) => (v === null ? "" : written + (plain ? unsigned(v, style) : valueText(v, style))),
-    say: (v, said) => void said.number(letters, v),
+    compareAs: (v, said) => void said.number(letters, v),
     fields: () => (field ? [asked] : []),
   });
 };
@@ -139,7 +139,7 @@ export const measured = <const K extends string, const N extends string, const M
       return read === null ? null : { measure: written, value: read };
     },
     text: (v, style) => (v === null ? "" : ` ${v.measure}${unsigned(v.value, style)}`),
-    say: (v, said) => void said.number(v?.measure ?? usual, v?.value),
+    compareAs: (v, said) => void said.number(v?.measure ?? usual, v?.value),
     fields: () => [
       {
         id: key,
@@ -183,7 +183,7 @@ export const choice = <const K extends string, const C extends string, const N e
   const of = (text: string) => choices.find((each) => each === text.toUpperCase());
   return word(key, {
     ...(otherwise !== undefined && { absent: otherwise }),
-    ...(compared && { say: (c: C, said: Said) => void said.put("", c) }),
+    ...(compared && { compareAs: (c: C, said: ComparedWords) => void said.put("", c) }),
     take: (scan) => {
       const m = scan.take(pattern);
       return m ? of(m[1] ?? "") : undefined;
@@ -202,7 +202,7 @@ export const toolAxis = <const K extends string>(
   { compared = true }: { readonly compared?: boolean } = {},
 ): Word<K, AxisName, "toolAxis"> =>
   word(key, {
-    ...(compared && { say: (axis: AxisName, said: Said) => void said.put("", axis) }),
+    ...(compared && { compareAs: (axis: AxisName, said: ComparedWords) => void said.put("", axis) }),
     take: (scan) => {
       const m = scan.take(AXIS);
       return m ? axisName(m[1] ?? "") : undefined;
@@ -224,14 +224,14 @@ export const optionalToolAxis = <const K extends string>(
       return m ? axisName(m[1] ?? "") : undefined;
     },
     text: (axis) => (axis === null ? "" : ` ${axis}`),
-    say: (axis, said) => void said.put("", axis),
+    compareAs: (axis, said) => void said.put("", axis),
     fields: () => [
       choiceField<AxisName | null, "toolAxis">(
         "toolAxis",
         choices,
         (axis) => axis ?? "",
         (chosen) => (isAxis(chosen) ? chosen : null),
-        { unseen: "choice" },
+        { noPicture: "choice" },
       ),
     ],
   });
@@ -241,7 +241,7 @@ const axisField = (choices: readonly string[]): Field<AxisName, "toolAxis"> =>
     choices,
     (axis) => axis,
     (chosen) => (isAxis(chosen) ? chosen : undefined),
-    { unseen: "choice" },
+    { noPicture: "choice" },
   );
 
 /** A label by its number, its name in quotes, or the QS parameter that holds it. */
@@ -259,7 +259,7 @@ export const typedLabel = (typed: string): Label | undefined => {
 export const labelField = <T extends Label | Parameter>(): Field<T, "label"> =>
   textField<T, "label">("label", shownLabel, (typed) => typedLabel(typed) as T | undefined, {
     letter: "LBL",
-    unseen: "name",
+    noPicture: "name",
   });
 
 const TOOL = /(?:(\d{1,9}(?:[.,]\d)?)(?![\d.,])|"([^"]*)")/y;
@@ -309,7 +309,7 @@ export const feed = <const K extends string>(key: K): Word<K, FeedWord | null, "
       return read === null ? null : { value: read, unit: (m[2] ?? "F").toUpperCase() as "F" | "FU" | "FZ" };
     },
     text: (v, style) => (v === null ? "" : ` ${feedText(v, style)}`),
-    say: (v, said) => void (v && said.feed("F", v)),
+    compareAs: (v, said) => void (v && said.feed("F", v)),
     fields: () => [plainFeedField],
   });
 
@@ -320,5 +320,5 @@ export const extra = <const K extends string>(key: K): Word<K, readonly string[]
     absent: [],
     keep: (words, next) => [...words, next],
     text: (words) => words.map((each) => ` ${each}`).join(""),
-    say: (words, said) => void (words.length > 0 && said.text("", words.join(" "))),
+    compareAs: (words, said) => void (words.length > 0 && said.text("", words.join(" "))),
   });

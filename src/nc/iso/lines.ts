@@ -28,14 +28,14 @@ const CYCLE = /^G[ \t]*[1-9]\d\d(?!\d)/i;
 export const LONGEST_LINE = 10_000;
 
 /** The text without a mark and the blanks around it at its end; null without the mark. */
-function before(text: string, mark: string): string | null {
+function withoutEnding(text: string, mark: string): string | null {
   const trimmed = text.trimEnd();
   return trimmed.endsWith(mark) ? trimmed.slice(0, -mark.length).trimEnd() : null;
 }
-const withoutStar = (text: string) => before(text, "*") ?? text.trimEnd();
+const withoutStar = (text: string) => withoutEnding(text, "*") ?? text.trimEnd();
 /** The text of a line that continues (` ~`, ` ~ *` or ` * ~`), without the mark; null for any other line. */
 function continued(text: string): string | null {
-  const cut = before(withoutStar(text), "~");
+  const cut = withoutEnding(withoutStar(text), "~");
   return cut === null ? null : withoutStar(cut);
 }
 /** A star belongs to a comment unless a blank stands before it. */

@@ -46,7 +46,7 @@ describe("blocks without a DIN/ISO word are kept and listed", () => {
   test.each(cases(keptText))("%s", (klartext) => {
     const before = parse(program(klartext));
     const printed = isoProgramText(before);
-    expect(printed.kept).toEqual(before.blocks.map((b, index) => ({ index, number: b.number })));
+    expect(printed.untranslated).toEqual(before.blocks.map((b, index) => ({ index, number: b.number })));
     expect(printed.text).toBe(
       klartext
         .split(" ⏎ ")
@@ -64,8 +64,8 @@ describe("the table of words", () => {
   test.each(isoWords.filter((w) => w.klartext !== "").map((w) => [w.word, w] as const))(
     "%s is printed for its example",
     (_, row) => {
-      const { text, kept } = isoProgramText(parse(`${row.klartext}\n`));
-      expect(kept).toEqual([]);
+      const { text, untranslated } = isoProgramText(parse(`${row.klartext}\n`));
+      expect(untranslated).toEqual([]);
       // "I J K" are alternatives; "G90 … G91 …" are both in one block.
       const all = row.word.split(/ ?… ?/).filter((w) => w !== "");
       for (const words of all)

@@ -17,7 +17,7 @@ export interface KeptBlock {
 /** A program in DIN/ISO. */
 export interface IsoProgram {
   readonly text: string;
-  readonly kept: readonly KeptBlock[];
+  readonly untranslated: readonly KeptBlock[];
 }
 
 /** Whether a block has no effect on a control. */
@@ -67,7 +67,7 @@ export function isoProgramText(program: Program): IsoProgram {
   const first = blocks.findIndex(({ statement }) => !isBlank(statement));
   const last = blocks.findLastIndex(({ statement, number }) => number !== null || !isBlank(statement));
   const lines: string[] = [];
-  const kept: KeptBlock[] = [];
+  const untranslated: KeptBlock[] = [];
   for (let i = 0, count = 1; i < blocks.length; i += count) {
     const { statement: s, skip, comment, number } = blocks[i] as Block;
     const older = olderCycleAt(blocks, i);
@@ -76,7 +76,7 @@ export function isoProgramText(program: Program): IsoProgram {
     const ends = s.kind === "end" && i === last;
     const word = older?.text ?? (begins || ends ? frameText(s) : isoStatement(s));
     const at = numbers[i] ?? 0;
-    if (word === null && !isSilent(s) && !isShared(s)) kept.push({ index: i, number: at });
+    if (word === null && !isSilent(s) && !isShared(s)) untranslated.push({ index: i, number: at });
     if (s.kind === "empty" && number === null) lines.push("");
     else {
       const silent = begins || (number === null && s.kind === "comment");
@@ -89,5 +89,5 @@ export function isoProgramText(program: Program): IsoProgram {
       );
     }
   }
-  return { text: lines.map((line) => line + newLine).join(""), kept };
+  return { text: lines.map((line) => line + newLine).join(""), untranslated };
 }

@@ -370,19 +370,19 @@ describe("the text that is printed", () => {
     const text =
       "0 BEGIN PGM A MM\r\n/1 L X+5 FMAX ;out\r\n\r\n; note\r\n2 FUNCTION MODE TURN\r\n3 CYCL DEF 7.0 D\r\n4 CYCL DEF 7.1 X+1\r\n" +
       "7 M30\r\n8 END PGM A MM\r\n";
-    const { text: iso, kept } = isoProgramText(parse(text));
+    const { text: iso, untranslated } = isoProgramText(parse(text));
     expect(iso).toBe(
       "%A G71 *\r\n/N1 G00 G90 X+5 ;out *\r\n\r\n; note *\r\nN2 FUNCTION MODE TURN *\r\nN3 G54 G90 X+1 *\r\nN7 M30 *\r\n" +
         "N99999999 %A G71 *\r\n",
     );
-    expect(kept).toEqual([{ index: 4, number: 2 }]);
+    expect(untranslated).toEqual([{ index: 4, number: 2 }]);
     expect(klartextOfIso(iso, { ...style, newLine: "\r\n" }, { ...ENGLISH_NAMES, cycle: () => "D" }).text).toBe(text);
   });
   test("a program without numbers gets them", () => {
     expect(isoProgramText(parse("BEGIN PGM A INCH\nM8\n;c\nM9\nEND PGM A INCH\n")).text).toBe(
       "%A G70 *\nN1 M8 *\n;c *\nN2 M9 *\nN99999999 %A G70 *\n",
     );
-    expect(isoProgramText(parse(""))).toEqual({ text: "", kept: [] });
+    expect(isoProgramText(parse(""))).toEqual({ text: "", untranslated: [] });
   });
   test("what comes back is Klartext without findings of the reader", () => {
     const { text } = klartext("%A G71 *\nN1 G00 G40 G90 X+20 Z+2 *\nN2 G01 Z-5 F0.2 *\nN3 M30 *\nN99999999 %A G71 *\n");

@@ -1,6 +1,6 @@
 import type { Statement } from "../../nc/statement.ts";
 import type { FileName } from "../../nc/words.ts";
-import { formulaOf, textOf, type Trouble } from "../values/formula.ts";
+import { formulaOf, textOf, type EvaluationError } from "../values/formula.ts";
 import type { Machine } from "../state/machine.ts";
 
 /** A Q parameter takes the value of a formula. */
@@ -15,12 +15,12 @@ export function assignText(machine: Machine, s: Extract<Statement, { kind: "assi
 }
 
 /** Stores a result. A parameter computed from an unknown value is unknown too. */
-function keep(machine: Machine, target: string, result: number | string | Trouble, index: number): void {
+function keep(machine: Machine, target: string, result: number | string | EvaluationError, index: number): void {
   const { known } = machine;
   if (typeof result === "string") return known.setText(target, result);
   const passedOn = typeof result !== "number" && result.kind === "unset" ? known.reasonOf(result.name) : null;
-  const n = passedOn ? null : machine.settle(result, index);
-  if (n === null) known.forget(target, passedOn ?? "told");
+  const n = passedOn ? null : machine.resolveNumber(result, index);
+  if (n === null) known.markUnknown(target, passedOn ?? "told");
   else known.set(target, n);
 }
 

@@ -16,7 +16,7 @@ import type { ContourSource } from "../state/modal.ts";
 import { traceBlank } from "./stock-at-call.ts";
 
 const impossible = (machine: Machine, index: number): void =>
-  machine.log.say(programIssue("blankImpossible", "error", {}), index);
+  machine.log.report(programIssue("blankImpossible", "error", {}), index);
 
 const now = ({ log }: Machine) => ({ operations: log.operations.length, steps: log.steps.length });
 
@@ -34,8 +34,8 @@ function isOfCaller(machine: Machine): boolean {
 function take(machine: Machine, rings: readonly Ring[] | null, axis: AxisName, index: number): void {
   if (isOfCaller(machine)) return;
   if (!rings) return impossible(machine, index);
-  if (axis === "Z") return machine.set({ blank: rings, blankSince: now(machine), unturned: null });
-  machine.set({ blank: [], unturned: { kind: "otherAxis", index, form: `BLK FORM … ${axis}` } });
+  if (axis === "Z") return machine.set({ blank: rings, blankSince: now(machine), nonTurnedBlank: null });
+  machine.set({ blank: [], nonTurnedBlank: { kind: "otherAxis", index, form: `BLK FORM … ${axis}` } });
   if (machine.now.turning) turnBlank(machine);
 }
 
@@ -50,8 +50,8 @@ export function blankBox(machine: Machine, s: StatementOf<"blankBox">, index: nu
   const n = top ? machine.number(top.value, index) : null;
   if (n !== null) machine.setMill({ top: machine.length(n) });
   if (isOfCaller(machine)) return;
-  const { unturned } = machine.now;
-  const first = s.corner === 2 && unturned?.kind === "box" ? unturned.corners[0] : NOTHING;
+  const { nonTurnedBlank } = machine.now;
+  const first = s.corner === 2 && nonTurnedBlank?.kind === "box" ? nonTurnedBlank.corners[0] : NOTHING;
   const along = (axis: "X" | "Y" | "Z", before: number | null): number | null => {
     const word = s.axes.find((w) => w.axis === axis);
     const value = word && valueOf(word.value, machine.parameters);
@@ -61,14 +61,14 @@ export function blankBox(machine: Machine, s: StatementOf<"blankBox">, index: nu
   const corner: BoxCorner = { x: along("X", first.x), y: along("Y", first.y), z: along("Z", first.z) };
   machine.set({
     blank: [],
-    unturned: { kind: "box", index, corners: s.corner === 1 ? [corner, NOTHING] : [first, corner] },
+    nonTurnedBlank: { kind: "box", index, corners: s.corner === 1 ? [corner, NOTHING] : [first, corner] },
   });
   if (machine.now.turning && s.corner === 2) turnBlank(machine);
 }
 
 /** Box of the blank; null for other forms, and where a corner is unknown. */
-export function cuboidOf({ now: { unturned } }: Machine): Cuboid | null {
-  const box = unturned?.kind === "box" ? boxBetween(...unturned.corners) : null;
+export function cuboidOf({ now: { nonTurnedBlank } }: Machine): Cuboid | null {
+  const box = nonTurnedBlank?.kind === "box" ? boxBetween(...nonTurnedBlank.corners) : null;
   return typeof box === "string" ? null : box;
 }
 
@@ -96,11 +96,11 @@ export function blankCylinder(machine: Machine, s: StatementOf<"blankCylinder">,
 export function blankRotation(machine: Machine, s: StatementOf<"blankRotation">, index: number): void {
   if (isOfCaller(machine)) return;
   const radii = s.measure === "R";
-  const missing = "file" in s.outline ? notAtHand(machine, s.outline.file, index) : null;
+  const missing = "file" in s.outline ? missingFile(machine, s.outline.file, index) : null;
   if (missing !== null) return unread(machine, `BLK FORM ROTATION "${missing}"`, index);
   const outer = outlined(machine, s.outline, { radii, what: "BLK FORM ROTATION" }, index);
   const inner = s.inner === null ? [] : behindLabel(machine, s.inner, radii, index);
-  if (s.inner !== null) machine.log.say(programIssue("wordsRecalled", "info", { what: "LBLIN" }), index);
+  if (s.inner !== null) machine.log.report(programIssue("wordsRecalled", "info", { what: "LBLIN" }), index);
   if (outer === "unread" || inner === "unread") return;
   const rings = outer && inner && difference(outer, inner);
   take(machine, rings && rings.length > 0 ? rings : null, s.axis, index);
@@ -114,7 +114,7 @@ export function blankFile(machine: Machine, s: StatementOf<"blankFile">, index: 
 
 /** A blank from a file that is not read: turning with it is unverified. */
 function unread(machine: Machine, form: string, index: number): void {
-  machine.set({ blank: [], unturned: { kind: "file", index, form } });
+  machine.set({ blank: [], nonTurnedBlank: { kind: "file", index, form } });
   if (machine.now.turning) turnBlank(machine);
 }
 
@@ -122,10 +122,10 @@ function unread(machine: Machine, form: string, index: number): void {
  * Name of a file that was not opened with the program, after reporting it; null when it was opened or the name is
  * unknown.
  */
-function notAtHand(machine: Machine, named: FileName, index: number): string | null {
+function missingFile(machine: Machine, named: FileName, index: number): string | null {
   const file = writtenFile(machine, named, index);
   if (file === null || machine.unitOfFile(file, index)) return null;
-  machine.log.say(programIssue("programNotOpened", "info", { file }), index);
+  machine.log.report(programIssue("programNotOpened", "info", { file }), index);
   return file;
 }
 
@@ -135,48 +135,48 @@ const statesOutline = ({ input: { program } }: Machine) =>
 
 /** Turning starts: chooses the stock for a blank of another form, and reports it at the block of that blank. */
 export function turnBlank(machine: Machine): void {
-  const { blank, unturned } = machine.now;
-  if (blank.length > 0 || !unturned) return;
-  const { index } = unturned;
-  const made = unturned.kind === "box" ? turnedBox(...unturned.corners) : unturned.kind;
+  const { blank, nonTurnedBlank } = machine.now;
+  if (blank.length > 0 || !nonTurnedBlank) return;
+  const { index } = nonTurnedBlank;
+  const made = nonTurnedBlank.kind === "box" ? turnedBox(...nonTurnedBlank.corners) : nonTurnedBlank.kind;
   if (typeof made !== "string") return machine.set({ blank: made.rings, blankSince: now(machine) });
   if (made === "impossible") return impossible(machine, index);
   if (statesOutline(machine)) return;
-  const form = unturned.kind === "box" ? "BLK FORM 0.1" : unturned.form;
+  const form = nonTurnedBlank.kind === "box" ? "BLK FORM 0.1" : nonTurnedBlank.form;
   if (made === "file" || made === "unknown") machine.log.leaveUnproved(form, index);
-  else machine.log.say(programIssue("blankNotTurned", "info", { form }), index);
+  else machine.log.report(programIssue("blankNotTurned", "info", { form }), index);
 }
 
 /** Reports a cycle call without a blank, unless the cause is reported already. */
-export function tellMissing({ log }: Machine): void {
+export function reportMissingBlank({ log }: Machine): void {
   if (!log.unproved.slice().some((u) => u.what.startsWith("BLK FORM")))
-    log.say(programIssue("blankMissing", "warning", {}), null);
+    log.report(programIssue("blankMissing", "warning", {}), null);
 }
 
 /** Reports that a box is used as the stock, unless an outline replaced it before the first cut. */
-export function tellBox(machine: Machine): void {
-  const { blank, unturned } = machine.now;
-  const made = unturned?.kind === "box" && blank.length > 0 ? turnedBox(...unturned.corners) : null;
-  if (!unturned || !made || typeof made === "string") return;
-  machine.log.say(
+export function reportTurnedBox(machine: Machine): void {
+  const { blank, nonTurnedBlank } = machine.now;
+  const made = nonTurnedBlank?.kind === "box" && blank.length > 0 ? turnedBox(...nonTurnedBlank.corners) : null;
+  if (!nonTurnedBlank || !made || typeof made === "string") return;
+  machine.log.report(
     programIssue("boxTurned", "warning", { outer: toDiameter(made.outer), inner: toDiameter(made.inner) }),
-    unturned.index,
+    nonTurnedBlank.index,
   );
 }
 
 /** Rings of an outline; null: no area; "unread": the missing part is reported already. */
 type Outlined = Ring[] | null | "unread";
 
-function behind(machine: Machine, source: ContourSource, radii: boolean, index: number): Outlined {
+function outlineRings(machine: Machine, source: ContourSource, radii: boolean, index: number): Outlined {
   const read = readContourOf(machine, source, index, radii);
   if (!read) return "unread";
   for (const i of read.contour.issues)
-    machine.log.say(i, read.blocks["element" in i.data ? i.data.element - 1 : 0] ?? index);
+    machine.log.report(i, read.blocks["element" in i.data ? i.data.element - 1 : 0] ?? index);
   return rotation(read.contour.segments);
 }
 
 const behindLabel = (machine: Machine, label: Label, radii: boolean, index: number): Outlined =>
-  behind(machine, { unit: machine.unit, label }, radii, index);
+  outlineRings(machine, { unit: machine.unit, label }, radii, index);
 
 /** An outline behind a label or in a file; `radii`: X words are radii. A missing file leaves `what` unverified. */
 function outlined(
@@ -186,10 +186,10 @@ function outlined(
   index: number,
 ): Outlined {
   if ("label" in from) return behindLabel(machine, from.label, radii, index);
-  const missing = notAtHand(machine, from.file, index);
+  const missing = missingFile(machine, from.file, index);
   const file = missing === null ? writtenFile(machine, from.file, index) : null;
   const unit = file === null ? null : machine.unitOfFile(file, index);
-  if (unit) return behind(machine, { unit, label: null }, radii, index);
+  if (unit) return outlineRings(machine, { unit, label: null }, radii, index);
   machine.log.leaveUnproved(missing === null ? what : `${what} "${missing}"`, index);
   return "unread";
 }
@@ -212,14 +212,14 @@ export function blankOfTurnData(machine: Machine, { blank }: StatementOf<"turnBl
   const named = `${what} ${sourceName(machine, blank, index)}`;
   const before = machine.now.blank;
   // A box is only an upper limit of the material.
-  const stated = before.length > 0 && machine.now.unturned === null;
-  machine.log.say(programIssue("blankTraced", "info", {}), index);
+  const stated = before.length > 0 && machine.now.nonTurnedBlank === null;
+  machine.log.report(programIssue("blankTraced", "info", {}), index);
   if (machine.log.steps.slice().some((s) => s.move.kind !== "rapid")) {
-    tellBox(machine);
+    reportTurnedBox(machine);
     if (before.length === 0) machine.log.leaveUnproved(named, index);
-    machine.log.states(rings, { what: named, before }, index);
+    machine.log.noteBlank(rings, { what: named, before }, index);
   } else compare(machine, { before, rings, stated, named }, index);
-  machine.set({ blank: rings, blankSince: now(machine), unturned: null });
+  machine.set({ blank: rings, blankSince: now(machine), nonTurnedBlank: null });
   traceBlank(machine, rings);
 }
 
@@ -233,11 +233,11 @@ interface Compared {
 /** Nothing is cut yet: the outline is the blank. Material that only BLK FORM has stays unverified. */
 function compare(machine: Machine, { before, rings, stated, named }: Compared, index: number): void {
   const [lacks, adds] = [stated ? areaOutside(before, rings) : 0, areaOutside(rings, before)];
-  if (!stated) machine.log.say(programIssue("blankTaken", "info", { what: named }), index);
+  if (!stated) machine.log.report(programIssue("blankTaken", "info", { what: named }), index);
   if (lacks > 0) {
-    machine.log.say(issue("blankLacks", "warning", { what: named, area: lacks }), index);
+    machine.log.report(issue("blankLacks", "warning", { what: named, area: lacks }), index);
     machine.log.leaveUnproved(named, index);
   }
   if (before.length > 0 && adds > 0)
-    machine.log.say(programIssue("blankAdds", "warning", { what: named, area: adds }), index);
+    machine.log.report(programIssue("blankAdds", "warning", { what: named, area: adds }), index);
 }

@@ -7,7 +7,7 @@ import { verdictOf } from "../../report/verdict.ts";
 import { stockIssues } from "../../sim/issues.ts";
 import { simulate } from "../../sim/simulate.ts";
 import { stockAt } from "../../sim/stock.ts";
-import { tracing } from "../../sim/tracing.ts";
+import { traceStock } from "../../sim/tracing.ts";
 import { filesByName } from "../state/program-files.ts";
 import { run } from "../run/run.ts";
 import { shippedTools } from "../tools/shipped-tools.ts";
@@ -38,7 +38,7 @@ const made = (blocks: readonly string[], files: Readonly<Record<string, string>>
   return run(program, {
     tools: shippedTools,
     rapid: 10_000,
-    tracing,
+    tracing: traceStock,
     files: filesByName(
       Object.entries(files).map(([name, t]) => ({ name, text: t })),
       parse,
@@ -205,7 +205,7 @@ describe("FUNCTION TURNDATA BLANK", () => {
     expect(again.simulation.proof.unproved).toEqual([]);
     const plain = judged(cutting);
     expect(areaOf(again.simulation.final)).toBe(areaOf(plain.simulation.final));
-    expect(again.simulation.proof.stated[0]?.adds).toBeCloseTo(
+    expect(again.simulation.proof.stated[0]?.extraArea).toBeCloseTo(
       areaOf(again.r.blank) - areaOf(plain.simulation.final),
       1,
     );

@@ -72,7 +72,7 @@ export function readContourOf(
 ): Subprogram | null {
   const start = label === null ? unit.from - 1 : unit.labels.get(label);
   if (start === undefined) {
-    machine.log.say(programIssue("labelMissing", "error", { label: String(label) }), at);
+    machine.log.report(programIssue("labelMissing", "error", { label: String(label) }), at);
     return null;
   }
   const outer = machine.parameters;
@@ -103,14 +103,14 @@ export function readContourOf(
   }
   const end = i < unit.to ? machine.blocks[i]?.statement : undefined;
   if (label !== null && end?.kind !== "label" && !machine.run.full)
-    machine.log.say(programIssue("labelNotClosed", "warning", { label: String(label) }), start);
+    machine.log.report(programIssue("labelNotClosed", "warning", { label: String(label) }), start);
   machine.set({ inch });
   machine.known.parameters = outer;
   if (machine.run.full) return null;
   const { memory } = machine.shop;
   const make = () => contourFrom(reader.elements);
   return {
-    contour: memory ? memory.once(`contour ${memory.written(reader.elements)}`, make) : make(),
+    contour: memory ? memory.cached(`contour ${memory.serialized(reader.elements)}`, make) : make(),
     blocks: reader.blocks,
     isTroubled: reader.isTroubled,
   };
@@ -174,10 +174,10 @@ const wordsOf = (reader: Reader, index: number): WordReader => ({
   ...wordReader(reader.machine, index),
   shift: (axis) => (axis === "X" || axis === "Z" ? 0 : null),
   frame: null,
-  lose: () => void (reader.isTroubled = true),
+  onUnknown: () => void (reader.isTroubled = true),
   fault: (code) => {
     if (code === "startUnknown") return;
-    if (!reader.isTroubled) reader.machine.log.say(programIssue(code, "error", {}), index);
+    if (!reader.isTroubled) reader.machine.log.report(programIssue(code, "error", {}), index);
     reader.isTroubled = true;
   },
   rule: (rule, word) => {
@@ -254,14 +254,14 @@ function first(reader: Reader, kind: PathKind | "CHF", { axes, polarRadius, pola
 }
 
 function notFirst(reader: Reader, word: string, index: number): void {
-  reader.machine.log.say(programIssue("firstElement", "error", { word }), index);
+  reader.machine.log.report(programIssue("firstElement", "error", { word }), index);
   reader.isTroubled = true;
 }
 
 /** The first block of a contour names both coordinates: a control has no previous point. */
 function incomplete(reader: Reader, index: number): void {
   if (!reader.isTroubled && reader.elements.length === 0)
-    reader.machine.log.say(
+    reader.machine.log.report(
       programIssue("contourStartIncomplete", "error", { axis: reader.at.x === null ? "X" : "Z" }),
       index,
     );

@@ -6,7 +6,7 @@ import type { StatementOf } from "../../nc/statement.ts";
 import type { CycleParameter } from "../../nc/words.ts";
 import type { Pt } from "../../kernel/geometry/point.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
-import { answerTo } from "./call-answer.ts";
+import { callResult } from "./call-result.ts";
 import { readContourOf } from "./contour-subprogram.ts";
 import { cycleValues } from "./cycle-values.ts";
 import { drillOnAxis, isDrilling } from "./drill-run.ts";
@@ -22,41 +22,41 @@ import type { TextLine } from "../state/run-types.ts";
 import { callNamed } from "./program-calls.ts";
 import { countedPoint } from "./shifted-plan.ts";
 import { solidAtCall, stockAtCall } from "./stock-at-call.ts";
-import { mustTurn } from "./spindle-start.ts";
+import { requireSpindle } from "./spindle-start.ts";
 import { startUnknown } from "../motion/turn-run.ts";
 import { actingCycle, actsAtOnce, isSilent } from "./unproved-blocks.ts";
 import { rankTools } from "../tools/which-tool.ts";
 
-interface Read extends Pick<Given, "contour"> {
+interface ReadContour extends Pick<Given, "contour"> {
   /**
    * Contour issues reported at their blocks; null where an unread block makes all other issues of the contour
    * meaningless.
    */
-  readonly told: readonly Issue["code"][] | null;
+  readonly reportedCodes: readonly Issue["code"][] | null;
   /** Block and element number of each segment, in programmed order. */
   readonly places: readonly { readonly block: number; readonly element: number }[];
 }
 
 /** A missing or unreadable contour is reported where it is found. */
-const NO_CONTOUR: Read = { contour: null, told: null, places: [] };
+const NO_CONTOUR: ReadContour = { contour: null, reportedCodes: null, places: [] };
 /** A cycle without a contour. */
-const OWN_CONTOUR: Read = { contour: null, told: [], places: [] };
+const OWN_CONTOUR: ReadContour = { contour: null, reportedCodes: [], places: [] };
 
 /** Contour that cycle 14 names, with its issues reported at their blocks. */
-function givenContour(machine: Machine, cycle: number, index: number, operation: number): Read {
+function givenContour(machine: Machine, cycle: number, index: number, operation: number): ReadContour {
   const { contours } = machine.now;
   if (contours === "unknown") {
     machine.log.leaveUnproved("CYCL CALL", index);
     return NO_CONTOUR;
   }
   if ("joined" in contours) {
-    machine.log.say(programIssue("contoursJoined", "warning", { cycle, joined: contours.joined }), contours.index);
+    machine.log.report(programIssue("contoursJoined", "warning", { cycle, joined: contours.joined }), contours.index);
     machine.log.leaveUnproved("CYCL CALL", index);
     return NO_CONTOUR;
   }
   if (contours.length === 0) {
     const { contourFile: file } = machine.now;
-    machine.log.say(
+    machine.log.report(
       file === null
         ? programIssue("contourNotNamed", "error", { cycle })
         : programIssue("contourInFile", "error", { file }),
@@ -69,7 +69,7 @@ function givenContour(machine: Machine, cycle: number, index: number, operation:
   for (const r of read)
     for (const i of r && !r.isTroubled ? r.contour.issues : []) {
       const element = "element" in i.data ? i.data.element : 0;
-      machine.log.say(i, r?.blocks[element - 1] ?? index, 0, operation);
+      machine.log.report(i, r?.blocks[element - 1] ?? index, 0, operation);
     }
   // A single contour keeps its identity, so cached results stay valid.
   const [only] = read;
@@ -78,14 +78,14 @@ function givenContour(machine: Machine, cycle: number, index: number, operation:
     (r) => r?.contour.elements.map((element) => ({ element, block: r.blocks[element - 1] ?? index })) ?? [],
   );
   const isTroubled = read.some((r) => r?.isTroubled ?? true);
-  const told = isTroubled ? null : read.flatMap((r) => r?.contour.issues ?? []).map((i) => i.code);
-  return { contour: segments.length > 0 ? segments : null, told, places };
+  const reportedCodes = isTroubled ? null : read.flatMap((r) => r?.contour.issues ?? []).map((i) => i.code);
+  return { contour: segments.length > 0 ? segments : null, reportedCodes, places };
 }
 
 /** Places an issue of a contour segment at the number and block of its element, every other issue at the call. */
-function inProgram<F extends Issue | ProgramIssue>(
+function atElement<F extends Issue | ProgramIssue>(
   found: F,
-  places: Read["places"],
+  places: ReadContour["places"],
   call: number,
 ): { readonly said: F; readonly block: number } {
   const { element, other } = found.data as { readonly element?: unknown; readonly other?: unknown };
@@ -103,7 +103,7 @@ function inProgram<F extends Issue | ProgramIssue>(
  * A program section without a tool call is still shown, with the tool that machines most of its contour. The missing
  * call is reported as an error.
  */
-function standIn(
+function fallbackTool(
   machine: Machine,
   cycle: Cycle,
   given: Defined["values"],
@@ -126,15 +126,15 @@ function standIn(
     },
     machine.shop.tools,
   )[0]?.tool;
-  if (best) machine.log.say(issue("betterTool", "info", { tool: best.T, name: best.NAME }, "tool"), index);
+  if (best) machine.log.report(issue("betterTool", "info", { tool: best.T, name: best.NAME }, "tool"), index);
   return best ?? null;
 }
 
 /** Preconditions of a cycle call, apart from its values. */
 function preconditions(machine: Machine, index: number): void {
-  if (machine.now.mode !== "TURN") machine.log.say(programIssue("notInTurnMode", "error", {}), index);
+  if (machine.now.mode !== "TURN") machine.log.report(programIssue("notInTurnMode", "error", {}), index);
   if (machine.now.compensation !== "R0")
-    machine.log.say(programIssue("compensationActive", "error", { side: machine.now.compensation }), index);
+    machine.log.report(programIssue("compensationActive", "error", { side: machine.now.compensation }), index);
   if (!machine.now.tool) noTool(machine, index);
 }
 
@@ -146,9 +146,9 @@ function startOf(machine: Machine, index: number): Pt | null {
   const start = really && machine.tip ? partPoint(really) : machine.tip;
   if (start && (!machine.place.sure.x || !machine.place.sure.z)) {
     // The plan starts at the previous tool position, which proves nothing.
-    machine.log.say(programIssue("startUnknown", "warning", {}), index);
+    machine.log.report(programIssue("startUnknown", "warning", {}), index);
     machine.log.leaveUnproved("CYCL CALL", index);
-  } else if (!start && machine.place.lost === "unproved") machine.log.leaveUnproved("CYCL CALL", index);
+  } else if (!start && machine.place.lostReason === "unproved") machine.log.leaveUnproved("CYCL CALL", index);
   else if (!start) startUnknown(machine, index);
   return start;
 }
@@ -163,8 +163,8 @@ function otherCycle(machine: Machine, { index: definedIn, cycle }: Defined, inde
 /** Executes a cycle call: plans the defined cycle from where the tip stands and runs its moves. */
 export function callCycle(machine: Machine, index: number): void {
   const { defined } = machine.now;
-  if (!defined) return machine.log.say(programIssue("noCycleDefined", "error", {}), index);
-  machine.call(defined.index);
+  if (!defined) return machine.log.report(programIssue("noCycleDefined", "error", {}), index);
+  machine.markCalled(defined.index);
   if (defined.program !== undefined) return callNamed(machine, defined.program, `CYCL DEF ${defined.cycle}`, index);
   const cycle = cycleByNumber(defined.cycle);
   if (!cycle) return drillOnAxis(machine, defined, index) ? undefined : otherCycle(machine, defined, index);
@@ -173,22 +173,22 @@ export function callCycle(machine: Machine, index: number): void {
   if (!start) return;
   if (!machine.roomForOperation(index)) return;
   const operation = machine.log.operations.length;
-  const { places, contour, told } =
+  const { places, contour, reportedCodes } =
     cycle.contour === "free" ? givenContour(machine, cycle.number, index, operation) : OWN_CONTOUR;
-  const tool = machine.now.tool ?? standIn(machine, cycle, defined.values, contour, start, index);
+  const tool = machine.now.tool ?? fallbackTool(machine, cycle, defined.values, contour, start, index);
   if (!tool) return;
-  mustTurn(machine, tool, index, { operation });
+  requireSpindle(machine, tool, index, { operation });
   offCentre(machine, index);
   const standing = { stock: stockAtCall(machine), solid: solidAtCall(machine) };
-  const answer = answerTo(machine, { cycle, defined, contour, told, start, tool, ...standing });
+  const answer = callResult(machine, { cycle, defined, contour, reportedCodes, start, tool, ...standing });
   const contourLines = contour && { contourLines: places.map(({ block }) => lineAt(machine, block)) };
   perform(machine, { cycle: cycle.number, defined, answer, start, tool, ...contourLines }, index);
   const where = machine.blocks[defined.index]?.raw ?? "";
-  for (const i of answer.said) {
+  for (const i of answer.reported) {
     const parameter = i.at?.startsWith("Q") ? i.at : null;
-    const placed = inProgram(i, places, index);
-    if (parameter) machine.log.say(i, defined.index, lineOfParameter(where, parameter), operation);
-    else machine.log.say(placed.said, placed.block, 0, operation);
+    const placed = atElement(i, places, index);
+    if (parameter) machine.log.report(i, defined.index, lineOfParameter(where, parameter), operation);
+    else machine.log.report(placed.said, placed.block, 0, operation);
   }
 }
 
@@ -201,22 +201,22 @@ function lineAt(machine: Machine, block: number): TextLine {
 /** Parameters of a definition at this moment, and why some are unknown. */
 interface Parameters {
   readonly values: Map<string, number | "auto" | null>;
-  readonly troubled: ReadonlyMap<string, UnknownReason>;
+  readonly unknownParameters: ReadonlyMap<string, UnknownReason>;
 }
 
 function readParameters(machine: Machine, parameters: readonly CycleParameter[], index: number): Parameters {
   const values = new Map<string, number | "auto" | null>();
-  const troubled = new Map<string, UnknownReason>();
+  const unknownParameters = new Map<string, UnknownReason>();
   for (const p of parameters) {
     if (p.value === null || p.value === "max") values.set(p.q, null);
     else if (p.value === "auto") values.set(p.q, "auto");
     else {
       const n = machine.number(p.value, index);
       values.set(p.q, n);
-      if (n === null) troubled.set(p.q, machine.known.trouble);
+      if (n === null) unknownParameters.set(p.q, machine.known.lastUnknownReason);
     }
   }
-  return { values, troubled };
+  return { values, unknownParameters };
 }
 
 /**
@@ -231,7 +231,7 @@ function fillIn(machine: Machine, cycle: Cycle, values: Map<string, number | "au
     filled.push(`${q}=${filledIn}`);
   }
   if (filled.length > 0)
-    machine.log.sayOnce(programIssue("listOfOlderSoftware", "info", { cycle: cycle.number, filled }), index);
+    machine.log.reportOnce(programIssue("listOfOlderSoftware", "info", { cycle: cycle.number, filled }), index);
 }
 
 /** A cycle that acts at its definition. Invalid values are reported; missing ones are those of an older control. */
@@ -239,7 +239,7 @@ function act(machine: Machine, cycle: Cycle, s: StatementOf<"cycle">, index: num
   const { issues } = cycleValues(machine, cycle, readParameters(machine, s.parameters, index).values);
   const raw = machine.blocks[index]?.raw ?? "";
   for (const i of issues)
-    if (i.code !== "missing" && i.at !== undefined) machine.log.say(i, index, lineOfParameter(raw, i.at));
+    if (i.code !== "missing" && i.at !== undefined) machine.log.report(i, index, lineOfParameter(raw, i.at));
 }
 
 /**
@@ -252,16 +252,16 @@ export function cycleDefinition(machine: Machine, index: number): void {
   // Whether a drilling cycle is simulated shows at its call.
   const bores = machine.now.turning && isDrilling(s.cycle);
   if (!cycle && !bores && !isSilent(s.cycle))
-    machine.log.say(programIssue("cycleNotSimulated", "info", { cycle: s.cycle, name: s.name }), index);
+    machine.log.report(programIssue("cycleNotSimulated", "info", { cycle: s.cycle, name: s.name }), index);
   // It may reverse the tool.
-  if (cycle?.acts) machine.set({ ways: new Map() });
+  if (cycle?.acts) machine.set({ spindleDirections: new Map() });
   if (cycle?.acts) act(machine, cycle, s, index);
   if (actsAtOnce(s.cycle)) return actingCycle(machine, s.cycle, s.parameters, index);
-  const { values, troubled } = readParameters(machine, s.parameters, index);
+  const { values, unknownParameters } = readParameters(machine, s.parameters, index);
   if (cycle) fillIn(machine, cycle, values, index);
   values.forEach((v, q) => typeof v === "number" && machine.known.set(q, v));
-  troubled.forEach((reason, q) => machine.known.forget(q, reason));
-  if (cycle || bores) machine.define(index);
+  unknownParameters.forEach((reason, q) => machine.known.markUnknown(q, reason));
+  if (cycle || bores) machine.markDefined(index);
   if (cycle)
     foreignParameters(
       machine,
@@ -271,6 +271,6 @@ export function cycleDefinition(machine: Machine, index: number): void {
     );
   machine.set({
     callsBehindMoves: false,
-    defined: { index, cycle: s.cycle, values, troubled: new Set(troubled.keys()) },
+    defined: { index, cycle: s.cycle, values, unknownParameters: new Set(unknownParameters.keys()) },
   });
 }

@@ -1,7 +1,7 @@
 import type { Cycle } from "../../cycles/define.ts";
 import type { Param, Params, Values } from "../../cycles/params.ts";
 import { issue, type Issue } from "../../kernel/plan/issue.ts";
-import { checkNumber, kept } from "../values/field.ts";
+import { checkNumber, roundedTo } from "../values/field.ts";
 import { INCH, roundedInch } from "../../kernel/units.ts";
 import type { Machine } from "../state/machine.ts";
 
@@ -32,10 +32,10 @@ export const valueInProgram = (p: { readonly kind: string } | undefined, mm: num
 
 /** A program number in the unit of the parameter, rounded to the control's resolution before conversion. */
 function inMillimetres(machine: Machine, p: Param, n: number): number {
-  if (!machine.now.inch) return kept(n, p.decimals);
-  if (!hasInches(p)) return kept(n, CONVERTED_DECIMALS);
-  const inches = kept(n, decimalsInInches(p));
-  return kept(p.kind === "feed" ? machine.feedOf(inches) : machine.length(inches), CONVERTED_DECIMALS);
+  if (!machine.now.inch) return roundedTo(n, p.decimals);
+  if (!hasInches(p)) return roundedTo(n, CONVERTED_DECIMALS);
+  const inches = roundedTo(n, decimalsInInches(p));
+  return roundedTo(p.kind === "feed" ? machine.feedOf(inches) : machine.length(inches), CONVERTED_DECIMALS);
 }
 
 /** One value of a definition, or its issue; an omitted optional value counts as 0. */

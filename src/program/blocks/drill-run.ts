@@ -13,7 +13,7 @@ import type { Machine } from "../state/machine.ts";
 import type { Defined } from "../state/modal.ts";
 import { offCentre } from "../motion/off-centre.ts";
 import { lineOfParameter } from "../state/preconditions.ts";
-import { mustTurn } from "./spindle-start.ts";
+import { requireSpindle } from "./spindle-start.ts";
 
 /** Distance from the axis within which a drill counts as centred, mm. */
 const ON_AXIS = 0.001;
@@ -62,7 +62,7 @@ export function drillOnAxis(machine: Machine, defined: Defined, index: number): 
   if (!bore || !path) return false;
   judge(machine, { defined, tool, bore, q }, index);
   // The sign of the pitch gives the hand of the thread.
-  mustTurn(machine, tool, index, { leftHand: q("Q239") === 0 ? undefined : q("Q239") < 0 });
+  requireSpindle(machine, tool, index, { leftHand: q("Q239") === 0 ? undefined : q("Q239") < 0 });
   offCentre(machine, index);
   perform(machine, { defined, path, hole: holeBefore(defined.cycle, tool, q) }, tip, index);
   return true;
@@ -99,11 +99,11 @@ interface Judged {
 /** Reports values that the tool cannot machine or that are surely a typing error. */
 function judge(machine: Machine, { defined, tool, bore, q }: Judged, index: number): void {
   const raw = machine.blocks[defined.index]?.raw ?? "";
-  const say = (issue: Parameters<typeof machine.log.say>[0], at: string) =>
-    machine.log.say(issue, defined.index, lineOfParameter(raw, at));
+  const say = (issue: Parameters<typeof machine.log.report>[0], at: string) =>
+    machine.log.report(issue, defined.index, lineOfParameter(raw, at));
   const edges = tool.CUTLENGTH;
   if (edges !== undefined && bore.surface - bore.bottom > edges + SAME)
-    machine.log.say(
+    machine.log.report(
       programIssue("drillTooShort", "warning", { depth: bore.surface - bore.bottom, edges }, "tool"),
       index,
     );

@@ -11,10 +11,10 @@ function dwells(machine: Machine, digits: string | undefined, unit: "TIME" | "RE
   const value = digits === undefined ? null : readValue(digits);
   const n = value === null ? null : machine.number(value, index);
   if (n === null || !(n > 0)) return;
-  if (unit === "TIME") return machine.log.takes("dwell", n);
+  if (unit === "TIME") return machine.log.addSeconds("dwell", n);
   const { spindle, tip } = machine;
   const speed = spindle ? speedAt(spindle, tip?.r ?? 0) : 0;
-  if (speed > 0) machine.log.takes("dwell", (60 * n) / speed);
+  if (speed > 0) machine.log.addSeconds("dwell", (60 * n) / speed);
 }
 
 /** A line of cycle 9: its number counts seconds. */

@@ -25,7 +25,7 @@ const isText = (parameter: string) => parameter.startsWith("QS");
 export function advance(machine: Machine, block: (s: Statement, index: number) => void): void {
   const index = machine.run.next;
   if (index >= machine.unit.to) return back(machine, { index, word: null });
-  if (!machine.roomForBlock(index)) return machine.go({ told: true, ending: { index, word: null } });
+  if (!machine.roomForBlock(index)) return machine.setFlow({ isFaultReported: true, ending: { index, word: null } });
   const s = machine.blocks[index]?.statement;
   machine.goTo(index + 1);
   if (!s) return;
@@ -42,7 +42,7 @@ export function advance(machine: Machine, block: (s: Statement, index: number) =
   if (word === null) return;
   back(machine, { index, word });
   if (!machine.run.flow.ending && s.kind !== "end")
-    machine.log.say(programIssue("endInCalled", "warning", { word }), index);
+    machine.log.report(programIssue("endInCalled", "warning", { word }), index);
 }
 
 /** LBL 0 returns to its call, but not out of a program; no program runs into a contour. */
@@ -51,14 +51,14 @@ function label(machine: Machine, named: Label, index: number): void {
   if (named === 0) {
     if (returns?.caller === null) goBack(machine, returns);
   } else if (machine.unit.contours.has(named) && machine.labels.get(named) === index) {
-    machine.log.say(programIssue("runsIntoLabel", "error", { label: String(named) }), index);
-    machine.go({ told: true });
+    machine.log.report(programIssue("runsIntoLabel", "error", { label: String(named) }), index);
+    machine.setFlow({ isFaultReported: true });
     machine.goTo(behindLabel(machine, index));
   }
 }
 
 function goBack(machine: Machine, { on, outer: returns }: Return): void {
-  machine.go({ returns });
+  machine.setFlow({ returns });
   machine.goTo(on);
 }
 
@@ -74,14 +74,14 @@ function enter(machine: Machine, unit: Unit): void {
   const caller = { unit: machine.unit, inch: machine.now.inch, locals: machine.known.takeLocals() };
   machine.change({ unit });
   machine.set({ inch: unit.inch });
-  machine.go({ returns: { on, caller, outer } });
+  machine.setFlow({ returns: { on, caller, outer } });
   machine.goTo(unit.from);
 }
 
 /** At its end, a program returns to its caller or ends the run. */
 function back(machine: Machine, ending: Ending): void {
   const called = callsIn(machine.run.flow.returns).find(({ caller }) => caller);
-  if (!called?.caller) return machine.go({ returns: null, ending });
+  if (!called?.caller) return machine.setFlow({ returns: null, ending });
   machine.change({ unit: called.caller.unit });
   machine.set({ inch: called.caller.inch });
   machine.known.putLocals(called.caller.locals);
@@ -118,7 +118,7 @@ function target(
   const label = labelOf(machine, named, index);
   if (label === null) return null;
   const found = machine.labels.get(label);
-  if (found === undefined) machine.log.say(programIssue("labelMissing", "error", { label: String(label) }), index);
+  if (found === undefined) machine.log.report(programIssue("labelMissing", "error", { label: String(label) }), index);
   return found ?? null;
 }
 
@@ -140,12 +140,12 @@ function call(machine: Machine, s: Extract<Statement, { kind: "call" }>, index: 
     const others = new Map(repeats);
     others.delete(index);
     if (left >= 1) others.set(index, left - 1);
-    machine.go({ repeats: others });
+    machine.setFlow({ repeats: others });
     if (left >= 1) machine.goTo(to + 1);
   } else if (depthOf(outer) >= DEEPEST_CALL)
-    machine.log.say(programIssue("callsTooDeep", "error", { limit: DEEPEST_CALL }), index);
+    machine.log.report(programIssue("callsTooDeep", "error", { limit: DEEPEST_CALL }), index);
   else {
-    machine.go({ returns: { on: index + 1, caller: null, outer } });
+    machine.setFlow({ returns: { on: index + 1, caller: null, outer } });
     machine.goTo(to + 1);
   }
 }
@@ -153,16 +153,16 @@ function call(machine: Machine, s: Extract<Statement, { kind: "call" }>, index: 
 /** A jump. With an unknown condition the run continues behind it, unverified from there. */
 function jump(machine: Machine, s: Extract<Statement, { kind: "jump" }>, index: number): void {
   const holds = compare(machine, s, index);
-  if (holds === null) machine.go({ guessed: true });
+  if (holds === null) machine.setFlow({ hasUnknownJump: true });
   const to = holds ? target(machine, s.label, index) : null;
   if (to !== null) machine.goTo(to);
 }
 
 /** FN 14: the control stops here with an error, unless an unknown jump may have bypassed it. */
 function raise(machine: Machine, s: Extract<Statement, { kind: "raise" }>, index: number): void {
-  if (machine.run.flow.guessed) return machine.log.leaveUnproved("FN 14", index);
-  machine.log.say(programIssue("errorRaised", "error", { error: machine.number(s.error, index) }), index);
-  machine.go({ told: true, ending: { index, word: null } });
+  if (machine.run.flow.hasUnknownJump) return machine.log.leaveUnproved("FN 14", index);
+  machine.log.report(programIssue("errorRaised", "error", { error: machine.number(s.error, index) }), index);
+  machine.setFlow({ isFaultReported: true, ending: { index, word: null } });
 }
 
 /** Whether a comparison holds; null when a value is unknown. */
@@ -206,16 +206,16 @@ const runs = (s: Statement) =>
   (wordsOf(s)?.functions.includes(99) ?? false);
 
 /** Reports the first motion or call behind the program end that never runs. True when there is one. */
-export function neverReached(machine: Machine, ending: Ending): boolean {
+export function reportUnreached(machine: Machine, ending: Ending): boolean {
   if (ending.word === null) return false;
   const used = usedLabels(machine);
-  const { visited } = machine.input.looks;
+  const { visited } = machine.input.firstReads;
   for (let i = ending.index + 1; i < machine.unit.to; i += 1) {
     const s = machine.blocks[i]?.statement;
     if (!s || visited[i] || machine.isSkipped(i)) continue;
     if (s.kind === "label" && s.label !== 0 && (used === "all" || used.has(s.label))) i = behindLabel(machine, i) - 1;
     else if (runs(s)) {
-      machine.log.say(programIssue("neverReached", "warning", { by: ending.word }), i);
+      machine.log.report(programIssue("neverReached", "warning", { by: ending.word }), i);
       return true;
     }
   }

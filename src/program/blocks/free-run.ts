@@ -25,7 +25,7 @@ export function runFree(machine: Machine, s: Free, index: number): void {
     if (made.isChosen) sayChosen(machine, index);
     return path(machine, made.path, index);
   }
-  machine.loseAll();
+  machine.losePosition();
   sayUnsolved(machine, s, index);
 }
 

@@ -20,7 +20,7 @@ export function collectFree(machine: Machine, from: number): Collected {
   const [run, indices]: [FreeWritten[], number[]] = [[], []];
   for (let i = from; i < machine.blocks.length && indices.length < MOST; i += 1) {
     if (machine.isSkipped(i)) continue;
-    const s = machine.foresee(i);
+    const s = machine.peek(i);
     if (s?.kind === "free") {
       run.push({ s, block: machine.log.numberOf(i) ?? i });
       if (isFreeElement(s)) indices.push(i);
@@ -32,7 +32,7 @@ export function collectFree(machine: Machine, from: number): Collected {
 /** Puts FPOL before the elements that refer to it. */
 function withPole(machine: Machine, from: number, run: readonly FreeWritten[]): readonly FreeWritten[] {
   for (let i = from - 1; i >= 0; i -= 1) {
-    const s = machine.foresee(i);
+    const s = machine.peek(i);
     if (s?.kind === "free" && s.form === "FPOL") return [{ s, block: machine.log.numberOf(i) ?? i }, ...run];
     if (!s || (s.kind !== "free" && !BETWEEN.has(s.kind))) return run;
   }
@@ -41,12 +41,12 @@ function withPole(machine: Machine, from: number, run: readonly FreeWritten[]): 
 
 /** Reports an element that cannot be solved. */
 export function sayUnsolved(machine: Machine, s: Free, index: number): void {
-  machine.log.say(programIssue("freeUnsolved", "warning", { form: s.form }), index);
+  machine.log.report(programIssue("freeUnsolved", "warning", { form: s.form }), index);
   machine.log.leaveUnproved(s.form, index);
 }
 
 /** Reports that another solution is possible from here on. */
 export function sayChosen(machine: Machine, index: number): void {
-  machine.log.say(programIssue("freeChosen", "warning", {}), index);
+  machine.log.report(programIssue("freeChosen", "warning", {}), index);
   machine.log.leaveUnproved("FSELECT", index);
 }

@@ -1,7 +1,7 @@
 import type { Plan } from "../../kernel/plan/plan.ts";
 import type { Step } from "../../kernel/time/step.ts";
 import { toDiameter } from "../../kernel/units.ts";
-import type { CallAnswer } from "./call-answer.ts";
+import type { CallResult } from "./call-result.ts";
 import type { Machine } from "../state/machine.ts";
 import type { Defined } from "../state/modal.ts";
 import type { Operation } from "../state/run-types.ts";
@@ -10,7 +10,7 @@ import { stepOf, timed, type TimedSteps } from "../state/step-of.ts";
 /** A called cycle with its plan. */
 export interface Performed extends Pick<Operation, "cycle" | "start" | "tool" | "contourLines"> {
   readonly defined: Defined;
-  readonly answer: CallAnswer;
+  readonly answer: CallResult;
 }
 
 /** The moves of a plan as steps of the next operation. */
@@ -45,7 +45,7 @@ function knownSteps(machine: Machine, performed: Performed, index: number): Time
   if (!memory) return make();
   const { file = "", line = 0 } = log.lineOf(index);
   const asked = `steps ${log.operations.length} ${log.numberOf(index) ?? 0} ${line} ${file}\n${memory.labelOf(performed.answer)}`;
-  return memory.once(asked, make, ({ steps }) => steps.length);
+  return memory.cached(asked, make, ({ steps }) => steps.length);
 }
 
 /** Runs the moves of a plan up to the limit of moves, and records the operation. */
@@ -60,7 +60,7 @@ export function perform(machine: Machine, performed: Performed, index: number): 
   const all = knownSteps(machine, performed, index),
     { room } = machine;
   const run = all.steps.length <= room ? all : timed(all.steps.slice(0, room));
-  machine.take(run, index);
+  machine.addSteps(run, index);
   if (run !== all) machine.roomForMove(index);
   const end = plan.moves.at(-1)?.to ?? called.start;
   machine.setPlace({ at: { x: toDiameter(end.r), y: null, z: end.z }, last: null });

@@ -7,7 +7,7 @@ import { nameInCycle } from "../state/program-files.ts";
 
 /** The effect of the called program is unknown: neither its cuts nor the tool position after it. */
 function lost(machine: Machine, what: string, index: number): void {
-  machine.loseAll();
+  machine.losePosition();
   machine.log.leaveUnproved(what, index);
 }
 
@@ -17,7 +17,7 @@ export function callNamed(machine: Machine, name: string | null, what: string, i
   const unit = machine.unitOfFile(name, index);
   if (unit) machine.change({ enters: unit });
   else {
-    machine.log.say(programIssue("programNotOpened", "info", { file: name }), index);
+    machine.log.report(programIssue("programNotOpened", "info", { file: name }), index);
     lost(machine, what, index);
   }
 }
@@ -32,7 +32,7 @@ export const selectProgram = (machine: Machine, s: StatementOf<"selectProgram">,
 export function callSelected(machine: Machine, index: number): void {
   const selected = machine.now.selectedProgram;
   if (selected) callNamed(machine, selected.name, "CALL SELECTED PGM", index);
-  else machine.log.say(programIssue("programNotSelected", "error", {}), index);
+  else machine.log.report(programIssue("programNotSelected", "error", {}), index);
 }
 
 /** The second line of cycle 12 names the program. */
@@ -42,6 +42,6 @@ export function programCycle(machine: Machine, { line, text }: StatementOf<"cycl
   const program = /^QS\d{1,4}$/i.test(name) ? machine.text(name.toUpperCase(), index) : name;
   machine.set({
     callsBehindMoves: false,
-    defined: { index, cycle: PROGRAM_CYCLE, values: new Map(), troubled: new Set(), program },
+    defined: { index, cycle: PROGRAM_CYCLE, values: new Map(), unknownParameters: new Set(), program },
   });
 }

@@ -60,6 +60,6 @@ export function recessOf(
     machine.log.leaveUnproved(`UDC ${s.form}`, index);
     return null;
   }
-  if (form !== "E") machine.log.say(programIssue("wordsRecalled", "info", { what: `UDC ${s.form}` }), index);
+  if (form !== "E") machine.log.report(programIssue("wordsRecalled", "info", { what: `UDC ${s.form}` }), index);
   return { kind: "undercut", form, words: wordsOf(machine, s.words, UNDERCUT_WORDS[form], [], index) };
 }

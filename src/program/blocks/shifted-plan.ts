@@ -40,7 +40,7 @@ export function shiftedPlan(plan: Plan, by: By): Plan {
     part: plan.part.map((p) => shiftedPoint(p, by)),
     ...(plan.thread && { thread: shiftedThread(plan.thread, by) }),
     reach: reach(plan.reach),
-    kept: reach(plan.kept),
+    oversizeReach: reach(plan.oversizeReach),
     ...(plan.unlimited && { unlimited: reach(plan.unlimited) }),
     ...(plan.limits && { limits: plan.limits.map((l) => ({ ...l, value: l.value + (l.axis === "r" ? by.x : by.z) })) }),
   };

@@ -3,7 +3,7 @@ import { issue } from "../../kernel/plan/issue.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import type { Words } from "../../nc/words.ts";
 import type { Machine } from "../state/machine.ts";
-import { idleSpindle } from "../state/spindle-state.ts";
+import { spindleFaultOf } from "../state/spindle-state.ts";
 
 /** M functions that start a spindle: the standard ones, with or without coolant, and those of the turning spindle. */
 const START: readonly number[] = [3, 4, 13, 14, 303, 304];
@@ -22,17 +22,21 @@ const mayStart = (m: number) =>
 const spunAt = (machine: Machine, index: number) => ({ index, unproved: machine.log.unproved.length, told: false });
 
 /** Applies spindle starts at the beginning of a block. */
-export function startedBy(machine: Machine, { functions }: Words, index: number): void {
+export function applySpindleStart(machine: Machine, { functions }: Words, index: number): void {
   const last = functions.findLast(mayStart);
   if (last !== undefined)
-    machine.set({ turns: true, backwards: BACKWARDS.includes(last), spun: spunAt(machine, index) });
+    machine.set({ turns: true, backwards: BACKWARDS.includes(last), spindleChange: spunAt(machine, index) });
 }
 
 /** Applies spindle stops at the end of a block. A spindle at rest was stopped by an earlier block. */
-export function stoppedBy(machine: Machine, { functions }: Words, index: number): void {
-  const { turns, spun } = machine.now;
+export function applySpindleStop(machine: Machine, { functions }: Words, index: number): void {
+  const { turns, spindleChange } = machine.now;
   if (!functions.some((m) => STOPS_SPINDLE.includes(m))) return;
-  machine.set({ turns: false, runsAs: null, spun: turns || spun.index === null ? spunAt(machine, index) : spun });
+  machine.set({
+    turns: false,
+    lastTurns: null,
+    spindleChange: turns || spindleChange.index === null ? spunAt(machine, index) : spindleChange,
+  });
 }
 
 /** A cycle call: its operation, and whether its thread is left-hand where the cycle says so. */
@@ -42,16 +46,22 @@ interface Called {
 }
 
 /** Reports a stopped spindle at a cycle call, and suppresses the same report for later cuts in this state. */
-export function mustTurn(machine: Machine, tool: Tool, index: number, { operation, leftHand }: Called = {}): void {
-  const idle = idleSpindle(machine.now, machine.log, tool, leftHand);
+export function requireSpindle(
+  machine: Machine,
+  tool: Tool,
+  index: number,
+  { operation, leftHand }: Called = {},
+): void {
+  const idle = spindleFaultOf(machine.now, machine.log, tool, leftHand);
   if (!idle) {
-    const { ways, backwards, turns } = machine.now;
-    if (turns && !isDrill(tool) && !ways.has(tool.T)) machine.set({ ways: new Map([...ways, [tool.T, backwards]]) });
+    const { spindleDirections, backwards, turns } = machine.now;
+    if (turns && !isDrill(tool) && !spindleDirections.has(tool.T))
+      machine.set({ spindleDirections: new Map([...spindleDirections, [tool.T, backwards]]) });
     return;
   }
-  machine.set({ spun: { ...machine.now.spun, told: true } });
+  machine.set({ spindleChange: { ...machine.now.spindleChange, told: true } });
   const { how, by } = idle;
-  machine.log.say(
+  machine.log.report(
     issue("spindleStopped", "error", { how, ...(by !== null && { block: by }) }),
     index,
     0,

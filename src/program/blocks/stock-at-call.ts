@@ -1,6 +1,6 @@
 import { isDrill } from "../../kernel/cutter/drill.ts";
 import { tipDirection } from "../../kernel/cutter/insert.ts";
-import type { Setting } from "../../kernel/plan/plan.ts";
+import type { PlanContext } from "../../kernel/plan/plan.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
 import type { Machine } from "../state/machine.ts";
@@ -40,7 +40,7 @@ export function stockAtCall(machine: Machine): readonly Ring[] | null {
  * Part of the blank not bored yet: below the lowest Z of a drill or of a cut on the axis. Null where the stock is
  * unknown, as after effects that are not simulated.
  */
-export function solidAtCall(machine: Machine): Setting["solid"] {
+export function solidAtCall(machine: Machine): PlanContext["solid"] {
   const {
     run: { traced },
     now: { blank, blankSince, bored: noted },

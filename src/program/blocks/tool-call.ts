@@ -48,15 +48,15 @@ function changeTool(machine: Machine, wanted: number | string | null): void {
   const name = typeof number === "number" ? String(Math.floor(number)) : number;
   if (name !== null && name === now.changedTo) return;
   machine.set({ changedTo: name });
-  log.takes("toolChange", data?.toolChange ?? 0);
+  log.addSeconds("toolChange", data?.toolChange ?? 0);
 }
 
 /** The called tool is unknown; the previous one is no longer in the spindle. */
 function unknownTool(machine: Machine): void {
-  machine.endBrought();
+  machine.closeArrival();
   machine.setMill({ tool: "", radius: null });
   machine.known.setToolRadius(null);
-  machine.setPlace({ sure: { x: false, z: false }, brought: null, last: null });
+  machine.setPlace({ sure: { x: false, z: false }, positionedBy: null, last: null });
   machine.set({ compensation: "R0", tool: null, toolRefused: true, corrections: {} });
 }
 
@@ -74,16 +74,16 @@ function takeMill(machine: Machine, s: StatementOf<"toolCall">, wanted: number |
 }
 
 function takeTool(machine: Machine, s: StatementOf<"toolCall">, wanted: number | string, index: number): void {
-  machine.endBrought();
+  machine.closeArrival();
   const refused = machine.shop.refused?.get(Number(wanted));
   const tool = refused ? undefined : (find(machine.shop.tools, wanted) ?? drillIn(machine.shop.mills ?? [], wanted));
-  machine.setPlace({ sure: { x: false, z: false }, brought: null, home: null, last: null });
+  machine.setPlace({ sure: { x: false, z: false }, positionedBy: null, homedBy: null, last: null });
   machine.set({ compensation: "R0", tool: tool ? asBefore(machine, tool) : null, toolRefused: !tool, corrections: {} });
   if (refused && typeof wanted === "number") {
-    for (const i of refused) machine.log.say(i, index);
+    for (const i of refused) machine.log.report(i, index);
   } else if (!tool) notInTable(machine, wanted, index);
   if (tool && ((tool.DZL ?? 0) !== 0 || (tool.DXL ?? 0) !== 0))
-    machine.log.say(programIssue("lengthDelta", "info", { tool: tool.T }, "tool"), index);
+    machine.log.report(programIssue("lengthDelta", "info", { tool: tool.T }, "tool"), index);
   // Off the turning plane: the edge may be above or below the axis.
   if (tool && (tool.DYL ?? 0) !== 0) machine.log.leaveUnproved("DYL", index);
   const deltas = [s.deltaLength, s.deltaRadius].some((d) => d !== null && d !== 0);
@@ -104,17 +104,17 @@ function notInTable(machine: Machine, wanted: number | string, index: number): v
   const tool = String(wanted);
   const turns = machine.now.turning || turnsLater(machine, index);
   if (typeof wanted === "string" || Number.isInteger(wanted)) {
-    if (turns) machine.log.say(programIssue("toolUnknown", "error", { tool }, "tool"), index);
+    if (turns) machine.log.report(programIssue("toolUnknown", "error", { tool }, "tool"), index);
     return;
   }
   const rows = rowsOf(machine, wanted);
   const isMill = find(machine.shop.mills ?? [], wanted) !== undefined || machine.run.radii.has(wanted);
   if (turns || (rows.length > 0 && !isMill))
-    machine.log.say(programIssue("toolIndexUnknown", "error", { tool, rows: rows.map(String) }, "tool"), index);
+    machine.log.report(programIssue("toolIndexUnknown", "error", { tool, rows: rows.map(String) }, "tool"), index);
 }
 
 /** Returns the object of the previous run for an equal tool. */
-const asBefore = ({ shop }: Machine, tool: Tool): Tool => shop.memory?.same(tool) ?? tool;
+const asBefore = ({ shop }: Machine, tool: Tool): Tool => shop.memory?.canonical(tool) ?? tool;
 
 /**
  * A tool of another table is no fault while only milling follows: for a mill of known radius until something is turned
@@ -124,7 +124,7 @@ function turnsLater(machine: Machine, index: number): boolean {
   const isMill = machine.now.mill.radius !== null;
   let turns = false;
   for (let i = index + 1; i < machine.unit.to; i += 1) {
-    const s = machine.foresee(i);
+    const s = machine.peek(i);
     if (s?.kind === "toolCall") return false;
     if (s?.kind === "mode") {
       turns = s.mode === "TURN";
@@ -200,7 +200,7 @@ export function uncorrectTool(machine: Machine, system?: keyof Modal["correction
  * the insert is that far towards +Z and +X of the programmed tip.
  */
 export function correctTool(machine: Machine, s: StatementOf<"turnCorrection">, index: number): void {
-  machine.log.say(programIssue("wordsRecalled", "info", { what: `FUNCTION TURNDATA CORR-${s.system}` }), index);
+  machine.log.report(programIssue("wordsRecalled", "info", { what: `FUNCTION TURNDATA CORR-${s.system}` }), index);
   if (!machine.now.tool) return noTool(machine, index);
   const word = (name: string) => {
     const found = s.words.find((w) => w.name === name);

@@ -35,16 +35,16 @@ function readTable(machine: Machine, text: string): void {
   const word = SQL.exec(text)?.[1]?.toUpperCase();
   const named = [...text.replace(/"[^"]*"|'[^']*'/g, "").matchAll(ANY_PARAMETER)].map(([name]) => name.toUpperCase());
   if (word === "BIND") machine.known.bind(named);
-  for (const name of [...named, ...machine.known.bound]) machine.known.forget(name);
+  for (const name of [...named, ...machine.known.bound]) machine.known.markUnknown(name);
 }
 
 /** A probe writes into the parameters it names; the older measuring cycle also into those that follow. */
 function probed(machine: Machine, text: string): void {
-  machine.known.probe();
-  for (const [name] of text.matchAll(ANY_PARAMETER)) machine.known.forget(name.toUpperCase());
+  machine.known.markProbed();
+  for (const [name] of text.matchAll(ANY_PARAMETER)) machine.known.markUnknown(name.toUpperCase());
   const first = /^TCH[ \t]+PROBE[ \t]*[34]\.1[ \t]+Q(\d+)/i.exec(text)?.[1];
   if (first !== undefined) {
-    for (const more of [1, 2, 3]) machine.known.forget(`Q${Number(first) + more}`);
+    for (const more of [1, 2, 3]) machine.known.markUnknown(`Q${Number(first) + more}`);
   }
 }
 /** Name of a block: its first words, with the number of FN and TCH PROBE. */
@@ -71,14 +71,14 @@ export function textBlock(machine: Machine, text: string, index: number): void {
   if (text === "") return;
   if (SQL.test(text)) return readTable(machine, text);
   const assigned = UNREAD_ASSIGNMENT.exec(text)?.[1];
-  if (assigned !== undefined) return machine.known.forget(assigned.toUpperCase());
+  if (assigned !== undefined) return machine.known.markUnknown(assigned.toUpperCase());
   if (HARMLESS.test(text)) return dwellFunction(machine, text, index);
   const reset = UNCORRECTING.exec(text);
   if (reset) return uncorrectTool(machine, reset[1]?.toUpperCase() as "TCS" | "WPL" | undefined);
   const read = READING.exec(text)?.[1];
-  if (read !== undefined) return machine.known.forget(read.toUpperCase());
+  if (read !== undefined) return machine.known.markUnknown(read.toUpperCase());
   if (/^PLANE[ \t]/i.test(text) && !changes(machine, text, 0, index, /^(?!(?:MB|F|DIST)$)/i)) return;
-  if (ELSEWHERE.test(text)) machine.loseAll();
+  if (ELSEWHERE.test(text)) machine.losePosition();
   if (PROBE.test(text)) probed(machine, text);
   machine.log.leaveUnproved(nameOf(text), index);
 }

@@ -5,7 +5,7 @@ import { areaOf } from "../../kernel/area/area.ts";
 import { boxAround } from "../../kernel/area/box.ts";
 import { at } from "../../kernel/geometry/point.ts";
 import { parse } from "../../nc/parse.ts";
-import { simulate, simulating } from "../../sim/simulate.ts";
+import { simulate, incrementalSimulator } from "../../sim/simulate.ts";
 import { stockIssues } from "../../sim/issues.ts";
 import { report } from "../../report/report.ts";
 import { summary } from "../../report/summary.ts";
@@ -183,7 +183,7 @@ describe("contact", () => {
     expect(long("CHUCK OUTSIDE D30 LENGTH4 FACE-76 SIZE160 QUILL80 TIP-4 ANGLE120")).toContain("tailstock tool");
   });
   test("a changed clamping is recomputed for a cached run: other pieces come loose", () => {
-    const again = simulating(),
+    const again = incrementalSimulator(),
       disc = readFileSync("tests/cases/ring-out-of-a-disc.h", "utf8");
     const loose = (text: string) => again(ran(text)).proof.loose.map(({ shape }) => shape);
     const beside = disc.replace("SOFT JAWS D80", "SOFT JAWS D76");
@@ -195,7 +195,7 @@ describe("contact", () => {
     ]);
   });
   test("changed in a cached run, contact is recomputed", () => {
-    const again = simulating();
+    const again = incrementalSimulator();
     const count = (text: string) => again(ran(text)).findings.filter(({ kind }) => kind === "clampContact").length;
     expect([count(turned("; none")), count(turned(HELD)), count(turned("; none"))]).toEqual([0, 2, 0]);
   });

@@ -100,18 +100,19 @@ export function takeComment(machine: Machine, comment: string, index: number): v
   if (!read) return;
   const { clamping } = machine.now;
   if (clamping?.index === index) return;
-  if (clamping) return machine.log.say(programIssue("clampingTwice", "warning", {}), index);
+  if (clamping) return machine.log.report(programIssue("clampingTwice", "warning", {}), index);
   const made = clampingOf(read, (n) => machine.length(n));
   if (read.what.length > 0)
-    machine.log.say(programIssue("clampingUnread", "info", { what: read.what.join(" ").slice(0, 40) }), index);
+    machine.log.report(programIssue("clampingUnread", "info", { what: read.what.join(" ").slice(0, 40) }), index);
   if ("kind" in made) machine.set({ clamping: { index, made } });
-  else machine.log.say(programIssue("clampingIncomplete", "info", { words: made.join(", ") }), index);
+  else machine.log.report(programIssue("clampingIncomplete", "info", { words: made.join(", ") }), index);
 }
 
 /** Clamping of a run; null without one. One that does not grip the blank is reported. */
 export function clampedOf({ now, log }: Machine, blank: readonly Ring[]): Clamped | null {
   if (!now.clamping) return null;
   const { index, made } = now.clamping;
-  if (missesBlank(made, blank)) log.say(programIssue("clampingMisses", "warning", { diameter: made.diameter }), index);
+  if (missesBlank(made, blank))
+    log.report(programIssue("clampingMisses", "warning", { diameter: made.diameter }), index);
   return { clamping: made, bodies: clampingBodies(made, blank) };
 }

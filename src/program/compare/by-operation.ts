@@ -3,7 +3,7 @@ import { operationsOf, wholeOf } from "../edits/operations.ts";
 import type { BlockDifference, ProgramComparison } from "./compare.ts";
 
 /** Outcome of an operation in the comparison. */
-export type OperationFate = "kept" | "added" | "removed" | "moved";
+export type OperationOutcome = "kept" | "added" | "removed" | "moved";
 
 /** One operation in one of the programs. */
 export interface ComparedUnit {
@@ -18,7 +18,7 @@ export interface ComparedUnit {
 
 /** An operation of one or both programs, with its differences; both null: blocks outside of operations. */
 export interface ComparedOperation {
-  readonly fate: OperationFate;
+  readonly outcome: OperationOutcome;
   readonly a: ComparedUnit | null;
   readonly b: ComparedUnit | null;
   readonly differences: readonly BlockDifference[];
@@ -115,14 +115,14 @@ export function byOperation(
     if (list) list.push(each);
     else own.set(name, [each]);
   }
-  const fateOf = (unitA: number, unitB: number): OperationFate => {
+  const fateOf = (unitA: number, unitB: number): OperationOutcome => {
     if (unitA < 0 && unitB < 0) return "kept";
     if (unitA < 0) return "added";
     if (unitB < 0) return "removed";
     return moved.has(unitA) ? "moved" : "kept";
   };
   const made = (unitA: number, unitB: number): ComparedOperation => ({
-    fate: fateOf(unitA, unitB),
+    outcome: fateOf(unitA, unitB),
     a: inA.units[unitA] ?? null,
     b: inB.units[unitB] ?? null,
     differences: own.get(nameOf(unitA, unitB)) ?? [],

@@ -93,7 +93,7 @@ const keepsMost = (a: Meaning, b: Meaning): boolean => {
 };
 
 /** Pairs of moved blocks: equal word by word, or a cycle with most of its values. */
-function elsewhere(pairs: readonly Pair[], [a, b]: readonly [SaidBlocks, SaidBlocks]): readonly Pair[] {
+function movedPairs(pairs: readonly Pair[], [a, b]: readonly [SaidBlocks, SaidBlocks]): readonly Pair[] {
   const [takenA, takenB] = [new Set(pairs.map(([i]) => i)), new Set(pairs.map(([, j]) => j))];
   const moved: Pair[] = [];
   const take = (naming: (meaning: Meaning) => string | null, fits: (one: Meaning, other: Meaning) => boolean) => {
@@ -174,7 +174,7 @@ function compareInOrder(a: Program, b: Program): ProgramComparison {
   const both = [saidIn(a), saidIn(b)] as const;
   const [saidA, saidB] = both;
   const pairs = inOrder(both);
-  const moved = elsewhere(pairs, both);
+  const moved = movedPairs(pairs, both);
   const partners = new Int32Array(a.blocks.length).fill(-1);
   for (const [i, j] of [...pairs, ...moved]) partners[saidA.at[i] ?? 0] = saidB.at[j] ?? 0;
   const [movedA, movedB] = [new Set(moved.map(([i]) => i)), new Map(moved.map(([i, j]) => [j, i]))];

@@ -1,5 +1,5 @@
 import { klartext } from "../../nc/blocks/klartext.ts";
-import { BARE, Said } from "../../nc/blocks/said.ts";
+import { BARE, ComparedWords } from "../../nc/blocks/compared-words.ts";
 import { statementLines } from "../../nc/print.ts";
 import type { Block } from "../../nc/program.ts";
 
@@ -30,15 +30,15 @@ export const bareText = ({ raw, number, skip }: Pick<Block, "raw" | "number" | "
  */
 export function meaningOf(block: Block): Meaning {
   const { statement: s, raw, skip, issues } = block;
-  const { pairs: kind, like, said: spoken } = klartext.compared(s, raw);
+  const { pairKey: kind, nameKey, comparedWords: spoken } = klartext.compared(s, raw);
   // A block that is not fully understood is compared as text.
   const said =
     issues.length > 0 && s.kind !== "cycle"
-      ? new Said().text("", bareText(block))
-      : (spoken ?? new Said().text("", statementLines(s, BARE).join(" ")));
+      ? new ComparedWords().text("", bareText(block))
+      : (spoken ?? new ComparedWords().text("", statementLines(s, BARE).join(" ")));
   if (skip) said.put("/", "/");
   const words = new Map([...said.words].sort(([a], [b]) => (a < b ? -1 : 1)));
-  return { kind, like, words, key: JSON.stringify([kind, like, ...[...words].flat()]) };
+  return { kind, like: nameKey, words, key: JSON.stringify([kind, nameKey, ...[...words].flat()]) };
 }
 
 /** One changed word; null where one of the blocks lacks it. */

@@ -10,7 +10,7 @@ import { outputIn } from "./output-in.ts";
 import { jobStatements, type Labels } from "../job/print-job.ts";
 
 /** Place and title of an added operation. */
-export interface Adding {
+export interface OperationPlace {
   /** Behind this operation; null: before the first; absent: behind the last. */
   readonly behind?: number | null;
   /** Words of its structure comment. */
@@ -45,7 +45,12 @@ function withEnd(program: Program, end: 30 | 2): Program {
  * Adds the operation of a job to a program: structure item, tool call, spindle, feed unit, approach, cycle, call,
  * retraction, and its contour under its own label at the end of the file. Adds turning mode and M30 where missing.
  */
-export function withOperation(program: Program, job: SetJob, labels: Labels, { behind, title }: Adding = {}): Program {
+export function withOperation(
+  program: Program,
+  job: SetJob,
+  labels: Labels,
+  { behind, title }: OperationPlace = {},
+): Program {
   const cycle = cycleByNumber(job.cycle);
   if (!cycle) return program;
   const label = freeLabel(program);

@@ -3,7 +3,7 @@ import type { Statement } from "../../nc/statement.ts";
 import type { FeedWord, PolarWord, Value, Words } from "../../nc/words.ts";
 import { approachFields, type ApproachField, type ApproachWord, type WorkingPlane } from "../motion/approach-fields.ts";
 import type { KnownParameters } from "../values/expression.ts";
-import { nothing, readText, wrong, type FieldReading } from "../values/field.ts";
+import { emptyReading, readText, rejectedReading, type FieldReading } from "../values/field.ts";
 import { feedAsTyped, valueAsTyped } from "../values/typed-value.ts";
 
 export type ApproachStatement = Extract<Statement, { kind: "approach" }>;
@@ -43,8 +43,9 @@ export function readWord(f: ApproachField, typed: string, known: KnownParameters
   const { id, kind } = f;
   const text = typed.trim();
   if (kind === "side")
-    return text === "" ? nothing : { ...nothing, empty: false, value: SIDES.findIndex((s) => s === text) };
-  if (kind === "functions") return typedFunctions(text) ? nothing : wrong(issue("notANumber", "error", { text }, id));
+    return text === "" ? emptyReading : { ...emptyReading, empty: false, value: SIDES.findIndex((s) => s === text) };
+  if (kind === "functions")
+    return typedFunctions(text) ? emptyReading : rejectedReading(issue("notANumber", "error", { text }, id));
   const read = readText({ ...f, kind }, kind === "feed" ? text.replace(/^F\s*(?=\d)/i, "") : text, known);
   // The value of a parameter is known at run time only, so an unknown one is no fault here.
   return read.issue?.code === "unknownParameter" && read.written !== null ? { ...read, issue: null } : read;

@@ -109,18 +109,22 @@ describe("the operations of a program", () => {
     const all = operationsOf(program);
     expect(all.units).toHaveLength(1);
     expect(wholeOf(all, 0)).toEqual({ from: 2, to: 8 });
-    expect(all.units[0]?.tie).toBeNull();
+    expect(all.units[0]?.fixedReason).toBeNull();
   });
 
   test("an operation with a jump target or a datum shift is fixed", () => {
     const text = (middle: string) =>
       `BEGIN PGM A MM\nTOOL CALL 1\nCYCL DEF 812 X ~\nQ215=+0\nL X+50 Z+2 FMAX M99\n${middle}M30\nEND PGM A MM\n`;
     expect(
-      unitsOf(parse(text("LBL 4\nTOOL CALL 2\nL X+5 Z+1 F0.2\nCALL LBL 4 REP 3\n"))).map(({ tie }) => tie),
+      unitsOf(parse(text("LBL 4\nTOOL CALL 2\nL X+5 Z+1 F0.2\nCALL LBL 4 REP 3\n"))).map(
+        ({ fixedReason }) => fixedReason,
+      ),
     ).toEqual(["label", "label"]);
-    expect(unitsOf(parse(text("TOOL CALL 2\nTRANS DATUM AXIS Z-3.2\nL X+5 Z+1 F0.2\n"))).map(({ tie }) => tie)).toEqual(
-      [null, "frame"],
-    );
+    expect(
+      unitsOf(parse(text("TOOL CALL 2\nTRANS DATUM AXIS Z-3.2\nL X+5 Z+1 F0.2\n"))).map(
+        ({ fixedReason }) => fixedReason,
+      ),
+    ).toEqual([null, "frame"]);
     expect(movedOperation(parse(text("TOOL CALL 2\nTRANS DATUM AXIS Z-3.2\nL X+5 Z+1 F0.2\n")), 0, 1)).toEqual({
       refused: "frame",
       unit: 1,
@@ -131,7 +135,7 @@ describe("the operations of a program", () => {
     const program = parse(
       "BEGIN PGM A MM\nTOOL CALL 1\nL X+9 FMAX\nCALL LBL 7\nL X+90 FMAX\nM30\nLBL 7\nL Z-4.5 F0.13\nLBL 0\nEND PGM A MM\n",
     );
-    expect(unitsOf(program).map(({ from, to, tie }) => [from, to, tie])).toEqual([[1, 5, null]]);
+    expect(unitsOf(program).map(({ from, to, fixedReason }) => [from, to, fixedReason])).toEqual([[1, 5, null]]);
   });
 
   test("a parameter that one operation sets and the other reads keeps them in order", () => {
@@ -171,7 +175,7 @@ describe("an operation is changed as a whole", () => {
     fc.assert(
       fc.property(case_, ({ program, unit }) => {
         const twice = duplicatedOperation(program, unit);
-        expect(isRefused(twice)).toBe(unitsOf(program)[unit]?.tie !== null);
+        expect(isRefused(twice)).toBe(unitsOf(program)[unit]?.fixedReason !== null);
         if (isRefused(twice)) return;
         const read = made(twice);
         expect(unitsOf(read)).toHaveLength(unitsOf(program).length + 1);
@@ -185,7 +189,7 @@ describe("an operation is changed as a whole", () => {
     fc.assert(
       fc.property(case_, ({ program, unit }) => {
         const off = switchedOperation(program, unit, false);
-        expect(isRefused(off)).toBe(unitsOf(program)[unit]?.tie !== null);
+        expect(isRefused(off)).toBe(unitsOf(program)[unit]?.fixedReason !== null);
         if (isRefused(off)) return;
         const read = made(off);
         const [then, now] = [unitsOf(program)[unit], unitsOf(read)[unit]];

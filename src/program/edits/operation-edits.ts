@@ -7,7 +7,7 @@ import { withBlocks, withSkip } from "../../nc/replace.ts";
 import type { Statement } from "../../nc/statement.ts";
 import { noWords } from "../../nc/words.ts";
 import { wordsOf } from "../blocks/flow.ts";
-import { inForceBehind, NOTHING_IN_FORCE, type InForce } from "./in-force.ts";
+import { modalSettingsAfter, NO_MODAL_SETTINGS, type ModalSettings } from "./modal-settings.ts";
 import {
   definesCycle,
   isNote,
@@ -19,13 +19,13 @@ import {
   wholeOf,
   type Operations,
   type ToolSection,
-  type Tie,
+  type FixedReason,
 } from "./operations.ts";
 import { parametersOf, sharedParameter } from "./shared-parameters.ts";
 
 /** Why an operation cannot move there: its fixed reason, or a parameter set and used by different operations. */
 export interface Refusal {
-  readonly refused: Tie | "parameter";
+  readonly refused: FixedReason | "parameter";
   /** Number, from 0, of the operation that is in the way. */
   readonly unit: number;
   readonly parameter?: string;
@@ -33,7 +33,7 @@ export interface Refusal {
 
 export const isRefused = (made: Program | Refusal): made is Refusal => "refused" in made;
 
-const alike = (a: readonly Block[], b: readonly Block[]): boolean =>
+const sameBlocks = (a: readonly Block[], b: readonly Block[]): boolean =>
   a.length === b.length &&
   a.every((block, i) => {
     const other = b[i];
@@ -68,7 +68,7 @@ const cut = ({ blocks }: Program, { from, to }: { readonly from: number; readonl
   blocks.slice(from, to);
 
 /** Statements that a group needs because a previous modal setting has changed. */
-function missingSetting(blocks: readonly Block[], was: InForce, now: InForce): readonly Statement[] {
+function missingSetting(blocks: readonly Block[], was: ModalSettings, now: ModalSettings): readonly Statement[] {
   const has = (is: (s: Statement) => boolean) => blocks.some(({ statement: s }) => is(s));
   const spin =
     was.spin && JSON.stringify(was.spin) !== JSON.stringify(now.spin) && !has((s) => s.kind === "spin")
@@ -89,7 +89,7 @@ const functionsOf = (functions: readonly number[]): Statement => ({
 });
 
 /** Statements that an operation needs before its own blocks: its contour, and functions that were on. */
-function missingBefore(blocks: readonly Block[], was: InForce, now: InForce): readonly Statement[] {
+function missingBefore(blocks: readonly Block[], was: ModalSettings, now: ModalSettings): readonly Statement[] {
   const firstCycle = blocks.findIndex(({ statement: s }) => definesCycle(s));
   const free = blocks.some(({ statement: s }) => isOfFreeContour(s));
   const own = blocks.slice(0, Math.max(firstCycle, 0)).some(({ statement: s }) => namesContour(s));
@@ -106,7 +106,7 @@ function missingBefore(blocks: readonly Block[], was: InForce, now: InForce): re
 }
 
 /** Removes functions that were added only for an earlier position of the operation. */
-function withoutNeedless(blocks: readonly Block[], now: InForce): readonly Block[] {
+function withoutNeedless(blocks: readonly Block[], now: ModalSettings): readonly Block[] {
   const [first] = blocks;
   const s = first?.statement;
   if (s?.kind !== "functions" || s.words.functions.length === 0) return blocks;
@@ -128,10 +128,10 @@ function composed(
 ): Program {
   const before = states(program, all);
   const made: Block[] = [];
-  let now = inForceBehind(program.blocks.slice(0, all.from), NOTHING_IN_FORCE);
+  let now = modalSettingsAfter(program.blocks.slice(0, all.from), NO_MODAL_SETTINGS);
   const put = (blocks: readonly Block[]) => {
     made.push(...blocks);
-    now = inForceBehind(blocks, now);
+    now = modalSettingsAfter(blocks, now);
   };
   for (const group of groups) {
     if ("added" in group) {
@@ -141,7 +141,7 @@ function composed(
     const { section, units, opening } = group;
     const own = opening ?? cut(program, section.opening);
     const parts = units.flatMap((unit) => cut(program, all.units[unit] ?? section.closing));
-    const setting = missingSetting([...own, ...parts], before.sections.get(section) ?? NOTHING_IN_FORCE, now);
+    const setting = missingSetting([...own, ...parts], before.sections.get(section) ?? NO_MODAL_SETTINGS, now);
     const tool = own.findIndex(({ statement: s }) => s.kind === "toolCall") + 1;
     put(own.slice(0, tool));
     put(blocksOfStatements(program, section.from, setting));
@@ -152,7 +152,7 @@ function composed(
       const missing = blocksOfStatements(
         program,
         section.from,
-        missingBefore(bared, before.units.get(unit) ?? NOTHING_IN_FORCE, now),
+        missingBefore(bared, before.units.get(unit) ?? NO_MODAL_SETTINGS, now),
       );
       const words = bared.findIndex(({ statement: s }) => !isNote(s));
       put(missing.length > 0 ? [...bared.slice(0, words), ...missing, ...bared.slice(words)] : bared);
@@ -164,11 +164,11 @@ function composed(
 
 /** Current modal settings at the start of each section and operation. */
 function states({ blocks }: Program, all: Operations) {
-  const sections = new Map<ToolSection, InForce>();
-  const units = new Map<number, InForce>();
-  let [now, at] = [NOTHING_IN_FORCE, 0];
+  const sections = new Map<ToolSection, ModalSettings>();
+  const units = new Map<number, ModalSettings>();
+  let [now, at] = [NO_MODAL_SETTINGS, 0];
   const goTo = (to: number) => {
-    now = inForceBehind(blocks.slice(at, to), now);
+    now = modalSettingsAfter(blocks.slice(at, to), now);
     at = to;
     return now;
   };
@@ -198,8 +198,8 @@ function grouped(
       (last.section === section ||
         (isNew &&
           section.opening.to > section.opening.from &&
-          alike(cut(program, last.section.opening), cut(program, section.opening)) &&
-          alike(cut(program, last.section.closing), cut(program, section.closing))));
+          sameBlocks(cut(program, last.section.opening), cut(program, section.opening)) &&
+          sameBlocks(cut(program, last.section.closing), cut(program, section.closing))));
     if (last && same) {
       last.units.push(unit);
       if (isNew) joins.add(unit);
@@ -209,8 +209,8 @@ function grouped(
 }
 
 /** Why an operation cannot be changed as a whole; null where it can. */
-export function tieOf({ units }: Operations, unit: number): Refusal | null {
-  const tie = units[unit]?.tie ?? null;
+export function fixedRefusal({ units }: Operations, unit: number): Refusal | null {
+  const tie = units[unit]?.fixedReason ?? null;
   return tie && { refused: tie, unit };
 }
 
@@ -222,7 +222,7 @@ export function movedOperation(program: Program, unit: number, to: number): Prog
   const own = cut(program, wholeOf(all, unit));
   for (let i = unit; i !== to; i += Math.sign(to - unit)) {
     const crossed = i + Math.sign(to - unit);
-    const tie = tieOf(all, i === unit ? unit : i) ?? tieOf(all, crossed);
+    const tie = fixedRefusal(all, i === unit ? unit : i) ?? fixedRefusal(all, crossed);
     if (tie) return tie;
     const parameter = sharedParameter(own, cut(program, wholeOf(all, crossed)));
     if (parameter !== null) return { refused: "parameter", unit: crossed, parameter };
@@ -253,7 +253,7 @@ export function withAddedBehind(program: Program, unit: number | null, added: re
 /** Duplicates an operation behind itself, with the same tool. */
 export function duplicatedOperation(program: Program, unit: number): Program | Refusal {
   const all = operationsOf(program);
-  const tie = tieOf(all, unit);
+  const tie = fixedRefusal(all, unit);
   const own = all.units[unit];
   if (tie || !own) return tie ?? program;
   const { blocks } = program;
@@ -263,7 +263,7 @@ export function duplicatedOperation(program: Program, unit: number): Program | R
 /** Removes an operation; its tool call and retraction stay where another one needs them. */
 export function withoutOperation(program: Program, unit: number): Program | Refusal {
   const all = operationsOf(program);
-  const tie = tieOf(all, unit);
+  const tie = fixedRefusal(all, unit);
   if (tie || !all.units[unit]) return tie ?? program;
   const order = all.units.map((_, i) => i).filter((i) => i !== unit);
   const groups = order.reduce<{ section: ToolSection; units: number[] }[]>((made, i) => {
@@ -279,7 +279,7 @@ export function withoutOperation(program: Program, unit: number): Program | Refu
 /** Sets or removes the skip marks of an operation: settings that others need stay active. */
 export function switchedOperation(program: Program, unit: number, on: boolean): Program | Refusal {
   const all = operationsOf(program);
-  const tie = tieOf(all, unit);
+  const tie = fixedRefusal(all, unit);
   const own = all.units[unit];
   if (tie || !own) return tie ?? program;
   const whole = wholeOf(all, unit);
@@ -308,7 +308,8 @@ export function retooledOperation(program: Program, unit: number, tool: number):
   const all = operationsOf(program);
   const own = all.units[unit];
   const section = own && all.sections[own.section];
-  if (!own || own.toolCall === null || !section || own.tie === "label") return { refused: own?.tie ?? "tool", unit };
+  if (!own || own.toolCall === null || !section || own.fixedReason === "label")
+    return { refused: own?.fixedReason ?? "tool", unit };
   const called = program.blocks[own.toolCall]?.statement;
   if (called?.kind !== "toolCall") return program;
   // Deltas belong to the measured tool.

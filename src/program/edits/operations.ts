@@ -14,7 +14,7 @@ export interface BlockRange {
 }
 
 /** Why an operation cannot move: a called label, or shifted or rotated coordinates. */
-export type Tie = "label" | "frame" | "tool";
+export type FixedReason = "label" | "frame" | "tool";
 
 /** One operation: a cycle with its calls, or cuts without one, and the tool. */
 export interface OperationPart extends BlockRange {
@@ -29,7 +29,7 @@ export interface OperationPart extends BlockRange {
   /** An earlier operation calls the tool. */
   readonly inherits: boolean;
   /** Why it cannot be moved, duplicated, skipped or deleted. */
-  readonly tie: Tie | null;
+  readonly fixedReason: FixedReason | null;
 }
 
 /** Operations with one tool: common opening, each operation, and the common retraction. */
@@ -255,7 +255,7 @@ export function operationsOf({ blocks }: Program): Operations {
         definitions: inside.flatMap(({ statement: s }, i) => (definesCycle(s) ? [part.from + i] : [])),
         toolCall: toolCall < 0 ? null : toolCall,
         inherits: k > 0 || toolCall < from,
-        tie: tieFor({ hasLabel, framed, toolless: toolCall < 0 }),
+        fixedReason: tieFor({ hasLabel, framed, toolless: toolCall < 0 }),
       };
     });
     const first = units.length;

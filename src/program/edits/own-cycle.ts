@@ -1,5 +1,5 @@
 import { cycleByNumber } from "../../cycles/index.ts";
-import { isKept } from "../../cycles/kept-cycles.ts";
+import { isUnsimulated } from "../../cycles/unsimulated-cycles.ts";
 import type { StatementOf } from "../../nc/statement.ts";
 import type { CycleParameter } from "../../nc/words.ts";
 import { isDrilling } from "../blocks/drill-run.ts";
@@ -104,7 +104,11 @@ export const fieldId = (parameter: string, cell: OwnCell): string => `${paramete
 
 /** True for a number of a known cycle, simulated or not: it already has a dialog or a meaning. */
 export const isKnownCycle = (number: number): boolean =>
-  cycleByNumber(number) !== undefined || isKept(number) || isDrilling(number) || actsAtOnce(number) || isSilent(number);
+  cycleByNumber(number) !== undefined ||
+  isUnsimulated(number) ||
+  isDrilling(number) ||
+  actsAtOnce(number) ||
+  isSilent(number);
 
 /** Text of a line of a program: single blanks, none at its ends. */
 const trimmed = (text: string): string => text.replace(/\s+/g, " ").trim();

@@ -9,15 +9,15 @@ import type { Program } from "../../nc/program.ts";
 import { styleAt } from "../../nc/read-style.ts";
 import type { Statement, StatementOf } from "../../nc/statement.ts";
 import { noWords, type AxisWord } from "../../nc/words.ts";
-import { kept } from "../values/field.ts";
+import { roundedTo } from "../values/field.ts";
 import type { NcOutput } from "../machine/nc-output.ts";
 import { setsFeedUnit } from "./operations.ts";
 import { outputIn } from "./output-in.ts";
-import { AWAY, nameOnControl } from "../job/print-job.ts";
+import { SAFE_DISTANCE, nameOnControl } from "../job/print-job.ts";
 import { POSITION_DECIMALS } from "../values/typed-value.ts";
 
 /** Options of the second clamping. */
-export interface SecondSide {
+export interface SecondSideOptions {
   /** Facing allowance at the new front, mm: Z0 is this far behind it. */
   readonly allowance: number;
   /** NC output where the first program does not show it. */
@@ -38,7 +38,7 @@ const SHORTEST_ARC = 0.01;
 /** Tolerance of the outline, mm: the stock has each arc, of tool and path, as chords. */
 const NEAR: Nearness = { line: SAME, arc: 5 * CHORD };
 /** Area error allowed for a radius with fewer decimals, mm². */
-const AS_MUCH = 0.001;
+const AREA_TOLERANCE = 0.001;
 /** Longest name of a program on the control. */
 const LONGEST_NAME = 32;
 
@@ -53,7 +53,7 @@ export function nextClampingName(name: string): string {
  * A piece turned end for end: its rear face becomes the front, `front` mm before Z0. Applying it twice restores the
  * piece.
  */
-export function turnedRound(piece: readonly Ring[], front: number): Ring[] {
+export function flippedPiece(piece: readonly Ring[], front: number): Ring[] {
   const { left } = boxAround([...piece]);
   return piece.map((ring) => ring.map((p) => at(left - p.z + front, p.r)).reverse());
 }
@@ -102,19 +102,19 @@ function radiusWritten(arc: Extract<Segment, { kind: "arc" }>, per: number, deci
   const chord = part.apart(arc.from, arc.to),
     exact = part.radiusOf(arc),
     area = areaOfArc(chord, exact);
-  const most = Math.min(AS_MUCH, CHORD * part.lengthOf(arc));
+  const most = Math.min(AREA_TOLERANCE, CHORD * part.lengthOf(arc));
   for (let digits = 0; digits < decimals; digits += 1) {
-    const fewer = kept(exact / per, digits);
+    const fewer = roundedTo(exact / per, digits);
     if (2 * fewer * per > chord && Math.abs(areaOfArc(chord, fewer * per) - area) <= most) return fewer;
   }
-  return kept(exact / per, decimals);
+  return roundedTo(exact / per, decimals);
 }
 
 /** Blocks of an outline: unchanged axes are left out, and so are elements without length after rounding. */
 function outlineStatements(segments: readonly Segment[], unit: "MM" | "INCH"): Statement[] {
   const decimals = OUTLINE_DECIMALS[unit],
     per = IN_MM[unit === "INCH" ? "inch" : "mm"];
-  const written = (p: Pt) => ({ X: kept(toDiameter(p.r) / per, decimals), Z: kept(p.z / per, decimals) });
+  const written = (p: Pt) => ({ X: roundedTo(toDiameter(p.r) / per, decimals), Z: roundedTo(p.z / per, decimals) });
   const [first] = segments;
   if (!first) return [];
   let before: { readonly X: number; readonly Z: number } | null = null;
@@ -165,12 +165,12 @@ function turningOf({ blocks }: Program): Statement[] {
 export function secondSide(
   program: Program,
   piece: readonly Ring[],
-  { allowance, output: otherwise }: SecondSide,
+  { allowance, output: otherwise }: SecondSideOptions,
 ): string {
   const begin = program.blocks.find(({ statement: s }) => s.kind === "begin")?.statement;
   const [name, unit] =
     begin?.kind === "begin" ? [nextClampingName(begin.name), begin.unit] : [nextClampingName("PROGRAM"), "MM" as const];
-  const turned = turnedRound(piece, allowance);
+  const turned = flippedPiece(piece, allowance);
   const outline = outlineStatements(outlineOf(turned), unit);
   if (outline.length === 0) return "";
   const output = outputIn(program, otherwise),
@@ -178,7 +178,7 @@ export function secondSide(
   const { high } = boxAround(turned);
   const away = (axis: "X" | "Z", mm: number): AxisWord => ({
     axis,
-    value: kept(Math.ceil(mm) / per, POSITION_DECIMALS),
+    value: roundedTo(Math.ceil(mm) / per, POSITION_DECIMALS),
     incremental: false,
   });
   const all: Statement[] = [
@@ -190,7 +190,10 @@ export function secondSide(
       path: "L",
       words: {
         ...noWords,
-        axes: [away("X", toDiameter(radius(high)) + AWAY.x), away("Z", Math.max(allowance, 0) + AWAY.z)],
+        axes: [
+          away("X", toDiameter(radius(high)) + SAFE_DISTANCE.x),
+          away("Z", Math.max(allowance, 0) + SAFE_DISTANCE.z),
+        ],
         compensation: "R0",
         feed: "max",
       },

@@ -2,10 +2,10 @@ import type { Pt } from "../../kernel/geometry/point.ts";
 import { axial, diameter, radius, toDiameter, toRadius } from "../../kernel/units.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import type { RowField, RowReading, RowsReading } from "./contour-rows.ts";
-import { anyNumber, kept, readText, sumOf } from "../values/field.ts";
+import { anyNumber, roundedTo, readText, sumOf } from "../values/field.ts";
 import type { ContourRow } from "./job.ts";
 import { isPolarRow, polarNames, polarOf, polarTyped, withPolar, type PolarName } from "./polar-row.ts";
-import { SOUGHT } from "./row-given.ts";
+import { SOLVE_MARK } from "./read-row.ts";
 import { positionAsTyped } from "../values/typed-value.ts";
 
 type Rows = readonly ContourRow[];
@@ -24,7 +24,7 @@ export interface ContourDimension {
 
 /** Decimals of an angle read from the drawing. */
 const ANGLE_DECIMALS = 4;
-const isEmpty = (text: string) => text.trim() === "" || text.trim() === SOUGHT;
+const isEmpty = (text: string) => text.trim() === "" || text.trim() === SOLVE_MARK;
 const numberOf = (text: string): number | null => readText({ ...anyNumber, decimals: null }, text).value;
 const END_KINDS: readonly ContourRow["kind"][] = ["L", "CR", "C", "CT"];
 /** Elements with a size: radius or chamfer. */
@@ -123,7 +123,7 @@ function lengthened(row: ContourRow, read: RowReading, text: string): Partial<Co
     const way = toDiameter(radius(Math.sign(to.r - from.r) * value));
     return { x: positionAsTyped(row.incrementalX ? way : x + way) };
   }
-  return { length: text, angle: String(kept(angle, ANGLE_DECIMALS)), ...open };
+  return { length: text, angle: String(roundedTo(angle, ANGLE_DECIMALS)), ...open };
 }
 
 /** Writes out the end point, because the value that defined it was removed. */
@@ -184,15 +184,17 @@ export function holdsOf(row: ContourRow, read: RowReading): readonly Hold[] {
   const {
     end,
     inherited: { x, z },
-    sought,
+    solvedAxes,
   } = read;
   const stays = (typed: string, from: number | null, to: number | null, isSought: boolean) =>
     typed.trim() === "" && from !== null && to !== null && !isSought && Math.abs(to - from) < SAME;
   const isLine = row.kind === "L";
   return [
     ...(row.tangent || row.kind === "CT" || row.kind === "CTP" ? ["tangent" as const] : []),
-    ...(isLine && stays(row.x, x, end && end.x, sought.x) ? ["horizontal" as const] : []),
-    ...(isLine && stays(row.z, z, end && end.z, sought.z) ? ["vertical" as const] : []),
-    ...(sought.x || sought.z || read.freedom > 0 || row.r.trim() === SOUGHT ? ["sought" as const] : []),
+    ...(isLine && stays(row.x, x, end && end.x, solvedAxes.x) ? ["horizontal" as const] : []),
+    ...(isLine && stays(row.z, z, end && end.z, solvedAxes.z) ? ["vertical" as const] : []),
+    ...(solvedAxes.x || solvedAxes.z || read.missingValues > 0 || row.r.trim() === SOLVE_MARK
+      ? ["sought" as const]
+      : []),
   ];
 }

@@ -84,14 +84,14 @@ test("a single point is too short, and that belongs to no row", () => {
 test("with an angle an empty coordinate is solved, not inherited; both show the result", () => {
   const { rows, issues } = readRows([row("L", { x: "40", z: "0" }), row("L", { x: "60", angle: "135" })]);
   expect(issues).toEqual([]);
-  expect(rows[1]).toMatchObject({ end: { x: 60 }, sought: { x: false, z: true }, angle: 135, freedom: 0 });
+  expect(rows[1]).toMatchObject({ end: { x: 60 }, solvedAxes: { x: false, z: true }, angle: 135, missingValues: 0 });
   expect(rows[1]?.end?.z).toBeCloseTo(-10, 9);
   expect(rows[1]?.length).toBeCloseTo(Math.SQRT2 * 10, 9);
 });
 
 test("a question mark solves a coordinate; open values are counted and reported", () => {
   const rows = [row("L", { x: "40", z: "0" }), row("L", { x: "60", z: "?" }), row("L", { x: "60", z: "-30" })];
-  expect(readRows(rows).rows.map((r) => r.freedom)).toEqual([0, 1, 0]);
+  expect(readRows(rows).rows.map((r) => r.missingValues)).toEqual([0, 1, 0]);
   expect(codes(rows)).toEqual([[2, null, "elementFree"]]);
   expect(readRows([...rows.slice(0, 2), row("L", { x: "60", z: "-30", length: "20" })]).rows[1]?.end).toEqual({
     x: 60,

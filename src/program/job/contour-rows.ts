@@ -5,7 +5,7 @@ import { solveContour, type SolvedElement } from "../../kernel/solve/solve-conto
 import type { SolveElement } from "../../kernel/solve/solve-work.ts";
 import { toDiameter } from "../../kernel/units.ts";
 import type { ContourRow } from "./job.ts";
-import { rowGiven, type RowGiven } from "./row-given.ts";
+import { readRow, type ReadRow } from "./read-row.ts";
 import { begun, type RowField, type RowIssue, type RowReader } from "./row-reader.ts";
 import { ROUND } from "../../kernel/tolerance.ts";
 
@@ -18,7 +18,7 @@ export interface RowReading {
   /** End in a coordinate that is left out. */
   readonly inherited: { readonly x: number | null; readonly z: number | null };
   /** Coordinates solved from other values. */
-  readonly sought: { readonly x: boolean; readonly z: boolean };
+  readonly solvedAxes: { readonly x: boolean; readonly z: boolean };
   /** Angle to +Z and length of a line, radius and turn of an arc, typed or solved; null while unknown. */
   readonly angle: number | null;
   readonly length: number | null;
@@ -27,7 +27,7 @@ export interface RowReading {
   /** Active pole, or centre of the arc. */
   readonly pole: Pt | null;
   /** Number of missing values. */
-  readonly freedom: number;
+  readonly missingValues: number;
   /** Number of solutions. */
   readonly choices: number;
 }
@@ -55,16 +55,16 @@ const known = new WeakMap<readonly ContourRow[], RowsReading>();
 
 /** Reads the contour table, cached per state; coordinates that are not typed are solved where possible. */
 export function readRows(rows: readonly ContourRow[]): RowsReading {
-  const read = known.get(rows) ?? readAnew(rows);
+  const read = known.get(rows) ?? solveRows(rows);
   known.set(rows, read);
   return read;
 }
 
-function readAnew(rows: readonly ContourRow[]): RowsReading {
+function solveRows(rows: readonly ContourRow[]): RowsReading {
   const reader: RowReader = { x: null, z: null, pole: null, issues: [] };
   const poles: (Pt | null)[] = [];
   const given = rows.map((row, i) => {
-    const read = rowGiven(reader, row, i);
+    const read = readRow(reader, row, i);
     poles.push(reader.pole);
     return read;
   });
@@ -119,7 +119,7 @@ function signedRadius(s: SolvedElement | undefined): number | null {
 }
 
 /** The element with all coordinates; null while its end is unknown. */
-function contourElement(given: RowGiven | undefined, solved: SolvedElement | undefined): ContourElement | null {
+function contourElement(given: ReadRow | undefined, solved: SolvedElement | undefined): ContourElement | null {
   if (given?.kind === "corner") return given.corner;
   if (given?.kind === "recess") return given.recess;
   const to = pointOf(solved);
@@ -135,7 +135,7 @@ function contourElement(given: RowGiven | undefined, solved: SolvedElement | und
 }
 
 function readings(
-  given: readonly RowGiven[],
+  given: readonly ReadRow[],
   poles: readonly (Pt | null)[],
   solved: ReadonlyMap<number, SolvedElement | undefined>,
 ): RowReading[] {
@@ -150,12 +150,12 @@ function readings(
         end: null,
         inherited,
         pole,
-        sought: { x: false, z: false },
+        solvedAxes: { x: false, z: false },
         angle: null,
         length: null,
         radius: null,
         turn: null,
-        freedom: 0,
+        missingValues: 0,
         choices: 1,
       };
     [x, z] = [s.r === null ? null : toDiameter(s.r), s.z];
@@ -163,12 +163,12 @@ function readings(
       end: at && { x: toDiameter(at.r), z: at.z },
       inherited,
       pole,
-      sought: g.sought,
+      solvedAxes: g.solvedAxes,
       angle: s.angle,
       length: s.length,
       radius: signedRadius(s),
       turn: s.segment?.kind === "arc" ? s.segment.turn : null,
-      freedom: s.freedom,
+      missingValues: s.freedom,
       choices: s.choices,
     };
   });

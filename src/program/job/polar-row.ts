@@ -4,10 +4,10 @@ import type { Pt } from "../../kernel/geometry/point.ts";
 import { axial, type Axial, diameter, inDegrees, type Radius, STEP, toDiameter, toRadius } from "../../kernel/units.ts";
 import { noWords, type PolarWord, type Words } from "../../nc/words.ts";
 import { programIssue } from "../state/issue.ts";
-import { kept } from "../values/field.ts";
+import { roundedTo } from "../values/field.ts";
 import type { ContourRow } from "./job.ts";
 import { plainReader, polarPoint } from "../state/path.ts";
-import { NEEDED, goesNowhere, rowNumber, type RowReader } from "./row-reader.ts";
+import { REQUIRED_NUMBER, reportNoMotion, rowNumber, type RowReader } from "./row-reader.ts";
 import { POSITION_DECIMALS, typedValue } from "../values/typed-value.ts";
 
 /** A word for the end of a polar element: distance from the pole in mm, angle from +Z towards +X in degrees. */
@@ -58,8 +58,8 @@ export function polarWords(row: ContourRow): Partial<Words> {
 
 /** A point as distance and angle about a pole. */
 export const polarOf = (pole: Pt, to: Pt): Readonly<Record<PolarName, number>> => ({
-  PR: kept(Math.hypot(to.z - pole.z, to.r - pole.r), POSITION_DECIMALS),
-  PA: kept(inDegrees(Math.atan2(to.r - pole.r, to.z - pole.z)), ANGLE_DECIMALS),
+  PR: roundedTo(Math.hypot(to.z - pole.z, to.r - pole.r), POSITION_DECIMALS),
+  PA: roundedTo(inDegrees(Math.atan2(to.r - pole.r, to.z - pole.z)), ANGLE_DECIMALS),
 });
 
 /** Words of a row with a new end point: omitted words that are still right stay omitted. */
@@ -70,7 +70,7 @@ export function polarWordsTo(row: ContourRow, pole: Pt, before: Pt | null, to: P
     const { text, incremental } = polarTyped(row, name);
     if (text.trim() === "" && old && Math.abs(next[name] - old[name]) < STEP / 2) return words;
     return withPolar(words, name, {
-      text: String(kept(incremental && old ? next[name] - old[name] : next[name], decimalsOf(name))),
+      text: String(roundedTo(incremental && old ? next[name] - old[name] : next[name], decimalsOf(name))),
       incremental: incremental && old !== null,
     });
   }, row.words);
@@ -92,7 +92,7 @@ function polarEnd(reader: RowReader, row: ContourRow, index: number): Pt | null 
   for (const name of ["PR", "PA"] as const) {
     const { text, incremental } = names.includes(name) ? polarTyped(row, name) : { text: "", incremental: false };
     const empty = text.trim() === "",
-      value = empty ? null : rowNumber(reader, index, name, text, NEEDED);
+      value = empty ? null : rowNumber(reader, index, name, text, REQUIRED_NUMBER);
     if (value !== null) words = { ...words, ...putWord(name, { value, incremental }) };
     else if (!empty) readable = false;
     // Without a known previous point there is nothing to inherit or to add to.
@@ -108,7 +108,7 @@ function polarEnd(reader: RowReader, row: ContourRow, index: number): Pt | null 
     });
   }
   if (!readable) return null;
-  if (row.kind !== "CP" && !words.polarRadius && !words.polarAngle) goesNowhere(reader, row, index);
+  if (row.kind !== "CP" && !words.polarRadius && !words.polarAngle) reportNoMotion(reader, row, index);
   return polarPoint(plainReader(1), words, reader.pole, before);
 }
 

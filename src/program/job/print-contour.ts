@@ -1,11 +1,11 @@
 import type { Statement } from "../../nc/statement.ts";
 import { noWords, type AxisWord, type NamedWord, type Value, type Words } from "../../nc/words.ts";
 import { readRows, type RowReading } from "./contour-rows.ts";
-import { kept } from "../values/field.ts";
+import { roundedTo } from "../values/field.ts";
 import type { ContourRow } from "./job.ts";
 import { polarWords } from "./polar-row.ts";
 import { formWord } from "../blocks/recess-words.ts";
-import { recessWords } from "./row-given.ts";
+import { recessWords } from "./read-row.ts";
 import { POSITION_DECIMALS, typedAxis, typedValue } from "../values/typed-value.ts";
 
 const path = (
@@ -20,16 +20,16 @@ const path = (
 /** X and Z as typed; where one was solved, both as numbers, so that the control needs no more. */
 function axesOf(row: ContourRow, reading: RowReading | undefined): AxisWord[] {
   const typed = [...typedAxis("X", row.x, row.incrementalX), ...typedAxis("Z", row.z, row.incrementalZ)];
-  if (!reading?.end || !(reading.sought.x || reading.sought.z)) return typed;
+  if (!reading?.end || !(reading.solvedAxes.x || reading.solvedAxes.z)) return typed;
   const word = (axis: "X" | "Z", value: number): AxisWord => ({
     axis,
-    value: kept(value, POSITION_DECIMALS),
+    value: roundedTo(value, POSITION_DECIMALS),
     incremental: false,
   });
   const { x, z } = reading.end;
   return [
-    ...(reading.sought.x || row.incrementalX ? [word("X", x)] : typed.filter((w) => w.axis === "X")),
-    ...(reading.sought.z || row.incrementalZ ? [word("Z", z)] : typed.filter((w) => w.axis === "Z")),
+    ...(reading.solvedAxes.x || row.incrementalX ? [word("X", x)] : typed.filter((w) => w.axis === "X")),
+    ...(reading.solvedAxes.z || row.incrementalZ ? [word("Z", z)] : typed.filter((w) => w.axis === "Z")),
   ];
 }
 
@@ -46,14 +46,15 @@ const NAMES_ITS_END: ReadonlySet<ContourRow["kind"]> = new Set(["L", "CR", "CT",
 function statement(row: ContourRow, reading: RowReading | undefined): Statement[] {
   const axes = axesOf(row, reading),
     size = typedValue(row.r);
-  if (reading && (reading.sought.x || reading.sought.z) && !reading.end && axes.length === 0) return [];
+  if (reading && (reading.solvedAxes.x || reading.solvedAxes.z) && !reading.end && axes.length === 0) return [];
   if (NAMES_ITS_END.has(row.kind) && axes.length === 0 && Object.keys(polarWords(row)).length === 0) return [];
   switch (row.kind) {
     case "L":
       return [path("L", { axes })];
     case "CR": {
       const radius: Value | null =
-        size ?? (reading === undefined || reading.radius === null ? null : kept(reading.radius, POSITION_DECIMALS));
+        size ??
+        (reading === undefined || reading.radius === null ? null : roundedTo(reading.radius, POSITION_DECIMALS));
       return [
         path("CR", {
           axes,

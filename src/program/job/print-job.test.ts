@@ -6,7 +6,7 @@ import { print } from "../../nc/program.ts";
 import { withOperation } from "../edits/added-operation.ts";
 import { exampleJob, type SetJob } from "./job.ts";
 import {
-  EARLIER_OUTPUT,
+  LEGACY_OUTPUT,
   isNcOutput,
   nameOfOutput,
   NC_OUTPUT_NAMES,
@@ -44,7 +44,7 @@ describe("what a program does for its machine", () => {
     ["main spindle", NC_OUTPUTS.mainSpindle, "M3", ["L Z+52 R0 FMAX", "M5", "M30"]],
     ["the builder's own", own, "M403", ["L Z+52 R0 FMAX", "M405", "M2"]],
     ["to the limit of travel", { ...own, retract: "limit" }, "M403", ["M140 MB MAX", "M405", "M2"]],
-    ["as works before it", EARLIER_OUTPUT, "M303", ["L Z+52 R0 FMAX", "M30"]],
+    ["as works before it", LEGACY_OUTPUT, "M303", ["L Z+52 R0 FMAX", "M30"]],
   ])("%s", (_, output, on, back) => {
     const found = ways(jobOf(812, { output }));
     expect(found.there.at(-1)).toBe(`L X+75 Y+0 Z+2 FMAX ${on}`);

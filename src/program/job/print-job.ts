@@ -11,7 +11,7 @@ import { knownParameters, usedParameters } from "./job-parameters.ts";
 import type { BlankDraft, Job, SetJob } from "./job.ts";
 import type { NcOutput } from "../machine/nc-output.ts";
 import { contourStatements } from "./print-contour.ts";
-import { anyNumber, kept, readText } from "../values/field.ts";
+import { anyNumber, roundedTo, readText } from "../values/field.ts";
 import { readDraft, type Draft } from "./read-draft.ts";
 import { POSITION_DECIMALS, typedAxis as axis, typedValue as value } from "../values/typed-value.ts";
 
@@ -29,7 +29,7 @@ const CONTOUR_LABEL = 2;
 /** Decimals of the value of a Q parameter. */
 const PARAMETER_DECIMALS = 6;
 /** Distance of the safe position from blank and start point: ⌀ and Z, mm. */
-export const AWAY = { x: 20, z: 50 };
+export const SAFE_DISTANCE = { x: 20, z: 50 };
 const path = (words: Partial<Words>): Statement => ({ kind: "path", path: "L", words: { ...noWords, ...words } });
 const number = (typed: string, otherwise: number) => {
   const read = value(typed);
@@ -79,7 +79,7 @@ const assignments = (job: Job, known: KnownParameters): Statement[] =>
     const of = known[target];
     return of === undefined
       ? []
-      : [{ kind: "assign", fn: null, target, formula: { kind: "value", value: kept(of, PARAMETER_DECIMALS) } }];
+      : [{ kind: "assign", fn: null, target, formula: { kind: "value", value: roundedTo(of, PARAMETER_DECIMALS) } }];
   });
 
 /**
@@ -115,8 +115,14 @@ export function jobStatements(job: SetJob, cycle: Cycle, labels: Labels): Statem
   const { output } = job;
   const name = nameOnControl(output.capitals ? job.name.toUpperCase() : job.name);
   const place = placeOfStart(job);
-  const safeX = kept(Math.max(number(job.blank.outside, 0), number(job.start.x, 0)) + AWAY.x, POSITION_DECIMALS);
-  const safeZ = kept(Math.max(number(job.blank.allowance, 0), number(job.start.z, 0), 0) + AWAY.z, POSITION_DECIMALS);
+  const safeX = roundedTo(
+    Math.max(number(job.blank.outside, 0), number(job.start.x, 0)) + SAFE_DISTANCE.x,
+    POSITION_DECIMALS,
+  );
+  const safeZ = roundedTo(
+    Math.max(number(job.blank.allowance, 0), number(job.start.z, 0), 0) + SAFE_DISTANCE.z,
+    POSITION_DECIMALS,
+  );
   const at = (x: Value, z: Value): AxisWord[] => [
     { axis: "X", value: x, incremental: false },
     { axis: "Z", value: z, incremental: false },

@@ -11,7 +11,7 @@ import { readDraft } from "./read-draft.ts";
 import { readRows } from "./contour-rows.ts";
 import { run } from "../run/run.ts";
 import { shippedTools } from "../tools/shipped-tools.ts";
-import { tipAtCall } from "./wanted-job.ts";
+import { tipAtCall } from "./requested-job.ts";
 import { rankTools } from "../tools/which-tool.ts";
 
 const runOf = (program: Program) => run(program, { tools: shippedTools, rapid: 10_000 });
@@ -62,7 +62,7 @@ describe("an inserted operation", () => {
       expect(operations).toHaveLength(1);
       expect(operations[0]?.plan.moves.length).toBeGreaterThan(3);
       const { units } = operationsOf(program);
-      expect(units.map(({ title, tie }) => [title, tie])).toEqual([[`CYCLE ${number}`, null]]);
+      expect(units.map(({ title, fixedReason }) => [title, fixedReason])).toEqual([[`CYCLE ${number}`, null]]);
     },
   );
 

@@ -1,17 +1,17 @@
 import type { Cycle, TurnedShape } from "../../cycles/define.ts";
 import { useOf, worksAcross } from "../../cycles/use.ts";
-import type { Corner, Site, Wanted } from "../../cycles/wanted.ts";
+import type { Corner, Site, ShapeRequest } from "../../cycles/shape-request.ts";
 import { boxOf } from "../../kernel/area/box.ts";
 import { at, part, type Ring } from "../../kernel/geometry/point.ts";
 import { axial, diameter, radius, rounded, toDiameter, toRadius } from "../../kernel/units.ts";
 import type { SetJob, SpindleDraft } from "./job.ts";
 import type { Operation } from "../state/run-types.ts";
 import { positionAsTyped, valueAsTyped } from "../values/typed-value.ts";
-import { jobFor, withValue } from "./wanted-job.ts";
-import { boxAroundContour, wantedContour } from "./wanted-shape.ts";
+import { jobFor, withValue } from "./requested-job.ts";
+import { boxAroundContour, requestedContour } from "./requested-shape.ts";
 
 /** Context of a new operation: the blank, and the previous operations. */
-export interface BeforeOperation {
+export interface OperationContext {
   readonly blank: readonly Ring[];
   /** Previous operations, in order. */
   readonly before: readonly Operation[];
@@ -55,7 +55,7 @@ const corner = (d: number, z: number): Corner => ({
 });
 
 /** Corners of the last previous operation on the same site; null without one. */
-function lastOf(before: readonly Operation[], site: Site): Pick<Wanted, "from" | "to"> | null {
+function lastOf(before: readonly Operation[], site: Site): Pick<ShapeRequest, "from" | "to"> | null {
   const sideOf = ({ plan: { openSide } }: Operation): Site => {
     if (Math.abs(openSide.z) > Math.abs(openSide.r)) return "face";
     return openSide.r < 0 ? "inside" : "outside";
@@ -66,8 +66,8 @@ function lastOf(before: readonly Operation[], site: Site): Pick<Wanted, "from" |
 
 function stepOutside(
   { outer, front, back }: Room,
-  last: Pick<Wanted, "from" | "to"> | null,
-): Pick<Wanted, "from" | "to"> {
+  last: Pick<ShapeRequest, "from" | "to"> | null,
+): Pick<ShapeRequest, "from" | "to"> {
   const length = whole((front - back) * PART.length);
   if (!last) return { from: corner(outer, 0), to: corner(whole(outer * PART.diameter), -length) };
   // A shoulder continues at the end of the previous one, at the next diameter.
@@ -77,13 +77,20 @@ function stepOutside(
   return { from: corner(outer, last.to.z), to: corner(inner, last.to.z - rest) };
 }
 
-function onFace({ outer, bore, front }: Room, last: Pick<Wanted, "from" | "to"> | null): Pick<Wanted, "from" | "to"> {
+function onFace(
+  { outer, bore, front }: Room,
+  last: Pick<ShapeRequest, "from" | "to"> | null,
+): Pick<ShapeRequest, "from" | "to"> {
   // Material in front of Z0 is faced first.
   if (front > 0 && !last) return { from: corner(outer, front), to: corner(bore, 0) };
   return { from: corner(outer, 0), to: corner(whole(outer * PART.diameter), -FACE) };
 }
 
-function inRecess(room: Room, site: Site, last: Pick<Wanted, "from" | "to"> | null): Pick<Wanted, "from" | "to"> {
+function inRecess(
+  room: Room,
+  site: Site,
+  last: Pick<ShapeRequest, "from" | "to"> | null,
+): Pick<ShapeRequest, "from" | "to"> {
   const { outer, front, back } = room;
   if (site === "face") {
     const middle = whole((outer + room.bore) * PART.length);
@@ -95,7 +102,7 @@ function inRecess(room: Room, site: Site, last: Pick<Wanted, "from" | "to"> | nu
 }
 
 /** Shape that a cycle would machine here: continues the last operation, within the blank. */
-function wantedHere(cycle: Cycle, { blank, before }: BeforeOperation): Wanted {
+function wantedHere(cycle: Cycle, { blank, before }: OperationContext): ShapeRequest {
   const room = roomOf(blank);
   const across = worksAcross(cycle);
   const [shape = "step"] = useOf(cycle).shapes as readonly TurnedShape[];
@@ -120,23 +127,23 @@ function wantedHere(cycle: Cycle, { blank, before }: BeforeOperation): Wanted {
 }
 
 /** The same with a drawn contour, where the cycle takes one. */
-function drawn(cycle: Cycle, wanted: Wanted): Wanted {
+function drawn(cycle: Cycle, wanted: ShapeRequest): ShapeRequest {
   if (cycle.contour !== "free") return wanted;
   const r = toRadius(wanted.from.diameter);
   const line = [part.line(at(wanted.from.z, r), at(wanted.to.z, r))];
-  return { ...wanted, shape: "free", contour: wanted.shape === "thread" ? line : wantedContour(wanted) };
+  return { ...wanted, shape: "free", contour: wanted.shape === "thread" ? line : requestedContour(wanted) };
 }
 
 /** Edge of a shoulder that any insert can turn. */
 const EDGE = { q: "Q500", size: 1 };
 
-function withEdge(job: SetJob, cycle: Cycle, wanted: Wanted): SetJob {
+function withEdge(job: SetJob, cycle: Cycle, wanted: ShapeRequest): SetJob {
   if (cycle.params[EDGE.q] === undefined || wanted.shape !== "step" || wanted.site === "face") return job;
   return withValue(job, EDGE.q, EDGE.size);
 }
 
 /** A face is called from outside and in front of it, a thread on a contour from in front of it. */
-function withOwnStart(job: SetJob, cycle: Cycle, { site, shape, from }: Wanted): SetJob {
+function withOwnStart(job: SetJob, cycle: Cycle, { site, shape, from }: ShapeRequest): SetJob {
   if (shape === "thread" && cycle.contour === "free") {
     const [x, z] = [from.diameter + RUN_IN, from.z + RUN_IN];
     return { ...job, start: { x: positionAsTyped(x), z: positionAsTyped(z) } };
@@ -147,7 +154,7 @@ function withOwnStart(job: SetJob, cycle: Cycle, { site, shape, from }: Wanted):
 }
 
 /** Proposes a job of a cycle that fits the stock and the previous operations; everything can be changed afterwards. */
-export function proposedOperation(cycle: Cycle, here: BeforeOperation): SetJob {
+export function proposedOperation(cycle: Cycle, here: OperationContext): SetJob {
   const wanted = wantedHere(cycle, here);
   const plain = jobFor(cycle, drawn(cycle, wanted), here.blank.length > 0 ? here.blank : null);
   const job = withOwnStart(withEdge(plain, cycle, wanted), cycle, wanted);

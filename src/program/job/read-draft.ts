@@ -1,11 +1,11 @@
 import type { Cycle } from "../../cycles/define.ts";
-import { neutralOf, saysNothing } from "../../cycles/effect.ts";
+import { neutralValueOf, hasNoEffect } from "../../cycles/effect.ts";
 import { firstValues } from "../../cycles/first-values.ts";
 import type { Param, Params, Values } from "../../cycles/params.ts";
 import type { Issue } from "../../kernel/plan/issue.ts";
 import type { KnownParameters } from "../values/expression.ts";
 import { type Field, type FieldReading, readText } from "../values/field.ts";
-import { triedOffers } from "../values/tried.ts";
+import { testedOffers } from "../values/tested-offers.ts";
 
 /** Typed text of the prompts of one cycle, by Q number; a missing key is an empty field. */
 export type Draft = Readonly<Record<string, string>>;
@@ -45,9 +45,9 @@ export function readDraft<P extends Params>(
   }
   for (const [q, param] of Object.entries<Param>(cycle.params)) {
     const field = perField[q];
-    if (!field?.issue || !field.empty || !saysNothing(param, partial)) continue;
+    if (!field?.issue || !field.empty || !hasNoEffect(param, partial)) continue;
     perField[q] = { ...field, issue: null };
-    partial[q] = neutralOf(param);
+    partial[q] = neutralValueOf(param);
   }
   const { contour, outline } = cycle;
   const judge =
@@ -59,7 +59,7 @@ export function readDraft<P extends Params>(
         })
       : null;
   const found = Object.values(perField).flatMap((field) => field.issue ?? []);
-  const issues = found.map((each) => triedOffers(cycle.params, partial, [each], judge)[0] ?? each);
+  const issues = found.map((each) => testedOffers(cycle.params, partial, [each], judge)[0] ?? each);
   const values = issues.length === 0 ? (partial as Values<P>) : null;
   return { values, partial: partial as Partial<Values<P>>, perField, issues };
 }

@@ -24,8 +24,8 @@ export interface RowReader {
 }
 
 /** Issues of a row belong to the contour; row and field give their place in its table. */
-export const ANY: Field = { ...anyNumber, id: "contour" };
-export const NEEDED: Field = { ...ANY, optional: false };
+export const OPTIONAL_NUMBER: Field = { ...anyNumber, id: "contour" };
+export const REQUIRED_NUMBER: Field = { ...OPTIONAL_NUMBER, optional: false };
 
 /** A number typed into a row; reports its issue. */
 export function rowNumber(
@@ -46,7 +46,7 @@ export const begun = (row: ContourRow | undefined): boolean =>
   [row.x, row.z, row.r, row.angle, row.length, ...Object.values(row.words)].some((text) => text.trim() !== "");
 
 /** Reports an element without motion. An empty row is not wrong, only not begun: it has no block either. */
-export function goesNowhere(reader: RowReader, row: ContourRow, index: number): void {
+export function reportNoMotion(reader: RowReader, row: ContourRow, index: number): void {
   const found = issue("contourPoint", begun(row) ? "error" : "info", { element: index + 1 }, "contour");
   reader.issues.push({ row: index, field: null, issue: found });
 }

@@ -6,16 +6,16 @@ import type { Tool } from "../../kernel/plan/tool.ts";
 import { anyNumber, readText } from "../values/field.ts";
 import { programIssue, type ProgramIssue } from "../state/issue.ts";
 import type { BlankDraft, SetJob } from "./job.ts";
-import type { LikelyWork } from "../values/likely.ts";
+import type { EstimatedWork } from "../values/estimated-work.ts";
 import type { Setup, SetupPlace } from "./setup.ts";
-import { endInFront, endsAlong } from "../values/slips.ts";
+import { endInFront, endsAlong } from "../values/dimension-slips.ts";
 import type { DraftReading } from "./read-draft.ts";
 
 /** Largest part of a contour in front of the blank without a question: cuts begin in the air. */
 const MOST_AHEAD = 0.5;
 
 /** A job as typed, with its set-up. */
-export interface Asked {
+export interface QuestionInput {
   readonly cycle: Cycle;
   readonly job: Pick<SetJob, "blank" | "tool">;
   readonly setup: Setup;
@@ -26,7 +26,7 @@ export interface Asked {
 const numberAt = (blank: BlankDraft, field: keyof BlankDraft) => readText(anyNumber, blank[field]).value;
 
 /** Reports an end in front of the work, as far as tool and blank are chosen. */
-function slips({ cycle, job, setup, partial, tools }: Asked, { from, to }: LikelyWork): Issue[] {
+function slips({ cycle, job, setup, partial, tools }: QuestionInput, { from, to }: EstimatedWork): Issue[] {
   const front = setup.proposed.has("blank.allowance") ? null : numberAt(job.blank, "allowance");
   const tool = setup.proposed.has("tool") ? null : (tools.find(({ T }) => T === job.tool) ?? null);
   const found = endInFront({
@@ -41,7 +41,7 @@ function slips({ cycle, job, setup, partial, tools }: Asked, { from, to }: Likel
 }
 
 /** Reports a set blank that contradicts the contour, which is cut in the air or out of the blank. */
-function blankQuestions({ cycle, job, setup, partial }: Asked, work: LikelyWork): ProgramIssue[] {
+function blankQuestions({ cycle, job, setup, partial }: QuestionInput, work: EstimatedWork): ProgramIssue[] {
   const { box, inside, shape } = work;
   const { blank } = job;
   const free = cycle.contour === "free";
@@ -71,7 +71,7 @@ function blankQuestions({ cycle, job, setup, partial }: Asked, work: LikelyWork)
     };
     found.push(programIssue("blankAgainstContour", "warning", data, `blank.${place}`));
   };
-  if (free ? work.drawn : across.some(typed)) {
+  if (free ? work.hasContour : across.some(typed)) {
     const radiusOf = (d: number) => toRadius(diameter(d));
     if (isSet("blank.outside") && typeof outside === "number" && outside > 0) {
       const largest = free
@@ -90,7 +90,7 @@ function blankQuestions({ cycle, job, setup, partial }: Asked, work: LikelyWork)
     )
       ask("bore", of(box.high), bore);
   }
-  if (typeof front === "number" && (free ? work.drawn : along.every(typed)) && work.to.z <= work.from.z) {
+  if (typeof front === "number" && (free ? work.hasContour : along.every(typed)) && work.to.z <= work.from.z) {
     const ahead = box.right - front;
     const end = along.find((q) => partial[q] === box.left);
     const begin = along.find((q) => partial[q] === box.right);
@@ -103,7 +103,7 @@ function blankQuestions({ cycle, job, setup, partial }: Asked, work: LikelyWork)
 }
 
 /** Questions where values and set-up disagree, each with a correction. None is an error: both may be intended. */
-export function setupQuestions(asked: Asked): readonly (Issue | ProgramIssue)[] {
+export function setupQuestions(asked: QuestionInput): readonly (Issue | ProgramIssue)[] {
   const { work } = asked.setup;
   return work ? [...slips(asked, work), ...blankQuestions(asked, work)] : [];
 }

@@ -1,8 +1,8 @@
 import { cycleByNumber } from "../../cycles/index.ts";
-import { likelyWork, type KnownSoFar, type LikelyWork } from "../values/likely.ts";
+import { estimateWork, type PartialInput, type EstimatedWork } from "../values/estimated-work.ts";
 import type { Cycle, Given } from "../../cycles/define.ts";
 import type { Params, Values } from "../../cycles/params.ts";
-import { beginsAtTip } from "../../cycles/wanted.ts";
+import { beginsAtTip } from "../../cycles/shape-request.ts";
 import { at, type Pt } from "../../kernel/geometry/point.ts";
 import { METRIC } from "../../kernel/contour/metric-thread.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
@@ -29,7 +29,7 @@ export interface Setup {
   /** Fields that are not set. */
   readonly proposed: ReadonlySet<SetupPlace>;
   /** Estimate from the typed values; null for an unknown cycle. */
-  readonly work: LikelyWork | null;
+  readonly work: EstimatedWork | null;
   /** Proposal for blank and start if unset, the other fields as they are. */
   readonly proposal: Pick<SetJob, "blank" | "start">;
 }
@@ -56,7 +56,10 @@ const text = (r: number) => positionAsTyped(toDiameter(radius(r)));
 const half = (d: number | null) => (d === null ? null : toRadius(diameter(d)));
 
 /** Blank for a part: covers the contour, is clamped behind it, and its face is at the start of the values. */
-function blankOf({ box, from, to, across, inside, shape, pitch, ringed }: LikelyWork, isGroove: boolean): BlankDraft {
+function blankOf(
+  { box, from, to, across, inside, shape, pitch, ringed }: EstimatedWork,
+  isGroove: boolean,
+): BlankDraft {
   const core = shape === "thread" ? from.r - METRIC.inside * pitch : box.low;
   const beside = inside || (across && isGroove);
   const outside = beside
@@ -82,7 +85,7 @@ interface Cylinder {
 }
 
 /** Tip at the call: clear of blank and contour, on the working side of the cycle. */
-function startOf(cycle: Cycle, { box, from, to, across, inside, shape }: LikelyWork, blank: Cylinder): Pt {
+function startOf(cycle: Cycle, { box, from, to, across, inside, shape }: EstimatedWork, blank: Cylinder): Pt {
   const [out, along] = [inside ? -1 : 1, from.z < to.z && (shape !== "free" || !across) ? -1 : 1];
   const clear = beginsAtTip(cycle) ? AT_TIP : CLEARANCE;
   const beside = (by: number) =>
@@ -102,7 +105,7 @@ function startOf(cycle: Cycle, { box, from, to, across, inside, shape }: LikelyW
 /**
  * Tool of the table that a turner would use: of the usual kind, oriented towards the work, able to machine the contour.
  */
-function toolOf(cycle: Cycle, work: LikelyWork, given: Given, tools: readonly Tool[]): number {
+function toolOf(cycle: Cycle, work: EstimatedWork, given: Given, tools: readonly Tool[]): number {
   const operation = Object.entries(cycle.params).find(([, p]) => p.text === "operation")?.[0];
   const values = { ...work.values, ...(operation === undefined ? {} : { [operation]: FINISHING }) } as Values<Params>;
   const example = (tool: Tool) => Number(tool.T !== cycle.setup.tool);
@@ -154,7 +157,7 @@ export function setupOf(job: Job, tools: readonly Tool[]): Setup {
     };
   const rows = cycle.contour === "free" ? readRows(job.contour).contour.segments : [];
   const contour = rows.length > 0 ? rows : null;
-  const given: KnownSoFar = {
+  const given: PartialInput = {
     typed: readDraft(cycle, job.drafts[job.cycle] ?? {}, known).partial,
     contour,
     tip: { z: read(FIELDS.startZ, set.z), r: half(read(FIELDS.startX, set.x)) },
@@ -164,7 +167,7 @@ export function setupOf(job: Job, tools: readonly Tool[]): Setup {
       front: read(FIELDS.allowance, set.allowance),
     },
   };
-  const work = likelyWork(cycle, given);
+  const work = estimateWork(cycle, given);
   const made = blankOf(work, isGroove(cycle));
   const or = (typed: string, otherwise: string) => (isSet(typed) ? typed : otherwise);
   const blank: BlankDraft = {

@@ -44,7 +44,7 @@ export type NcOutputName = keyof typeof NC_OUTPUTS;
 export const NC_OUTPUT_NAMES = Object.keys(NC_OUTPUTS) as readonly NcOutputName[];
 
 /** Output of jobs stored before this setting existed: M30 alone stopped the spindle. */
-export const EARLIER_OUTPUT: NcOutput = { ...MANUAL, spindleOff: null };
+export const LEGACY_OUTPUT: NcOutput = { ...MANUAL, spindleOff: null };
 
 const KEYS = Object.keys(MANUAL) as readonly (keyof NcOutput)[];
 

@@ -14,7 +14,8 @@ const RETRACT = 140;
 /** Distance from the blank after M140 MB MAX, mm: the limit of travel is farther, with nothing in between. */
 const BEYOND_BLANK = 20;
 
-export const isElsewhere = (words: Words): boolean => words.functions.some((m) => MACHINE_COORDINATES.has(m));
+export const isInMachineCoordinates = (words: Words): boolean =>
+  words.functions.some((m) => MACHINE_COORDINATES.has(m));
 export const retracts = (words: Words): boolean => words.functions.includes(RETRACT);
 
 /** M91 counts from machine zero; M92 from a point set by the machine builder. */
@@ -49,7 +50,7 @@ function goesHome(machine: Machine, words: Words, index: number): boolean {
 /**
  * A block in machine coordinates: its axes are unknown afterwards. The path there is unverified, except a move home.
  */
-export function elsewhere(machine: Machine, words: Words, index: number): void {
+export function machineCoordinateMove(machine: Machine, words: Words, index: number): void {
   const { mill } = machine.place;
   const wasKnown = machine.now.turning
     ? machine.tip !== null && machine.place.sure.x && machine.place.sure.z
@@ -68,7 +69,7 @@ export function elsewhere(machine: Machine, words: Words, index: number): void {
     .filter((m) => MACHINE_COORDINATES.has(m))
     .map((m) => `M${m}`)
     .join(" ");
-  if (isHome) machine.setPlace({ home: { index, what } });
+  if (isHome) machine.setPlace({ homedBy: { index, what } });
   else if (wasKnown) machine.log.leaveUnproved(what, index);
   else machine.log.notSimulated(what, index);
 }

@@ -8,7 +8,7 @@ import { millSideArc, planeOf, type SideBlock } from "./mill-arc.ts";
 import { centreOf, millArrives, millCarrier, type SidePlane } from "./mill-moves.ts";
 import { millApproachWords, millBlock } from "./mill-frame.ts";
 import { standing, wordReader } from "./path-block.ts";
-import type { Whereabouts } from "../state/modal.ts";
+import type { ToolPosition } from "../state/modal.ts";
 import { endOf, isPolarPath, segmentOf, type MillPlane, type PathBlock } from "../state/path.ts";
 import { startUnknown } from "./turn-run.ts";
 import { beginApproach, close, endWithDeparture, followPath, sideOf } from "./plane-guide.ts";
@@ -37,7 +37,7 @@ export function millPath(machine: Machine, written: PathBlock, index: number): v
   if (!to || (!isMoving && words.compensation === undefined)) return takeFeed(machine, words.feed, index);
   if (words.compensation !== undefined) needsRadius(machine, requested, index);
   const [start, end] = [centreOf(before), centreOf(to)];
-  machine.setPlace(end && to.z !== null ? { mill: to, lost: null } : { mill: to });
+  machine.setPlace(end && to.z !== null ? { mill: to, lostReason: null } : { mill: to });
   if (!end) {
     closeMill(machine);
     guide.here = null;
@@ -88,7 +88,7 @@ function sideArc(machine: Machine, plane: SidePlane, side: SideBlock & { readonl
 interface Between {
   readonly start: PlanePoint;
   readonly end: PlanePoint;
-  readonly milled: Pick<NonNullable<Whereabouts["milled"]>, "from" | "to" | "plane">;
+  readonly milled: Pick<NonNullable<ToolPosition["milled"]>, "from" | "to" | "plane">;
 }
 
 function elementBetween(
@@ -119,7 +119,7 @@ function around(machine: Machine, { path, words }: PathBlock, s: PlaneSegment, i
 
 function needsRadius(machine: Machine, side: Side, index: number): void {
   if (side !== "none" && machine.now.mill.radius === null)
-    machine.log.say(programIssue("toolRadiusUnknown", "warning", { tool: machine.now.mill.tool }), index);
+    machine.log.report(programIssue("toolRadiusUnknown", "warning", { tool: machine.now.mill.tool }), index);
 }
 
 /** APPR and DEP. */

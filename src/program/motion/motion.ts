@@ -4,22 +4,22 @@ import type { StatementOf } from "../../nc/statement.ts";
 import type { Value, Words } from "../../nc/words.ts";
 import { isWholePoint, sideBegins } from "../state/control-rule.ts";
 import type { Machine } from "../state/machine.ts";
-import { elsewhere, isElsewhere } from "./machine-moves.ts";
+import { machineCoordinateMove, isInMachineCoordinates } from "./machine-moves.ts";
 import { cornerGrowth } from "./mill-frame.ts";
 import { closeMill, millApproach, millPath } from "./mill-run.ts";
-import { cornerBlock, runHeldElement, pathBlock, pole } from "./path-block.ts";
+import { cornerBlock, flushPendingElement, pathBlock, pole } from "./path-block.ts";
 import { addCorner } from "./plane-guide.ts";
 import { closeTurn, guidedPath, isGuided, turnApproach } from "./turn-run.ts";
 
 /** Runs all pending contours. */
 export function finish(machine: Machine): void {
-  runHeldElement(machine);
+  flushPendingElement(machine);
   closeMill(machine);
   closeTurn(machine);
 }
 
 /** A mill whose tool axis is not Z moves in a plane that is not simulated. */
-function isAside(machine: Machine, what: string, index: number): boolean {
+function hasOtherToolAxis(machine: Machine, what: string, index: number): boolean {
   const aside = !machine.now.turning && machine.now.mill.otherAxis;
   if (aside) machine.log.leaveUnproved(what, index);
   return aside;
@@ -30,8 +30,8 @@ export function path(machine: Machine, s: StatementOf<"path">, index: number): v
   const { path: kind, words } = s;
   if (kind !== "CC" && kind !== "RND") sideBegins(machine, kind, words, index);
   if (words.compensation !== undefined) machine.set({ compensation: words.compensation });
-  if (isElsewhere(words)) return elsewhere(machine, words, index);
-  if (isAside(machine, kind, index)) return;
+  if (isInMachineCoordinates(words)) return machineCoordinateMove(machine, words, index);
+  if (hasOtherToolAxis(machine, kind, index)) return;
   if (kind === "RND") return corner(machine, "round", words.radius ?? null, words, index);
   if (kind === "CC") return pole(machine, words, index);
   const isWhole = isWholePoint(kind, words, machine.now.turning);
@@ -44,14 +44,14 @@ export function path(machine: Machine, s: StatementOf<"path">, index: number): v
 
 /** CHF. */
 export function chamfer(machine: Machine, s: StatementOf<"chamfer">, index: number): void {
-  if (!isAside(machine, "CHF", index)) corner(machine, "chamfer", s.length, s.words, index);
+  if (!hasOtherToolAxis(machine, "CHF", index)) corner(machine, "chamfer", s.length, s.words, index);
 }
 
 /** APPR and DEP. */
 export function runApproach(machine: Machine, s: StatementOf<"approach">, index: number): void {
   machine.setPlace({ isWhole: null });
   if (machine.now.turning) return turnApproach(machine, s, index);
-  if (!isAside(machine, s.form, index)) millApproach(machine, s, index);
+  if (!hasOtherToolAxis(machine, s.form, index)) millApproach(machine, s, index);
 }
 
 /** A rounding or chamfer behind the last element; its own feed counts for it alone. */
@@ -73,5 +73,8 @@ function corner(
   const end = guide.chain?.end;
   const added = end && addCorner(guide, { element, feed: own === null ? end.item.feed : machine.feedOf(own), index });
   if (!added)
-    machine.log.say(issue("cornerElementAlone", "error", { element: Math.max(1, end?.count ?? 0) }, "contour"), index);
+    machine.log.report(
+      issue("cornerElementAlone", "error", { element: Math.max(1, end?.count ?? 0) }, "contour"),
+      index,
+    );
 }

@@ -8,21 +8,21 @@ const BESIDE = "Y";
 /**
  * A word of an axis outside the turning plane: Y moves the tool off centre or back, others leave the rest unverified.
  */
-export function namedAside(machine: Machine, { axis, incremental }: AxisWord, n: number, index: number): void {
+export function otherAxisWord(machine: Machine, { axis, incremental }: AxisWord, n: number, index: number): void {
   if (axis === "Y" && machine.now.turning) {
-    const { besideCentre, datum } = machine.now;
+    const { offsetY, datum } = machine.now;
     const by = machine.length(n);
-    machine.set({ besideCentre: incremental ? (besideCentre ?? datum.y) + by : by + datum.y });
+    machine.set({ offsetY: incremental ? (offsetY ?? datum.y) + by : by + datum.y });
   } else if (n !== 0) machine.log.leaveUnproved(`${incremental ? "I" : ""}${axis}`, index);
 }
 
 /** An off-centre cut is not in the simulated plane. Without a Y word the tool is at the datum in Y. */
 export function offCentre(machine: Machine, index: number): void {
-  const { turning, besideCentre, datum, unknownDatum } = machine.now;
-  const y = besideCentre ?? datum.y;
-  if (!turning || y === 0 || (besideCentre === null && unknownDatum.includes("y"))) return;
+  const { turning, offsetY, datum, unknownDatum } = machine.now;
+  const y = offsetY ?? datum.y;
+  if (!turning || y === 0 || (offsetY === null && unknownDatum.includes("y"))) return;
   // Everything after the first such cut is unverified already.
   if (machine.log.unproved.slice().some(({ what }) => what === BESIDE)) return;
-  machine.log.say(programIssue("offCentre", "warning", { y }), index);
+  machine.log.report(programIssue("offCentre", "warning", { y }), index);
   machine.log.leaveUnproved(BESIDE, index);
 }

@@ -10,7 +10,7 @@ import type { FeedWord, PolarWord, Words } from "../../nc/words.ts";
 import { blockFeed, takeFeed } from "../state/block-feed.ts";
 import { datumShiftOf } from "./datum.ts";
 import { breaksRule } from "../state/control-rule.ts";
-import { namedAside, offCentre } from "./off-centre.ts";
+import { otherAxisWord, offCentre } from "./off-centre.ts";
 import { frameOf } from "./transform-blocks.ts";
 import { programIssue } from "../state/issue.ts";
 import type { Machine } from "../state/machine.ts";
@@ -40,13 +40,16 @@ export function moveOf(machine: Machine, s: Segment, feed: FeedNumber | null): M
 }
 
 /** Runs the element pending for a corner; called before anything that does not belong to the contour. */
-export function runHeldElement(machine: Machine): void {
-  const { held } = machine.place;
-  machine.setPlace({ held: null });
-  if (!held) return;
-  if (held.corner)
-    machine.log.say(issue("cornerElementAlone", "error", { element: held.element }, "contour"), held.corner.index);
-  run(machine, held.segment, held.feed, held.index);
+export function flushPendingElement(machine: Machine): void {
+  const { pendingElement } = machine.place;
+  machine.setPlace({ pendingElement: null });
+  if (!pendingElement) return;
+  if (pendingElement.corner)
+    machine.log.report(
+      issue("cornerElementAlone", "error", { element: pendingElement.element }, "contour"),
+      pendingElement.corner.index,
+    );
+  run(machine, pendingElement.segment, pendingElement.feed, pendingElement.index);
 }
 
 function run(machine: Machine, s: Segment, feed: FeedNumber | null, index: number): void {
@@ -54,38 +57,48 @@ function run(machine: Machine, s: Segment, feed: FeedNumber | null, index: numbe
 }
 
 /** Defers a new element until the next block shows whether a corner follows; runs the previous one. */
-function hold(machine: Machine, segment: Segment, feed: FeedNumber | null, index: number): void {
-  const { held } = machine.place;
-  const { corner } = held ?? {};
+function deferElement(machine: Machine, segment: Segment, feed: FeedNumber | null, index: number): void {
+  const { pendingElement } = machine.place;
+  const { corner } = pendingElement ?? {};
   if (corner && part.lengthOf(segment) <= SAME)
     return breaksRule(machine, "zeroBehindCorner", wordOf(corner.element), index);
-  if (!held || !corner) {
-    runHeldElement(machine);
-    machine.setPlace({ held: { segment, feed, index, corner: null, element: (held?.element ?? 0) + 1 } });
+  if (!pendingElement || !corner) {
+    flushPendingElement(machine);
+    machine.setPlace({
+      pendingElement: { segment, feed, index, corner: null, element: (pendingElement?.element ?? 0) + 1 },
+    });
     return;
   }
-  const cut = cutCorner(held.segment, segment, corner.element);
+  const cut = cutCorner(pendingElement.segment, segment, corner.element);
   if (!cut) {
     const { kind, size } = corner.element;
-    const max = largestCorner(held.segment, segment, kind, size);
-    machine.log.say(
-      issue("cornerElementTooLong", "error", { element: held.element, size, max }, "contour"),
+    const max = largestCorner(pendingElement.segment, segment, kind, size);
+    machine.log.report(
+      issue("cornerElementTooLong", "error", { element: pendingElement.element, size, max }, "contour"),
       corner.index,
     );
   }
-  run(machine, cut?.before ?? held.segment, held.feed, held.index);
+  run(machine, cut?.before ?? pendingElement.segment, pendingElement.feed, pendingElement.index);
   if (cut) run(machine, cut.between, corner.feed, corner.index);
-  machine.setPlace({ held: { segment: cut?.after ?? segment, feed, index, corner: null, element: held.element + 1 } });
+  machine.setPlace({
+    pendingElement: { segment: cut?.after ?? segment, feed, index, corner: null, element: pendingElement.element + 1 },
+  });
 }
 
 /** A chamfer or rounding between plain path blocks; its own feed counts for it alone. */
 export function cornerBlock(machine: Machine, element: CornerElement, feed: FeedWord | undefined, index: number): void {
   const own = typeof feed === "object" ? machine.number(feed.value, index) : null;
-  const { held } = machine.place;
-  if (!held || held.corner)
-    return machine.log.say(issue("cornerElementAlone", "error", { element: held?.element ?? 1 }, "contour"), index);
+  const { pendingElement } = machine.place;
+  if (!pendingElement || pendingElement.corner)
+    return machine.log.report(
+      issue("cornerElementAlone", "error", { element: pendingElement?.element ?? 1 }, "contour"),
+      index,
+    );
   machine.setPlace({
-    held: { ...held, corner: { element, feed: own === null ? held.feed : machine.feedOf(own), index } },
+    pendingElement: {
+      ...pendingElement,
+      corner: { element, feed: own === null ? pendingElement.feed : machine.feedOf(own), index },
+    },
   });
 }
 
@@ -98,10 +111,10 @@ const isAbsolute = (w: PolarWord | undefined) => w !== undefined && !w.increment
 export function standAt(machine: Machine, { path, words }: PathBlock, to: Position): void {
   const named = new Set(words.axes.filter((w) => !w.incremental).map((w) => w.axis));
   const both = isPolarPath(path) && isAbsolute(words.polarRadius) && isAbsolute(words.polarAngle);
-  const { sure, lost } = machine.place;
+  const { sure, lostReason } = machine.place;
   const x = to.x !== null && (sure.x || both || named.has("X"));
   const z = to.z !== null && (sure.z || both || named.has("Z"));
-  machine.setPlace({ at: to, sure: { x, z }, lost: x && z ? null : lost });
+  machine.setPlace({ at: to, sure: { x, z }, lostReason: x && z ? null : lostReason });
 }
 
 /** Reads the words of a path block. A value unknown for a reported reason is not reported again. */
@@ -110,15 +123,15 @@ export const wordReader = (machine: Machine, index: number): WordReader => ({
   length: (n) => machine.length(n),
   shift: (axis) => {
     const by = datumShiftOf(machine, axis);
-    if (by === "unknown") machine.known.trouble = "unproved";
+    if (by === "unknown") machine.known.lastUnknownReason = "unproved";
     return by;
   },
   frame: frameOf(machine.now),
-  aside: (w, n) => namedAside(machine, w, n, index),
-  lose: () => void machine.setPlace({ lost: machine.known.trouble }),
+  otherAxis: (w, n) => otherAxisWord(machine, w, n, index),
+  onUnknown: () => void machine.setPlace({ lostReason: machine.known.lastUnknownReason }),
   fault: (code) => {
-    if (code === "arcImpossible" || machine.place.lost === null)
-      machine.log.say(programIssue(code, code === "startUnknown" ? "warning" : "error", {}), index);
+    if (code === "arcImpossible" || machine.place.lostReason === null)
+      machine.log.report(programIssue(code, code === "startUnknown" ? "warning" : "error", {}), index);
   },
   rule: (rule, word) => breaksRule(machine, rule, word, index),
 });
@@ -160,7 +173,7 @@ function cutFromNowhere(machine: Machine, to: Pt | null, index: number): void {
   if (blank.length === 0) return;
   const { left, right, high } = boxAround(blank);
   if (to && (to.z < left || to.z > right || Math.abs(to.r) > high)) return;
-  machine.log.say(programIssue("startUnknown", "warning", {}), index);
+  machine.log.report(programIssue("startUnknown", "warning", {}), index);
   machine.log.leaveUnproved(
     machine.blocks[index]?.raw
       .trim()
@@ -174,20 +187,20 @@ function cutFromNowhere(machine: Machine, to: Pt | null, index: number): void {
 export function pathBlock(machine: Machine, block: PathBlock, index: number): void {
   const { words } = block;
   if (words.compensation === "RL" || words.compensation === "RR")
-    machine.log.say(programIssue("radiusCompensation", "warning", { side: words.compensation }), index);
+    machine.log.report(programIssue("radiusCompensation", "warning", { side: words.compensation }), index);
   const from = machine.place.sure.x && machine.place.sure.z ? machine.tip : null;
   const target = targetOf(machine, block, index);
   if (!target) return takeFeed(machine, words.feed, index);
   const feed = blockFeed(machine, words.feed, index);
-  const { lost } = machine.place;
+  const { lostReason } = machine.place;
   standAt(machine, block, target);
   const to = machine.place.sure.x && machine.place.sure.z ? machine.tip : null;
   if (!from || !to || !machine.now.tool) {
-    runHeldElement(machine);
-    machine.setPlace({ last: null, brought: to && feed === null ? index : null });
-    if (feed !== null && machine.now.tool && lost === null) cutFromNowhere(machine, to, index);
+    flushPendingElement(machine);
+    machine.setPlace({ last: null, positionedBy: to && feed === null ? index : null });
+    if (feed !== null && machine.now.tool && lostReason === null) cutFromNowhere(machine, to, index);
     return;
   }
   if (feed !== null) offCentre(machine, index);
-  hold(machine, elementBetween(machine, block, from, to, index), feed, index);
+  deferElement(machine, elementBetween(machine, block, from, to, index), feed, index);
 }

@@ -1,5 +1,5 @@
 import { approach, type Approach, type ApproachRequest } from "../../kernel/plane/approach.ts";
-import { guardApproach } from "../../kernel/plane/approach-check.ts";
+import { checkApproach } from "../../kernel/plane/approach-check.ts";
 import { issue, type Issue } from "../../kernel/plan/issue.ts";
 import { plane, towardsTool, type PlanePoint, type PlaneSegment, type Side } from "../../kernel/plane/plane.ts";
 import { planeContour, type PlaneContour } from "../../kernel/plane/plane-contour.ts";
@@ -61,7 +61,7 @@ function placeOf(carrier: Carrier, p: PlanePoint): { x: number; y: number } | { 
 }
 
 /** Finding of a check that the control does not make. */
-function cutIssue(carrier: Carrier, q: ApproachRequest, guarded: NonNullable<ReturnType<typeof guardApproach>>): Issue {
+function cutIssue(carrier: Carrier, q: ApproachRequest, guarded: NonNullable<ReturnType<typeof checkApproach>>): Issue {
   const common = {
     point: q.departing ? ("PN" as const) : ("PS" as const),
     depth: guarded.cut.depth,
@@ -97,14 +97,14 @@ function lead(f: Finishing, call: ApproachCall, element: PlaneSegment, contour: 
     ...call.words,
   };
   const made = approach(q);
-  for (const found of made.issues) machine.log.say(found, call.index);
+  for (const found of made.issues) machine.log.report(found, call.index);
   const above = carrier.top !== null && call.fromZ !== null && call.fromZ >= carrier.top;
   const inPlaneFirst = (machine.shop.control ?? "TNC 640") === "TNC 640" && call.fromZ !== call.toZ;
   const segments = contour.contour.map((c) => c.segment);
   const guarded =
     !made.issues.some((i) => i.severity === "error") &&
-    guardApproach(q, segments, above && inPlaneFirst && !call.departing ? "fromPH" : "all");
-  if (guarded) machine.log.say(cutIssue(carrier, q, guarded), call.index);
+    checkApproach(q, segments, above && inPlaneFirst && !call.departing ? "fromPH" : "all");
+  if (guarded) machine.log.report(cutIssue(carrier, q, guarded), call.index);
   carrier.note({
     block: machine.log.numberOf(call.index) ?? 0,
     index: call.index,
@@ -164,10 +164,10 @@ const BETWEEN: ReadonlySet<Statement["kind"]> = new Set(["empty", "comment", "st
 function sayAlone({ carrier: { machine } }: Finishing, form: string, index: number): void {
   const step = form.startsWith("APPR") ? 1 : -1;
   let i = index + step;
-  while (BETWEEN.has(machine.foresee(i)?.kind ?? "end")) i += step;
-  const unknown = machine.foresee(i)?.kind === "free" || machine.place.lost === "unproved";
+  while (BETWEEN.has(machine.peek(i)?.kind ?? "end")) i += step;
+  const unknown = machine.peek(i)?.kind === "free" || machine.place.lostReason === "unproved";
   if (unknown) machine.log.leaveUnproved(form, index);
-  else machine.log.say(programIssue("approachWithoutContour", "error", { form }), index);
+  else machine.log.report(programIssue("approachWithoutContour", "error", { form }), index);
 }
 
 /** Moves to the first element. */
@@ -217,11 +217,11 @@ function sayIssues(carrier: Carrier, chain: CompensatedChain, contour: PlaneCont
       found.code === "toolRadiusTooLarge" && own && carrier.plane === "XY"
         ? { ...found, data: { ...found.data, ...plane.pointOn(own.segment, 1 / 2) } }
         : found;
-    if (item) carrier.machine.log.say(seen, onCorner ? (item.corner?.index ?? item.index) : item.index);
+    if (item) carrier.machine.log.report(seen, onCorner ? (item.corner?.index ?? item.index) : item.index);
   }
   const open = chain.items.at(-1)?.corner;
   if (open)
-    carrier.machine.log.say(
+    carrier.machine.log.report(
       issue("cornerElementAlone", "error", { element: chain.items.length }, "contour"),
       open.index,
     );

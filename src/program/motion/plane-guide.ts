@@ -94,7 +94,7 @@ export function followPath(guide: Guide, carrier: CarrierFor, requested: Side, s
   const now = guide.chain?.side ?? "none";
   const { machine } = carrier(requested);
   if (now !== "none" && requested !== "none" && now !== requested)
-    machine.log.say(programIssue("sideChanged", "error", {}), step.index);
+    machine.log.report(programIssue("sideChanged", "error", {}), step.index);
   if (guide.chain && now !== requested) {
     close(guide, carrier);
     if (requested === "none") return uncompensated(machine, guide, step, guide.here);
@@ -199,14 +199,15 @@ export function beginApproach(guide: Guide, carrier: CarrierFor, b: WrittenAppro
   const side = sideOf(b.words, "none");
   const { machine } = carrier(side);
   const now = machine.now.compensation;
-  if (now !== "R0") machine.log.say(programIssue("compensationActive", "error", { side: now }), b.index);
+  if (now !== "R0") machine.log.report(programIssue("compensationActive", "error", { side: now }), b.index);
   machine.set({ compensation: b.words.compensation ?? "R0" });
   if (side === "none" && UNCOMPENSATED.has(shapeOf(b.form)))
-    machine.log.say(programIssue("approachUncompensated", "warning", { form: `APPR ${b.form}` }), b.index);
+    machine.log.report(programIssue("approachUncompensated", "warning", { form: `APPR ${b.form}` }), b.index);
   close(guide, carrier);
   const known = feedBefore(machine);
-  if (known === undefined) machine.log.sayOnce(programIssue("feedMissing", "error", {}), b.index);
-  if (!guide.here && machine.place.lost === null) machine.log.say(programIssue("startUnknown", "error", {}), b.index);
+  if (known === undefined) machine.log.reportOnce(programIssue("feedMissing", "error", {}), b.index);
+  if (!guide.here && machine.place.lostReason === null)
+    machine.log.report(programIssue("startUnknown", "error", {}), b.index);
   const feed = blockFeed(machine, b.words.feed, b.index);
   const before = known === undefined ? feed : known;
   guide.chain = {

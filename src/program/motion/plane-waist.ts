@@ -65,5 +65,5 @@ export function sayPathCut(carrier: Carrier, chain: CompensatedChain, contour: P
     return smaller.issues.length === 0 && cutOf(smaller, chain, carrier, size + LEAST_PATH_CUT - SAME) === null;
   };
   const nearest = chain.items.length <= MOST_TRIED ? largestThatWorks(carrier.toolRadius, fits) : null;
-  carrier.machine.log.say(withOffer(found, nearest), by.onCorner ? (item.corner?.index ?? item.index) : item.index);
+  carrier.machine.log.report(withOffer(found, nearest), by.onCorner ? (item.corner?.index ?? item.index) : item.index);
 }

@@ -13,7 +13,7 @@ import { blockFeed, takeFeed } from "../state/block-feed.ts";
 import { offCentre } from "./off-centre.ts";
 import { noTool } from "../state/preconditions.ts";
 import { isDrillType } from "../tools/tool-columns.ts";
-import { elementBetween, runHeldElement, moveOf, standAt, targetOf } from "./path-block.ts";
+import { elementBetween, flushPendingElement, moveOf, standAt, targetOf } from "./path-block.ts";
 import { coordinatesIn, type PathBlock } from "../state/path.ts";
 import type { Carrier } from "./carrier.ts";
 import { beginApproach, close, endWithDeparture, followPath, sideOf, type CarrierFor } from "./plane-guide.ts";
@@ -63,7 +63,7 @@ function sayNeutralTip(machine: Machine, side: Side, index: number): void {
   const { tool } = machine.now;
   if (side === "none" || !tool || isDrillType(tool.TYPE) || !NEUTRAL.has(tool.TO)) return;
   const word = side === "left" ? "RL" : "RR";
-  machine.log.say(
+  machine.log.report(
     programIssue("compensationUndefined", "warning", { side: word, orientation: tool.TO }, "tool"),
     index,
   );
@@ -72,7 +72,7 @@ function sayNeutralTip(machine: Machine, side: Side, index: number): void {
 /** Starts a contour at the tip, unless one is under way. */
 function start(machine: Machine): void {
   if (machine.turnGuide.chain) return;
-  runHeldElement(machine);
+  flushPendingElement(machine);
   const tip = machine.place.sure.x && machine.place.sure.z ? machine.tip : null;
   machine.turnGuide.here = tip && planePoint(tip);
 }
@@ -110,7 +110,7 @@ export function guidedPath(machine: Machine, block: PathBlock, index: number): v
 
 /** Reports a block with an unknown start, unless a reported block lost the position. */
 export function startUnknown(machine: Machine, index: number): void {
-  if (machine.place.lost === null) machine.log.say(programIssue("startUnknown", "error", {}), index);
+  if (machine.place.lostReason === null) machine.log.report(programIssue("startUnknown", "error", {}), index);
 }
 
 /** APPR and DEP in the Z/X plane. */

@@ -1,9 +1,9 @@
 import { causeOf } from "../../kernel/time/time.ts";
 import type { MachineTimed } from "../machine/machine-data.ts";
-import { TIME_PARTS, type Run, type SecondsBeside, type TimePart, type Timing } from "../state/run-types.ts";
+import { TIME_PARTS, type Run, type NonMotionSeconds, type TimePart, type Timing } from "../state/run-types.ts";
 
 /** Data behind the times of a shop, with the seconds outside of motions. */
-export function timingOf({ rapid, machine }: MachineTimed, beside: SecondsBeside): Timing {
+export function timingOf({ rapid, machine }: MachineTimed, beside: NonMotionSeconds): Timing {
   const stated: Readonly<Record<TimePart, boolean>> = {
     cutting: true,
     rapid: true,
@@ -25,7 +25,7 @@ export function timingOf({ rapid, machine }: MachineTimed, beside: SecondsBeside
 export const NO_TIMING: Timing = timingOf({ rapid: 0 }, { toolChange: 0, spindle: 0, dwell: 0 });
 
 /** Running time by cause, s. */
-export interface Times extends SecondsBeside {
+export interface Times extends NonMotionSeconds {
   /** At a feed, threads included. */
   readonly cutting: number;
   readonly rapid: number;

@@ -12,8 +12,8 @@ import {
   blankOfTurnData,
   blankRotation,
   cuboidOf,
-  tellBox,
-  tellMissing,
+  reportTurnedBox,
+  reportMissingBlank,
   turnBlank,
 } from "../blocks/blank-block.ts";
 import { clampedOf, takeComment } from "../clamping/read-clamping.ts";
@@ -21,18 +21,18 @@ import { contourCycle, contourDefinition, selectContour } from "../blocks/contou
 import { CONTOUR_CYCLE, PROGRAM_CYCLE } from "../../nc/blocks/cycle-line.ts";
 import { callCycle, cycleDefinition } from "../blocks/cycle-call.ts";
 import { datumLine, DATUM_CYCLE, resetDatum, shiftDatum, tableDatum } from "../motion/datum.ts";
-import { advance, neverReached, wordsOf } from "../blocks/flow.ts";
+import { advance, reportUnreached, wordsOf } from "../blocks/flow.ts";
 import { runFree } from "../blocks/free-run.ts";
 import { programIssue } from "../state/issue.ts";
 import { Machine } from "../state/machine.ts";
-import { isElsewhere, retract, retracts } from "../motion/machine-moves.ts";
+import { isInMachineCoordinates, retract, retracts } from "../motion/machine-moves.ts";
 import { runApproach, chamfer, finish, path } from "../motion/motion.ts";
 import { callProgram, callSelected, programCycle, selectProgram } from "../blocks/program-calls.ts";
-import { runHeldElement } from "../motion/path-block.ts";
+import { flushPendingElement } from "../motion/path-block.ts";
 import { NOWHERE } from "../state/path.ts";
 import { timingOf } from "./run-times.ts";
-import { neverCalled } from "../state/preconditions.ts";
-import { startedBy, stoppedBy } from "../blocks/spindle-start.ts";
+import { reportUncalledCycles } from "../state/preconditions.ts";
+import { applySpindleStart, applySpindleStop } from "../blocks/spindle-start.ts";
 import { runInput, type RunInput } from "../state/run-input.ts";
 import type { RunState } from "../state/run-state.ts";
 import type { Run } from "../state/run-types.ts";
@@ -51,7 +51,7 @@ import { actingLine, actsAtOnce, isSilent, textBlock } from "../blocks/unproved-
 /** Runs a program: executes block after block and plans every cycle that it calls. Never throws, always ends. */
 export function run(program: Program, shop: Shop): Run {
   const input = runInput(program, shop);
-  return ended(input, step(input, firstState(input)));
+  return finishedRun(input, step(input, firstState(input)));
 }
 
 const frameOf = ({ blocks }: Program) => {
@@ -77,22 +77,22 @@ export function step(input: RunInput, state: RunState, isDue?: (next: number, ex
 }
 
 /** Result of a run at its ending. */
-export function ended(input: RunInput, state: RunState): Run {
+export function finishedRun(input: RunInput, state: RunState): Run {
   const machine = new Machine(input, state);
   const { program } = input,
     { log } = machine;
   finish(machine);
-  machine.endBrought();
-  tellBox(machine);
+  machine.closeArrival();
+  reportTurnedBox(machine);
   const hasTurned = log.steps.length > 0;
-  if (machine.now.turning && hasTurned) log.countsFrom(machine.now.datum.x, machine.now.datum.z);
-  const { ending, told } = state.flow;
-  if (!(ending && neverReached(machine, ending)) && !told) neverCalled(machine);
-  if (!ending?.word && !told && hasTurned)
-    log.say(programIssue("programEndMissing", "warning", {}), program.blocks.length - 1);
-  if (log.operations.length > 0 && machine.now.blank.length === 0) tellMissing(machine);
-  const { beside, firstBlank, ...noted } = log.state;
-  const { toolChange, spindle, dwell } = beside;
+  if (machine.now.turning && hasTurned) log.noteDatum(machine.now.datum.x, machine.now.datum.z);
+  const { ending, isFaultReported } = state.flow;
+  if (!(ending && reportUnreached(machine, ending)) && !isFaultReported) reportUncalledCycles(machine);
+  if (!ending?.word && !isFaultReported && hasTurned)
+    log.report(programIssue("programEndMissing", "warning", {}), program.blocks.length - 1);
+  if (log.operations.length > 0 && machine.now.blank.length === 0) reportMissingBlank(machine);
+  const { nonMotion, firstBlank, ...noted } = log.state;
+  const { toolChange, spindle, dwell } = nonMotion;
   const blank = firstBlank ?? machine.now.blank,
     clamping = clampedOf(machine, blank),
     plane = noted.milled.all();
@@ -118,7 +118,7 @@ export function ended(input: RunInput, state: RunState): Run {
     unproved: noted.unproved.all(),
     issues: log.allFindings(),
     seconds: plane.reduce((sum, s) => sum + s.seconds, noted.seconds + toolChange + spindle + dwell),
-    timing: timingOf(input.shop, beside),
+    timing: timingOf(input.shop, nonMotion),
   };
 }
 
@@ -188,7 +188,7 @@ const HANDLERS: { readonly [K in Statement["kind"]]: Handler<K> } = {
 };
 
 /** Whether a kind of block has an effect; of comments only the clamping comment has one. */
-export const acts = (kind: Statement["kind"]): boolean => kind !== "comment" && HANDLERS[kind] !== "nothing";
+export const hasEffect = (kind: Statement["kind"]): boolean => kind !== "comment" && HANDLERS[kind] !== "nothing";
 
 /** Feed per revolution, and per minute. */
 const FEED_UNITS: readonly number[] = [136, 137];
@@ -196,10 +196,11 @@ const FEED_UNITS: readonly number[] = [136, 137];
 /** Finishes pending contours and elements that a block cannot continue. */
 function before(machine: Machine, s: Statement, words: Words | null): void {
   const ends =
-    klartext.has(s, "endsContour") || (words && (retracts(words) || (s.kind === "path" && isElsewhere(words))));
+    klartext.has(s, "endsContour") ||
+    (words && (retracts(words) || (s.kind === "path" && isInMachineCoordinates(words))));
   if (ends) return finish(machine);
   const waits = klartext.has(s, "waits") && !(s.kind === "path" && s.path === "CC");
-  if (!waits || words?.functions.some((m) => FEED_UNITS.includes(m))) runHeldElement(machine);
+  if (!waits || words?.functions.some((m) => FEED_UNITS.includes(m))) flushPendingElement(machine);
 }
 
 function handle<K extends Statement["kind"]>(machine: Machine, kind: K, s: StatementOf<K>, index: number): void {
@@ -220,13 +221,13 @@ function block(machine: Machine, s: Statement, index: number): void {
     finish(machine);
     callCycle(machine, index);
   }
-  stoppedBy(machine, words, index);
+  applySpindleStop(machine, words, index);
   machine.set({ callsBehindMoves: !once && (on || machine.now.callsBehindMoves) });
 }
 
 function functions(machine: Machine, words: Words, index: number): void {
   for (const m of words.functions) if (FEED_UNITS.includes(m)) machine.set({ perRevolution: m === 136 });
-  startedBy(machine, words, index);
+  applySpindleStart(machine, words, index);
   if (words.extra.length > 0) machine.log.leaveUnproved(words.extra.join(" ").slice(0, 40), index);
   if (retracts(words)) retract(machine, words, index);
 }
@@ -240,16 +241,16 @@ function mode(machine: Machine, wanted: "TURN" | "MILL", index: number): void {
   } else machine.change({ traced: null });
   machine.setPlace({ last: null });
   if (machine.now.turning === (wanted === "TURN")) return;
-  machine.endBrought();
-  machine.set({ turning: wanted === "TURN", pole: null, besideCentre: null });
-  machine.setPlace({ sure: { x: false, z: false }, brought: null, mill: NOWHERE });
+  machine.closeArrival();
+  machine.set({ turning: wanted === "TURN", pole: null, offsetY: null });
+  machine.setPlace({ sure: { x: false, z: false }, positionedBy: null, mill: NOWHERE });
   machine.millGuide.here = null;
 }
 
 /** CYCL CALL POS and PAT: their positions are not simulated. */
 function callPattern(machine: Machine, how: string, index: number): void {
-  if (machine.now.defined) machine.call(machine.now.defined.index);
-  machine.loseAll();
+  if (machine.now.defined) machine.markCalled(machine.now.defined.index);
+  machine.losePosition();
   machine.log.leaveUnproved(`CYCL CALL ${how}`, index);
 }
 
@@ -260,13 +261,13 @@ function spin(machine: Machine, s: StatementOf<"spin">, index: number): void {
   const read = (v: typeof s.speed) => (v === null ? null : machine.number(v, index));
   const [speed, cuttingSpeed, limit] = [read(s.speed), read(s.cuttingSpeed), read(s.limit)];
   if (limit !== null && limit < 0)
-    machine.log.say(issue("outOfRange", "error", { value: limit, min: 0, max: FASTEST_SPINDLE }, "SMAX"), index);
+    machine.log.report(issue("outOfRange", "error", { value: limit, min: 0, max: FASTEST_SPINDLE }, "SMAX"), index);
   if (s.constantSurface && cuttingSpeed !== null && cuttingSpeed > 0) {
-    machine.set({ spindle: { kind: "surface", cuttingSpeed, limit: Math.max(0, limit ?? 0) }, spunBy: index });
+    machine.set({ spindle: { kind: "surface", cuttingSpeed, limit: Math.max(0, limit ?? 0) }, spinBlock: index });
   } else if (!s.constantSurface && speed !== null && speed > 0)
-    machine.set({ spindle: { kind: "constant", speed }, spunBy: index });
+    machine.set({ spindle: { kind: "constant", speed }, spinBlock: index });
   else {
-    machine.log.say(programIssue("spindleMissing", "error", {}), index);
+    machine.log.report(programIssue("spindleMissing", "error", {}), index);
     machine.set({ speedElsewhere: "told" });
   }
 }
@@ -283,8 +284,8 @@ function cycleLine(machine: Machine, s: StatementOf<"cycleLine">, index: number)
     if (line > 0) datumLine(machine, text, `CYCL DEF ${cycle}`, index);
   } else if (transforms(cycle)) transformLine(machine, s, index);
   else {
-    if (!isSilent(cycle)) machine.log.say(programIssue("cycleNotSimulated", "info", { cycle, name: text }), index);
+    if (!isSilent(cycle)) machine.log.report(programIssue("cycleNotSimulated", "info", { cycle, name: text }), index);
     if (actsAtOnce(cycle)) actingLine(machine, s, index);
-    else if (line === 0) machine.set({ defined: { index, cycle, values: new Map(), troubled: new Set() } });
+    else if (line === 0) machine.set({ defined: { index, cycle, values: new Map(), unknownParameters: new Set() } });
   }
 }

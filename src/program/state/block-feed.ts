@@ -35,12 +35,12 @@ function judge(machine: Machine, feed: FeedNumber, index: number): void {
   if (now === machine.now.judged) return;
   machine.set({ judged: now });
   if (!(feed > 0))
-    machine.log.say(
+    machine.log.report(
       programIssue("feedZero", "error", { word: machine.now.feedWord === "FAUTO" ? "FAUTO" : `F${feed}` }, "F"),
       index,
     );
   else if (isUnlikely(feed, perRevolution))
-    machine.log.say(programIssue("feedUnlikely", "warning", { feed, unit: feedUnit }, "F"), index);
+    machine.log.report(programIssue("feedUnlikely", "warning", { feed, unit: feedUnit }, "F"), index);
 }
 
 /** The feed of a block that moves: null is rapid. */
@@ -50,7 +50,7 @@ export function blockFeed(machine: Machine, feed: FeedWord | undefined, index: n
     return null;
   }
   takeFeed(machine, feed, index);
-  if (machine.now.feed === null) machine.log.sayOnce(programIssue("feedMissing", "error", {}), index);
+  if (machine.now.feed === null) machine.log.reportOnce(programIssue("feedMissing", "error", {}), index);
   else {
     judge(machine, machine.now.feed, index);
     machine.set({ lastFeed: machine.now.feed });

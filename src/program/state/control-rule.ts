@@ -5,7 +5,7 @@ import { isArcPath, isPolarPath } from "./path.ts";
 
 /** Reports a block that breaks a printed rule of the control. */
 export const breaksRule = (machine: Machine, rule: ControlRule, word: string, index: number): void =>
-  machine.log.say(programIssue("controlRule", "error", { rule, word }), index);
+  machine.log.report(programIssue("controlRule", "error", { rule, word }), index);
 
 /**
  * Whether a block names both coordinates of its plane; null where it names none, which keeps the previous answer. Z

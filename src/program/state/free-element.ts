@@ -175,7 +175,7 @@ function elementFrom(s: Free, r: FreeReading, read: FreeReader): FreeElement | n
     centrePolar: read.polar(absolute(read.given("CCPR")), absolute(turned(read.given("CCPA")))),
     sweep: turned(read.optional(words.centreAngle)) || null,
     through: ["P1", "P2", "P3"].flatMap((name) => read.point(name, axes) ?? []),
-    beside: beside && far !== null ? { point: beside, distance: Math.abs(far) } : null,
+    distancePoint: beside && far !== null ? { point: beside, distance: Math.abs(far) } : null,
     parallel: of === null ? null : { of, distance: distance === null ? null : Math.abs(distance) },
     closes: closing ? r.opened : null,
   };

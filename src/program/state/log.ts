@@ -1,16 +1,16 @@
 import type { Issue } from "../../kernel/plan/issue.ts";
 import type { Pt, Ring } from "../../kernel/geometry/point.ts";
-import type { Spindle, Stated, Step, Unproved } from "../../kernel/time/step.ts";
+import type { Spindle, StatedBlank, Step, UnsimulatedBlock } from "../../kernel/time/step.ts";
 import { axial, radius } from "../../kernel/units.ts";
 import type { NcIssue } from "../../nc/issue.ts";
 import { blockNumbers, eachIssue, startLines, type Program } from "../../nc/program.ts";
-import { Grown, GrownSet, type Changing } from "../values/grown.ts";
-import { fewAlike, MOST_ALIKE } from "./alike.ts";
+import { AppendList, AppendSet, type Mutable } from "../values/persistent.ts";
+import { limitPerCode, MOST_PER_CODE } from "./finding-limit.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
 import type { ApproachRun, PlaneStep } from "../tools/plane-types.ts";
 import type { ProgramFile } from "./program-files.ts";
 import type { RunInput } from "./run-input.ts";
-import type { Operation, Run, RunFinding, SecondsBeside } from "./run-types.ts";
+import type { Operation, Run, RunFinding, NonMotionSeconds } from "./run-types.ts";
 import type { Unit } from "./units.ts";
 
 const NO_SHIFT_POINT: Pt = { z: axial(0), r: radius(0) };
@@ -38,47 +38,47 @@ interface Noted {
   readonly datums: Run["datums"][number];
   readonly spindles: Run["spindles"][number];
   readonly findings: RunFinding;
-  readonly unproved: Unproved;
+  readonly unproved: UnsimulatedBlock;
   /** Blanks stated after the first cut. */
-  readonly stated: Stated;
+  readonly stated: StatedBlank;
 }
 
 /** Steps and findings of a run so far. Immutable. */
-export interface LogState extends Readonly<{ [List in keyof Noted]: Grown<Noted[List]> }> {
+export interface LogState extends Readonly<{ [List in keyof Noted]: AppendList<Noted[List]> }> {
   /** Blank before the first restated one. */
   readonly firstBlank: readonly Ring[] | null;
   /** Turning time so far, s. */
   readonly seconds: number;
   /** Time outside of motions, s. */
-  readonly beside: SecondsBeside;
-  readonly said: GrownSet<string>;
-  readonly left: GrownSet<string>;
+  readonly nonMotion: NonMotionSeconds;
+  readonly said: AppendSet<string>;
+  readonly left: AppendSet<string>;
   /** Texts of called programs, in the order of their blocks. */
   readonly texts: readonly CalledText[];
 }
 
 export const emptyLog = (): LogState => ({
-  steps: new Grown(),
-  stepBlocks: new Grown(),
-  milled: new Grown(),
-  operations: new Grown(),
-  approaches: new Grown(),
-  datums: new Grown(),
-  spindles: new Grown(),
-  findings: new Grown(),
-  unproved: new Grown(),
-  stated: new Grown(),
+  steps: new AppendList(),
+  stepBlocks: new AppendList(),
+  milled: new AppendList(),
+  operations: new AppendList(),
+  approaches: new AppendList(),
+  datums: new AppendList(),
+  spindles: new AppendList(),
+  findings: new AppendList(),
+  unproved: new AppendList(),
+  stated: new AppendList(),
   firstBlank: null,
   seconds: 0,
-  beside: { toolChange: 0, spindle: 0, dwell: 0 },
-  said: new GrownSet(),
-  left: new GrownSet(),
+  nonMotion: { toolChange: 0, spindle: 0, dwell: 0 },
+  said: new AppendSet(),
+  left: new AppendSet(),
   texts: [],
 });
 
 /** Records steps and findings of a run, each at its block. */
 export class Log {
-  private readonly draft: Changing<LogState>;
+  private readonly draft: Mutable<LogState>;
 
   constructor(
     private readonly input: RunInput,
@@ -108,13 +108,13 @@ export class Log {
   }
 
   note<List extends keyof Noted>(list: List, item: Noted[List]): void {
-    const lists: { readonly [Each in keyof Noted]: Grown<Noted[Each]> } = this.draft;
+    const lists: { readonly [Each in keyof Noted]: AppendList<Noted[Each]> } = this.draft;
     Object.assign(this.draft, { [list]: lists[list].with(item) });
   }
 
   /** Adds the steps of a block and their total time. */
   move(steps: readonly Step[], seconds: number, index: number): void {
-    const block = this.inProgram(index);
+    const block = this.callingBlock(index);
     this.draft.seconds += seconds;
     this.draft.steps = this.steps.withAll(steps);
     this.draft.stepBlocks = this.draft.stepBlocks.withAll(steps.map(() => block));
@@ -134,18 +134,18 @@ export class Log {
 
   /** Records a block that calls or reads another program. */
   calledBy(index: number, unit: Unit): void {
-    const caller = this.inProgram(index);
+    const caller = this.callingBlock(index);
     this.draft.texts = this.draft.texts.map((text) => (text.unit === unit ? { ...text, caller } : text));
   }
 
   /** Number of a block; in a called program that of the calling block. */
   numberOf(index: number): number | undefined {
-    return this.input.numbers[this.inProgram(index)];
+    return this.input.numbers[this.callingBlock(index)];
   }
 
   /** Line of a block; in a called program that of the calling block. */
   private startOf(index: number): number {
-    return this.input.lines[this.inProgram(index)] ?? 1;
+    return this.input.lines[this.callingBlock(index)] ?? 1;
   }
 
   private isOwn(index: number): boolean {
@@ -157,7 +157,7 @@ export class Log {
   }
 
   /** Main-program block: the block itself, or the calling block of a called program. */
-  inProgram(index: number): number {
+  callingBlock(index: number): number {
     return this.textOf(index)?.caller ?? index;
   }
 
@@ -174,7 +174,7 @@ export class Log {
   }
 
   /** Records a finding at a block, once even if the block repeats. `within` counts lines inside the block. */
-  say(issue: Issue | ProgramIssue, index: number | null, within = 0, operation: number | null = null): void {
+  report(issue: Issue | ProgramIssue, index: number | null, within = 0, operation: number | null = null): void {
     const key = `${index} ${issue.code} ${issue.at ?? ""} ${operation ?? ""} ${operation === null ? "" : JSON.stringify(issue.data)}`;
     if (this.draft.said.has(key)) return;
     this.draft.said = this.draft.said.with(key);
@@ -190,13 +190,13 @@ export class Log {
   }
 
   /** Adds time outside of motions, s. */
-  takes(what: keyof SecondsBeside, seconds: number): void {
-    const { beside } = this.draft;
-    if (seconds > 0) this.draft.beside = { ...beside, [what]: beside[what] + seconds };
+  addSeconds(what: keyof NonMotionSeconds, seconds: number): void {
+    const { nonMotion } = this.draft;
+    if (seconds > 0) this.draft.nonMotion = { ...nonMotion, [what]: nonMotion[what] + seconds };
   }
 
   /** Records the datum of the next step. */
-  countsFrom(x: number, z: number): void {
+  noteDatum(x: number, z: number): void {
     const { datums } = this.draft;
     const last = datums.last?.at ?? NO_SHIFT_POINT;
     if (last.r === x && last.z === z) return;
@@ -229,21 +229,21 @@ export class Log {
   }
 
   /** Reports labels that a text sets twice. */
-  saySetTwice({ setTwice }: Unit): void {
+  reportDuplicateLabels({ setTwice }: Unit): void {
     for (const [label, index] of setTwice)
-      this.say(programIssue("labelTwice", "error", { label: String(label) }), index);
+      this.report(programIssue("labelTwice", "error", { label: String(label) }), index);
   }
 
   notSimulated(what: string, index: number, severity: "info" | "warning" = "info"): void {
-    this.say(programIssue("notSimulated", severity, { what }), index);
+    this.report(programIssue("notSimulated", severity, { what }), index);
   }
 
   /** Records a finding at its first place only. */
-  sayOnce(issue: Issue | ProgramIssue, index: number): void {
+  reportOnce(issue: Issue | ProgramIssue, index: number): void {
     const key = `once ${issue.code} ${issue.at ?? ""}`;
     if (this.draft.said.has(key)) return;
     this.draft.said = this.draft.said.with(key);
-    this.say(issue, index);
+    this.report(issue, index);
   }
 
   /** Marks the run as unverified from here on, once per block. `what` as the program spells it. */
@@ -253,13 +253,13 @@ export class Log {
     if (this.draft.left.has(key)) return;
     this.draft.left = this.draft.left.with(key);
     // The first entry decides where verification ends; listing all others would fill the memory.
-    if (this.unproved.length < MOST_ALIKE)
+    if (this.unproved.length < MOST_PER_CODE)
       this.note("unproved", { step: this.steps.length, block, what, ...this.fileOf(index) });
-    this.say(programIssue("notProved", "warning", { what }), index);
+    this.report(programIssue("notProved", "warning", { what }), index);
   }
 
   /** Records a new blank from the next step on. */
-  states(
+  noteBlank(
     rings: readonly Ring[],
     { what, before }: { readonly what: string; readonly before: readonly Ring[] },
     index: number,
@@ -274,7 +274,7 @@ export class Log {
     const findings = this.draft.findings.slice();
     const missing = new Set(findings.filter((f) => f.issue.code === "missing").map((f) => f.line));
     const order = (a: RunFinding, b: RunFinding) => (a.line ?? 0) - (b.line ?? 0);
-    return [...fewAlike(this.read(missing)), ...fewAlike(findings.toSorted(order))].sort(order);
+    return [...limitPerCode(this.read(missing)), ...limitPerCode(findings.toSorted(order))].sort(order);
   }
 
   /** Findings of the reader, except those also reported as missing parameters. */

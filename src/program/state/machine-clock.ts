@@ -40,14 +40,14 @@ export class MachineClock {
    * speed, or reverse. Along a cut at constant surface speed it follows without delay. Null where nothing changes.
    */
   runUp(
-    { turns, backwards, runsAs, spindle: programmed }: Modal,
+    { turns, backwards, lastTurns, spindle: programmed }: Modal,
     r: number,
   ): { readonly seconds: number; readonly runsAs: SpindleTurns } | null {
     const spindle = this.limited(programmed);
-    if (!turns || !spindle || !this.data || (runsAs?.spindle === spindle && runsAs.backwards === backwards))
+    if (!turns || !spindle || !this.data || (lastTurns?.spindle === spindle && lastTurns.backwards === backwards))
       return null;
-    const [was, is] = [runsAs ? speedAt(runsAs.spindle, r) : 0, speedAt(spindle, r)];
-    const by = runsAs && runsAs.backwards !== backwards ? was + is : Math.abs(is - was);
+    const [was, is] = [lastTurns ? speedAt(lastTurns.spindle, r) : 0, speedAt(spindle, r)];
+    const by = lastTurns && lastTurns.backwards !== backwards ? was + is : Math.abs(is - was);
     return { seconds: ((this.data.runUp ?? 0) * by) / this.data.most, runsAs: { spindle, backwards } };
   }
 }

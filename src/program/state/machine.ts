@@ -4,15 +4,15 @@ import type { Spindle, Step } from "../../kernel/time/step.ts";
 import { INCH, type Feed } from "../../kernel/units.ts";
 import type { Statement } from "../../nc/statement.ts";
 import type { Label, Value } from "../../nc/words.ts";
-import { valueOf, type Trouble } from "../values/formula.ts";
+import { valueOf, type EvaluationError } from "../values/formula.ts";
 import { MOST_BLOCKS, MOST_MOVES, MOST_OPERATIONS, MOST_TURNED } from "../values/bounds.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
-import type { Changing } from "../values/grown.ts";
-import { KnownValues } from "../values/known-values.ts";
+import type { Mutable } from "../values/persistent.ts";
+import { ParameterStore } from "../values/known-values.ts";
 import type { MachineClock } from "./machine-clock.ts";
 import { Log } from "./log.ts";
-import { intentOf, saidOf } from "./meant-cuts.ts";
-import { NOT_PLACED, type Milling, type Modal, type Whereabouts } from "./modal.ts";
+import { intentOf, cutIntentAt } from "./intended-cuts.ts";
+import { NOT_PLACED, type Milling, type Modal, type ToolPosition } from "./modal.ts";
 import { pointIn } from "./path.ts";
 import type { Guide } from "./plane-chain.ts";
 import { fileKey } from "./program-files.ts";
@@ -30,12 +30,12 @@ import { isSkipped, unitFrom, type Unit } from "./units.ts";
  */
 export class Machine {
   readonly log: Log;
-  readonly known: KnownValues;
+  readonly known: ParameterStore;
   /** Contours under construction, of turning and milling. */
   readonly turnGuide: Guide;
   readonly millGuide: Guide;
 
-  private readonly draft: Changing<RunState>;
+  private readonly draft: Mutable<RunState>;
 
   constructor(
     readonly input: RunInput,
@@ -43,7 +43,7 @@ export class Machine {
   ) {
     this.draft = { ...state };
     this.log = new Log(input, state.log);
-    this.known = new KnownValues(state.known);
+    this.known = new ParameterStore(state.known);
     this.turnGuide = { ...state.turnGuide };
     this.millGuide = { ...state.millGuide };
   }
@@ -92,33 +92,33 @@ export class Machine {
   }
 
   /** Tool position. */
-  get place(): Whereabouts {
+  get place(): ToolPosition {
     return this.draft.place;
   }
 
-  get parameters(): KnownValues["parameters"] {
+  get parameters(): ParameterStore["parameters"] {
     return this.known.parameters;
   }
 
   /** Records that a block is run, or read as part of a contour. */
   visit(index: number): void {
-    const { visited } = this.input.looks;
+    const { visited } = this.input.firstReads;
     if (visited[index] === 0) visited[index] = this.draft.executed;
   }
 
   /** Statement of a later block, for a block that depends on what follows. */
-  foresee(index: number): Statement | undefined {
-    const { foreseen } = this.input.looks;
-    if (foreseen[index] === 0) foreseen[index] = this.draft.executed;
+  peek(index: number): Statement | undefined {
+    const { lookedAhead } = this.input.firstReads;
+    if (lookedAhead[index] === 0) lookedAhead[index] = this.draft.executed;
     return this.blocks[index]?.statement;
   }
 
   /** Records that a cycle definition was reached, or called. */
-  define(index: number): void {
+  markDefined(index: number): void {
     this.change({ definitions: this.draft.definitions.with(index) });
   }
 
-  call(index: number): void {
+  markCalled(index: number): void {
     this.change({ called: this.draft.called.with(index) });
   }
 
@@ -128,7 +128,7 @@ export class Machine {
   }
 
   /** Changes the flow: returns, repetitions, ending. */
-  go(change: Partial<Flow>): void {
+  setFlow(change: Partial<Flow>): void {
     this.draft.flow = { ...this.draft.flow, ...change };
   }
 
@@ -149,7 +149,7 @@ export class Machine {
       this.log.append(found, unit);
     }
     this.log.calledBy(index, unit);
-    if (!known) this.log.saySetTwice(unit);
+    if (!known) this.log.reportDuplicateLabels(unit);
     return unit;
   }
 
@@ -162,7 +162,7 @@ export class Machine {
   text(name: string, index: number): string | null {
     const held = this.known.texts.get(name);
     if (held !== undefined) return held;
-    this.settle({ kind: "unset", name }, index);
+    this.resolveNumber({ kind: "unset", name }, index);
     return null;
   }
 
@@ -173,7 +173,7 @@ export class Machine {
   }
 
   /** Changes the tool position. */
-  setPlace(change: Partial<Whereabouts>): void {
+  setPlace(change: Partial<ToolPosition>): void {
     this.draft.place = { ...this.place, ...change };
   }
 
@@ -184,28 +184,33 @@ export class Machine {
 
   /** Number of a value, or null with an issue at the block. */
   number(value: Value, index: number): number | null {
-    return this.settle(valueOf(value, this.parameters), index);
+    return this.resolveNumber(valueOf(value, this.parameters), index);
   }
 
   /** The machine moved in an unknown way: all positions are unknown. */
-  loseAll(): void {
-    this.endBrought();
-    this.setPlace({ ...NOT_PLACED, lost: "unproved", held: this.place.held, milled: this.place.milled });
+  losePosition(): void {
+    this.closeArrival();
+    this.setPlace({
+      ...NOT_PLACED,
+      lostReason: "unproved",
+      pendingElement: this.place.pendingElement,
+      milled: this.place.milled,
+    });
     this.millGuide.here = null;
   }
 
   /** A computed number, or null with an issue at the block. */
-  settle(result: number | Trouble, index: number): number | null {
+  resolveNumber(result: number | EvaluationError, index: number): number | null {
     if (typeof result === "number") return result;
     const unknown = result.kind === "unset" ? this.known.reasonOf(result.name) : null;
-    this.known.trouble = unknown ?? "told";
+    this.known.lastUnknownReason = unknown ?? "told";
     if (unknown === "told") return null;
     if (result.kind === "unset" && unknown) this.log.leaveUnproved(result.name, index);
     else if (result.kind === "unset")
-      this.log.sayOnce(programIssue("parameterUnset", "error", { name: result.name }, result.name), index);
-    else if (result.kind === "zero") this.log.say(programIssue("divisionByZero", "error", {}), index);
+      this.log.reportOnce(programIssue("parameterUnset", "error", { name: result.name }, result.name), index);
+    else if (result.kind === "zero") this.log.report(programIssue("divisionByZero", "error", {}), index);
     else
-      this.log.say(
+      this.log.report(
         programIssue("notFinite", "error", { text: this.blocks[index]?.raw.trim().slice(0, 60) ?? "" }),
         index,
       );
@@ -240,11 +245,11 @@ export class Machine {
   stop(why: ProgramIssue, index: number): void {
     if (this.draft.full) return;
     this.change({ full: true });
-    this.log.say(why, index);
+    this.log.report(why, index);
     // An element waiting for a corner precedes the end and is still run.
-    const step = this.log.steps.length + (this.place.held ? 1 : 0);
+    const addStep = this.log.steps.length + (this.place.pendingElement ? 1 : 0);
     this.log.note("unproved", {
-      step,
+      step: addStep,
       block: this.log.numberOf(index) ?? 0,
       what:
         this.blocks[index]?.raw
@@ -284,18 +289,18 @@ export class Machine {
   }
 
   /** A tool that arrived somewhere without moving on is checked at that position. */
-  endBrought(): void {
-    const { brought, sure } = this.place;
-    if (brought === null) return;
+  closeArrival(): void {
+    const { positionedBy, sure } = this.place;
+    if (positionedBy === null) return;
     const at = sure.x && sure.z ? this.tip : null;
-    if (at) this.step(at, { kind: "rapid", to: at, phase: "position", run: "rough", step: 0 }, brought);
-    this.setPlace({ brought: null });
+    if (at) this.step(at, { kind: "rapid", to: at, phase: "position", run: "rough", step: 0 }, positionedBy);
+    this.setPlace({ positionedBy: null });
   }
 
   /** Intent of a cut at a block. */
   private intentOf(index: number, isCompensated: boolean): Pick<Step, "intent"> {
-    this.draft.said = saidOf(this.blocks, index, this.draft.said);
-    return intentOf(this.blocks, this.draft.said, isCompensated);
+    this.draft.cutIntent = cutIntentAt(this.blocks, index, this.draft.cutIntent);
+    return intentOf(this.blocks, this.draft.cutIntent, isCompensated);
   }
 
   /** Adds one motion of the current tool outside the operations; `hole` is one that has to be there for it. */
@@ -314,29 +319,29 @@ export class Machine {
       ...this.log.lineOf(index),
       ...asks,
     };
-    this.take(timed([stepOf(motion, this.spindle, this.clock.rapid)]), index);
+    this.addSteps(timed([stepOf(motion, this.spindle, this.clock.rapid)]), index);
   }
 
   /** Adds motions within the limit, and their time: the first one continues from where the tool arrived. */
-  take({ steps, seconds }: TimedSteps, index: number): void {
+  addSteps({ steps, seconds }: TimedSteps, index: number): void {
     const [first] = steps;
     if (!first) return;
-    this.log.countsFrom(this.now.datum.x, this.now.datum.z);
+    this.log.noteDatum(this.now.datum.x, this.now.datum.z);
     this.log.turnsAt(this.spindle, this.now.backwards);
     const runUp = this.clock.runUp(this.now, first.from.r);
     if (runUp) {
-      this.log.takes("spindle", runUp.seconds);
-      this.set({ runsAs: runUp.runsAs });
+      this.log.addSeconds("spindle", runUp.seconds);
+      this.set({ lastTurns: runUp.runsAs });
     }
     for (const fault of speedFaults(this.now, steps, this.shop.machine?.spindle?.most))
-      this.log.say(fault, this.now.spunBy ?? index);
-    const { brought, home } = this.place;
-    if (home && steps.some(({ move }) => move.kind !== "rapid")) {
-      this.log.leaveUnproved(home.what, home.index);
-      this.setPlace({ home: null });
+      this.log.report(fault, this.now.spinBlock ?? index);
+    const { positionedBy, homedBy } = this.place;
+    if (homedBy && steps.some(({ move }) => move.kind !== "rapid")) {
+      this.log.leaveUnproved(homedBy.what, homedBy.index);
+      this.setPlace({ homedBy: null });
     }
-    const isBrought = brought !== null ? { broughtBy: this.log.numberOf(brought) ?? 0 } : null;
+    const isBrought = positionedBy !== null ? { positionedBy: this.log.numberOf(positionedBy) ?? 0 } : null;
     this.log.move(isBrought ? [{ ...first, ...isBrought }, ...steps.slice(1)] : steps, seconds, index);
-    if (brought !== null) this.setPlace({ brought: null });
+    if (positionedBy !== null) this.setPlace({ positionedBy: null });
   }
 }

@@ -29,7 +29,7 @@ export interface Defined {
   readonly cycle: number;
   readonly values: ReadonlyMap<string, number | "auto" | null>;
   /** Parameters without a number, for a reported reason. */
-  readonly troubled: ReadonlySet<string>;
+  readonly unknownParameters: ReadonlySet<string>;
   /** Program that the call runs instead of a cycle; null when its name is unknown. */
   readonly program?: string | null;
 }
@@ -47,7 +47,7 @@ export interface JoinedContours {
 }
 
 /** A path element that waits for a possible corner block. */
-export interface Held {
+export interface PendingElement {
   readonly segment: Segment;
   readonly feed: Feed | null;
   readonly index: number;
@@ -57,7 +57,7 @@ export interface Held {
 }
 
 /** A blank that is no body of revolution about the spindle axis: a box, a file, or another axis. */
-export type UnturnedBlank =
+export type NonTurnedBlank =
   | { readonly kind: "box"; readonly index: number; readonly corners: readonly [BoxCorner, BoxCorner] }
   | {
       readonly kind: "file" | "otherAxis";
@@ -77,20 +77,20 @@ export interface Milling {
 }
 
 /** Tool position between two blocks. X is a diameter, mm. Immutable: every move replaces it. */
-export interface Whereabouts {
+export interface ToolPosition {
   readonly at: Position;
   /** False after a tool change until the axis is programmed again: the change leaves it anywhere. */
   readonly sure: { readonly x: boolean; readonly z: boolean };
   /** Block of the rapid from an unknown position to here; null once the tool has moved on. */
-  readonly brought: number | null;
+  readonly positionedBy: number | null;
   /** Block that moved the tool to machine home, until the next tool change: a cut from there is unverified. */
-  readonly home: { readonly index: number; readonly what: string } | null;
+  readonly homedBy: { readonly index: number; readonly what: string } | null;
   /** Whether the last point named both coordinates of its plane; null where this is not checked. */
   readonly isWhole: boolean | null;
   /** Why a coordinate became unknown: a block not simulated, or a reported fault. */
-  readonly lost: UnknownReason | null;
+  readonly lostReason: UnknownReason | null;
   /** Element that waits for a possible corner block. */
-  readonly held: Held | null;
+  readonly pendingElement: PendingElement | null;
   /** The last path element, for tangential arcs. */
   readonly last: Segment | null;
   /** The position of a mill, as programmed. */
@@ -146,27 +146,27 @@ export interface Modal {
   readonly perRevolution: boolean;
   readonly spindle: Spindle | null;
   /** Block that set it. */
-  readonly spunBy: number | null;
+  readonly spinBlock: number | null;
   /** An M function started it, or may have. */
   readonly turns: boolean;
   /** Reversed: M4 and its like. */
   readonly backwards: boolean;
   /** Spindle state at the last motion since its start. */
-  readonly runsAs: SpindleTurns | null;
+  readonly lastTurns: SpindleTurns | null;
   /**
    * Block of the last start or stop, null before any; number of unverified entries then; whether a cut was reported
    * since.
    */
-  readonly spun: { readonly index: number | null; readonly unproved: number; readonly told: boolean };
+  readonly spindleChange: { readonly index: number | null; readonly unproved: number; readonly told: boolean };
   /**
    * A speed not meant for turning: of TOOL CALL, which counts for a drill in the tool spindle, or one with a reported
    * fault.
    */
   readonly speedElsewhere: "toolCall" | "told" | null;
   /** Spindle direction of each tool at its first cycle, by tool number: an edge cuts in one direction only. */
-  readonly ways: ReadonlyMap<number, boolean>;
+  readonly spindleDirections: ReadonlyMap<number, boolean>;
   /** Tool position by a Y word in turning, mm from the centre; null before any. */
-  readonly besideCentre: number | null;
+  readonly offsetY: number | null;
   readonly tool: Tool | null;
   /** Name of the last tool changed in; null before one. */
   readonly changedTo: string | null;
@@ -194,7 +194,7 @@ export interface Modal {
   /** File of the program that states it, null for the main program; undefined before a BLK FORM. */
   readonly blankIn: string | null | undefined;
   /** A blank that is no body of revolution: its stock is chosen when turning starts. */
-  readonly unturned: UnturnedBlank | null;
+  readonly nonTurnedBlank: NonTurnedBlank | null;
   readonly mill: Milling;
 }
 
@@ -215,14 +215,14 @@ export const AT_START: Modal = {
   judged: "",
   perRevolution: false,
   spindle: null,
-  spunBy: null,
+  spinBlock: null,
   turns: false,
   backwards: false,
-  runsAs: null,
-  spun: { index: null, unproved: 0, told: false },
+  lastTurns: null,
+  spindleChange: { index: null, unproved: 0, told: false },
   speedElsewhere: null,
-  ways: new Map(),
-  besideCentre: null,
+  spindleDirections: new Map(),
+  offsetY: null,
   tool: null,
   changedTo: null,
   toolRefused: false,
@@ -238,19 +238,19 @@ export const AT_START: Modal = {
   blankSince: { operations: 0, steps: 0 },
   bored: null,
   blankIn: undefined,
-  unturned: null,
+  nonTurnedBlank: null,
   mill: { radius: null, tool: "", otherAxis: false, top: null },
 };
 
 /** Before the first move. */
-export const NOT_PLACED: Whereabouts = {
+export const NOT_PLACED: ToolPosition = {
   at: NOWHERE,
   sure: { x: false, z: false },
-  brought: null,
-  home: null,
+  positionedBy: null,
+  homedBy: null,
   isWhole: null,
-  lost: null,
-  held: null,
+  lostReason: null,
+  pendingElement: null,
   last: null,
   mill: NOWHERE,
   milled: null,

@@ -68,9 +68,9 @@ export interface WordReader {
   /** Frame of mirrored, rotated or scaled coordinates; null where they are at most shifted. */
   readonly frame: CoordinateFrame | null;
   /** A word names an axis that no path runs along. */
-  readonly aside: (word: AxisWord, n: number) => void;
+  readonly otherAxis: (word: AxisWord, n: number) => void;
   /** A coordinate has no number, for a reported reason. */
-  readonly lose: () => void;
+  readonly onUnknown: () => void;
   readonly fault: (code: PathFault) => void;
   /** Reports words that break a printed rule of the control. */
   readonly rule: (rule: ControlRule, word: string) => void;
@@ -82,8 +82,8 @@ export const plainReader = (unit: number): WordReader => ({
   length: (n) => n * unit,
   shift: () => 0,
   frame: null,
-  aside: () => undefined,
-  lose: () => undefined,
+  otherAxis: () => undefined,
+  onUnknown: () => undefined,
   fault: () => undefined,
   rule: () => undefined,
 });
@@ -134,14 +134,14 @@ function counted(read: WordReader, words: readonly AxisWord[], at: Position, shi
     const n = read.number(w.value);
     const shift = shiftOf(w.axis);
     if (shift === null) {
-      if (n !== null) read.aside(w, n);
+      if (n !== null) read.otherAxis(w, n);
       continue;
     }
     const key = w.axis.toLowerCase() as keyof Position;
     const before = to[key];
     if (n === null || (shift === "unknown" && !w.incremental)) {
       to[key] = null;
-      read.lose();
+      read.onUnknown();
     } else if (!w.incremental && shift !== "unknown") to[key] = read.length(n) + shift;
     else if (before !== null) to[key] = before + read.length(n);
     else read.fault("startUnknown");
@@ -197,7 +197,7 @@ export function endOf(read: WordReader, { path, words }: PathBlock, { plane, at,
   const end = centre && polarPoint(read, words, centre, before);
   const made = end && coordinatesIn(plane, end);
   if (made) return { ...to, ...(frame ? pick(toWorkpiece(frame, { ...NOWHERE, ...made }), a, b) : made) };
-  read.lose();
+  read.onUnknown();
   return nowhere;
 }
 

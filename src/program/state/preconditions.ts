@@ -8,7 +8,7 @@ import type { Machine } from "./machine.ts";
 
 /** Reports a block without a tool, unless its TOOL CALL is reported as unusable. */
 export function noTool(machine: Machine, index: number): void {
-  if (!machine.now.toolRefused) machine.log.say(programIssue("noToolCalled", "error", {}), index);
+  if (!machine.now.toolRefused) machine.log.report(programIssue("noToolCalled", "error", {}), index);
 }
 
 /** Line of a parameter in its definition, from 0: its first or second occurrence. */
@@ -28,7 +28,7 @@ export function foreignParameters(machine: Machine, cycle: Cycle, names: readonl
     const twice = met.has(q);
     met.add(q);
     if (twice || !(q in cycle.params))
-      machine.log.say(
+      machine.log.report(
         programIssue("parameterForeign", "warning", { name: q, cycle: cycle.number }, q),
         index,
         lineOfParameter(raw, q, twice ? 2 : 1),
@@ -75,11 +75,11 @@ export function unlikelyFeeds<P extends Params>(
 }
 
 /** Definitions of turning cycles that no call has run. */
-export function neverCalled(machine: Machine): void {
+export function reportUncalledCycles(machine: Machine): void {
   const { definitions, called } = machine.state;
   for (const index of definitions.values()) {
     const s = machine.blocks[index]?.statement;
     if (!called.has(index) && s?.kind === "cycle")
-      machine.log.say(programIssue("cycleNeverCalled", "warning", { cycle: s.cycle }), index);
+      machine.log.report(programIssue("cycleNeverCalled", "warning", { cycle: s.cycle }), index);
   }
 }

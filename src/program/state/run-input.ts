@@ -4,11 +4,11 @@ import type { Shop } from "./shop.ts";
 import { unitFrom, type Unit } from "./units.ts";
 
 /** Number of executed blocks when a run first read each block; 0 for unread blocks. */
-export interface Looks {
+export interface FirstReads {
   /** Blocks that were run, or read as part of a contour. */
   readonly visited: Uint32Array;
   /** Blocks read ahead by an earlier block. */
-  readonly foreseen: Uint32Array;
+  readonly lookedAhead: Uint32Array;
 }
 
 /** Inputs of a run, and what follows from them alone. */
@@ -23,7 +23,7 @@ export interface RunInput {
   readonly numbers: readonly number[];
   readonly lines: readonly number[];
   /** Filled during the run. */
-  readonly looks: Looks;
+  readonly firstReads: FirstReads;
 }
 
 /** `before`: input of the run that this one continues, and its number of executed blocks there. */
@@ -41,11 +41,14 @@ export function runInput(
     unit: unitFrom(program, { file: null, from: 0, skipMarked: shop.skipMarked ?? false }),
     numbers: blockNumbers(program),
     lines: startLines(program),
-    looks: { visited: until(before?.input.looks.visited), foreseen: until(before?.input.looks.foreseen) },
+    firstReads: {
+      visited: until(before?.input.firstReads.visited),
+      lookedAhead: until(before?.input.firstReads.lookedAhead),
+    },
   };
 }
 
 /** Number of executed blocks when a run first read a block; Infinity for an unread block. */
-export function firstLook({ looks: { visited, foreseen } }: RunInput, index: number): number {
-  return Math.min(visited[index] || Infinity, foreseen[index] || Infinity);
+export function firstReadAt({ firstReads: { visited, lookedAhead } }: RunInput, index: number): number {
+  return Math.min(visited[index] || Infinity, lookedAhead[index] || Infinity);
 }

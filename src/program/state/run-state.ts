@@ -1,12 +1,12 @@
 import type { Block } from "../../nc/program.ts";
 import type { StatementOf } from "../../nc/statement.ts";
 import type { Label } from "../../nc/words.ts";
-import { GrownSet, Table } from "../values/grown.ts";
-import { NOTHING_KNOWN, type Known, type Locals } from "../values/known-values.ts";
+import { AppendSet, PersistentMap } from "../values/persistent.ts";
+import { NOTHING_KNOWN, type ParameterState, type Locals } from "../values/known-values.ts";
 import type { FreeRun } from "./free-contour.ts";
 import { emptyLog, Log, type LogState } from "./log.ts";
-import type { Said } from "./meant-cuts.ts";
-import { AT_START, NOT_PLACED, type Modal, type Whereabouts } from "./modal.ts";
+import type { CutIntent } from "./intended-cuts.ts";
+import { AT_START, NOT_PLACED, type Modal, type ToolPosition } from "./modal.ts";
 import type { Guide } from "./plane-chain.ts";
 import type { RunInput } from "./run-input.ts";
 import type { TracedBlank } from "./tracing.ts";
@@ -34,9 +34,9 @@ export interface Flow {
   /** Remaining repetitions, by the block of their call. */
   readonly repeats: ReadonlyMap<number, number>;
   /** A jump depended on an unknown value: the control may continue elsewhere. */
-  readonly guessed: boolean;
+  readonly hasUnknownJump: boolean;
   /** A reported fault stopped the program, or removed its end. */
-  readonly told: boolean;
+  readonly isFaultReported: boolean;
   /** Null while the program runs. */
   readonly ending: Ending | null;
 }
@@ -54,14 +54,14 @@ export interface RunState {
   readonly enters: Unit | null;
   readonly now: Modal;
   /** Tool position. */
-  readonly place: Whereabouts;
-  readonly known: Known;
+  readonly place: ToolPosition;
+  readonly known: ParameterState;
   readonly log: LogState;
   /** Radii of TOOL DEF lines, mm. */
-  readonly radii: Table<Label, number>;
+  readonly radii: PersistentMap<Label, number>;
   /** Blocks of definitions reached, and of those called. */
-  readonly definitions: GrownSet<number>;
-  readonly called: GrownSet<number>;
+  readonly definitions: AppendSet<number>;
+  readonly called: AppendSet<number>;
   /** Contours under construction, of turning and milling. */
   readonly turnGuide: Readonly<Guide>;
   readonly millGuide: Readonly<Guide>;
@@ -72,7 +72,7 @@ export interface RunState {
   /** FPOL that counts until another does. */
   readonly freePole: StatementOf<"free"> | null;
   /** Comment on the last cut. */
-  readonly said: Said | null;
+  readonly cutIntent: CutIntent | null;
   /** Blocks executed, those of contours that cycles read included. */
   readonly executed: number;
   /** A limit was reached: the run ends. */
@@ -82,26 +82,26 @@ export interface RunState {
 /** Before the first block. */
 export function startOf(input: RunInput): RunState {
   const log = new Log(input, emptyLog());
-  log.saySetTwice(input.unit);
+  log.reportDuplicateLabels(input.unit);
   return {
     blocks: input.program.blocks,
     next: 0,
-    flow: { returns: null, repeats: new Map(), guessed: false, told: false, ending: null },
+    flow: { returns: null, repeats: new Map(), hasUnknownJump: false, isFaultReported: false, ending: null },
     unit: input.unit,
     enters: null,
     now: AT_START,
     place: NOT_PLACED,
     known: NOTHING_KNOWN,
     log: log.state,
-    radii: new Table(),
-    definitions: new GrownSet(),
-    called: new GrownSet(),
+    radii: new PersistentMap(),
+    definitions: new AppendSet(),
+    called: new AppendSet(),
     turnGuide: { chain: null, here: null },
     millGuide: { chain: null, here: null },
     traced: null,
     freeRun: null,
     freePole: null,
-    said: null,
+    cutIntent: null,
     executed: 0,
     full: false,
   };

@@ -6,7 +6,7 @@ import type { Issue } from "../../kernel/plan/issue.ts";
 import type { FeedUnit } from "../../kernel/plan/move.ts";
 import type { Plan } from "../../kernel/plan/plan.ts";
 import type { Pt, Ring } from "../../kernel/geometry/point.ts";
-import type { Spindle, Stated, Step, Unproved } from "../../kernel/time/step.ts";
+import type { Spindle, StatedBlank, Step, UnsimulatedBlock } from "../../kernel/time/step.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import type { Feed } from "../../kernel/units.ts";
 import type { NcIssue } from "../../nc/issue.ts";
@@ -73,7 +73,7 @@ export interface Operation {
 }
 
 /** Seconds outside of motions: tool changes, spindle run-up, dwell blocks. */
-export interface SecondsBeside {
+export interface NonMotionSeconds {
   readonly toolChange: number;
   readonly spindle: number;
   readonly dwell: number;
@@ -85,7 +85,7 @@ export type TimePart = (typeof TIME_PARTS)[number];
 
 /** Basis of the running time. */
 export interface Timing {
-  readonly beside: SecondsBeside;
+  readonly beside: NonMotionSeconds;
   readonly contains: readonly TimePart[];
   /** Name of the machine whose data were used; null without one. */
   readonly machine: string | null;
@@ -105,7 +105,7 @@ export interface Run {
   /** The box that BLK FORM 0.1 and 0.2 state, for what is milled; null for other forms. */
   readonly cuboid: Cuboid | null;
   /** Blanks stated after the first cut, in step order. */
-  readonly stated: readonly Stated[];
+  readonly stated: readonly StatedBlank[];
   readonly operations: readonly Operation[];
   readonly steps: readonly Step[];
   /** For each step the index of its block in the parsed program, which stays unique when block numbers do not. */
@@ -119,7 +119,7 @@ export interface Run {
   /** Spindle state from a step on, in step order; null until a speed is programmed. M4 reverses it. */
   readonly spindles: readonly { readonly step: number; readonly spindle: Spindle | null; readonly backwards?: true }[];
   /** Blocks not simulated that can change path or stock, in run order. */
-  readonly unproved: readonly Unproved[];
+  readonly unproved: readonly UnsimulatedBlock[];
   /** All findings in the order of the text, those of operations included. */
   readonly issues: readonly RunFinding[];
   /** Total running time in s, as far as `timing` covers it. */

@@ -1,4 +1,4 @@
-import type { Answers } from "../../kernel/answers.ts";
+import type { AnswerCache } from "../../kernel/answer-cache.ts";
 import type { Issue } from "../../kernel/plan/issue.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import type { MachineData } from "../machine/machine-data.ts";
@@ -24,7 +24,7 @@ export interface Shop {
   /** Updates a traced blank; without it the cycles are planned as if nothing was traced. */
   readonly tracing?: Tracing;
   /** Cache of earlier runs: contours, plans, steps; without it everything is recomputed. */
-  readonly memory?: Answers;
+  readonly memory?: AnswerCache;
   /** True to skip the blocks marked with `/`. */
   readonly skipMarked?: boolean;
 }

@@ -1,5 +1,5 @@
 import { holeOf, isDrill } from "../../kernel/cutter/drill.ts";
-import type { Idle, NeededHole } from "../../kernel/time/step.ts";
+import type { SpindleFault, NeededHole } from "../../kernel/time/step.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import type { Modal } from "./modal.ts";
 
@@ -7,8 +7,8 @@ import type { Modal } from "./modal.ts";
  * Whether a tool needs a reversed spindle; undefined while unknown. A drill cuts forwards, any other edge as in its
  * first cut. A tap may be left-hand, and retracts with the spindle reversed.
  */
-const cutsBackwards = ({ ways }: Modal, tool: Tool): boolean | undefined =>
-  isDrill(tool) ? (tool.TYPE === "TAP" ? undefined : false) : ways.get(tool.T);
+const cutsBackwards = ({ spindleDirections }: Modal, tool: Tool): boolean | undefined =>
+  isDrill(tool) ? (tool.TYPE === "TAP" ? undefined : false) : spindleDirections.get(tool.T);
 
 /** Run data besides the modal state: number of unverified entries, and block numbers. */
 interface Known {
@@ -20,12 +20,17 @@ interface Known {
  * Why the spindle surely does not turn as a cut needs it; null where it does. Silent after unknown blocks: any of them
  * may have started the spindle or set a speed. `wanted`: whether the cut needs reverse, as its cycle says.
  */
-export function idleSpindle(now: Modal, known: Known, tool: Tool, wanted = cutsBackwards(now, tool)): Idle | null {
+export function spindleFaultOf(
+  now: Modal,
+  known: Known,
+  tool: Tool,
+  wanted = cutsBackwards(now, tool),
+): SpindleFault | null {
   const { unproved } = known;
-  const { mode, spindle, turns, backwards, spun, speedElsewhere } = now;
+  const { mode, spindle, turns, backwards, spindleChange, speedElsewhere } = now;
   if (mode !== "TURN") return null;
-  const by = spun.index === null ? null : (known.numberOf(spun.index) ?? null);
-  const stands = !turns && unproved.length <= spun.unproved;
+  const by = spindleChange.index === null ? null : (known.numberOf(spindleChange.index) ?? null);
+  const stands = !turns && unproved.length <= spindleChange.unproved;
   const hasSpeed = spindle || speedElsewhere === "told" || (speedElsewhere === "toolCall" && isDrill(tool));
   if (!hasSpeed && unproved.length === 0 && (by === null || !stands)) return { how: "noSpeed", by: null };
   if (stands) return { how: "stopped", by };
@@ -44,8 +49,8 @@ export function demands(
   known: Known,
   tool: Tool,
   hole: NeededHole | null,
-): { readonly idle?: Idle; readonly hole?: NeededHole } {
-  const idle = now.spun.told ? null : idleSpindle(now, known, tool);
+): { readonly spindleFault?: SpindleFault; readonly hole?: NeededHole } {
+  const spindleFault = now.spindleChange.told ? null : spindleFaultOf(now, known, tool);
   const needed = hole ?? holeOf(tool);
-  return { ...(idle && { idle }), ...(needed && { hole: needed }) };
+  return { ...(spindleFault && { spindleFault }), ...(needed && { hole: needed }) };
 }

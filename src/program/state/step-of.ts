@@ -2,7 +2,7 @@ import type { Spindle, Step } from "../../kernel/time/step.ts";
 import { secondsOf, type RapidRate } from "../../kernel/time/time.ts";
 
 /** A motion without its time, and its block. */
-export type Motion = Omit<Step, "seconds" | "broughtBy">;
+export type Motion = Omit<Step, "seconds" | "positionedBy">;
 
 /** Consecutive motions, and their total time. */
 export interface TimedSteps {

@@ -1,5 +1,5 @@
 import type { ApproachRequest, ApproachShape, NamedPoints } from "../../kernel/plane/approach.ts";
-import type { ContourCut, FreeWay } from "../../kernel/plane/approach-check.ts";
+import type { ContourCut, ApproachFix } from "../../kernel/plane/approach-check.ts";
 import type { FeedUnit } from "../../kernel/plan/move.ts";
 import type { PlanePoint, PlaneSegment, Side } from "../../kernel/plane/plane.ts";
 import type { Turn } from "../../kernel/geometry/point.ts";
@@ -88,7 +88,7 @@ export interface ApproachRun {
   readonly feedBefore: number | "rapid" | null;
   /** Where the path of the tool centre cuts into the contour, and a value that avoids it. */
   readonly cut: ContourCut | null;
-  readonly free: FreeWay | null;
+  readonly free: ApproachFix | null;
 }
 
 /** Data of a milling tool that the path needs, mm. */

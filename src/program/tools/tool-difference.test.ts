@@ -5,7 +5,7 @@ import { print } from "../../nc/program.ts";
 import { withCalls } from "./renumber-calls.ts";
 import { readEntry, type ToolEntry } from "./tool-entry.ts";
 import { shippedList, type ToolList } from "./tool-list.ts";
-import { keptBeside, renumberedTools, toolsBeside, type KeepAs } from "./tool-difference.ts";
+import { keepTools, renumberedTools, pairTools, type KeepAs } from "./tool-difference.ts";
 
 const tool = (T: string, cells: ToolEntry["cells"] = {}): ToolEntry => ({
   id: `x${T}`,
@@ -21,7 +21,7 @@ test("rows are set beside those of their number, and differ in what their cells 
     tool("", { NAME: "NONE" }),
   ];
   expect(
-    toolsBeside(theirs, mine).map(({ number, mine: own, differs }) => [number, own?.cells.T ?? null, differs]),
+    pairTools(theirs, mine).map(({ number, mine: own, differs }) => [number, own?.cells.T ?? null, differs]),
   ).toEqual([
     [3, "3", ["RS", "CUTLENGTH"]],
     [4, "4", []],
@@ -39,7 +39,7 @@ test("free numbers are taken as they are, others as it was chosen", () => {
     tool("7.1", { ORI: "12.5" }),
   ];
   const ways: Record<string, KeepAs> = { x1: "mine", x3: "free", "x7.1": "theirs" };
-  const { list, added, replaced, moved } = keptBeside(mine, theirs, ({ entry }) => ways[entry.id] ?? "mine");
+  const { list, added, replaced, moved } = keepTools(mine, theirs, ({ entry }) => ways[entry.id] ?? "mine");
   // Number 2 is used by the job itself, so it is not free for another of its tools.
   expect(moved).toEqual([{ from: 3, to: 5 }]);
   expect([added, replaced]).toEqual([2, 1]);
@@ -65,7 +65,7 @@ test("whatever is chosen, no row of the table is lost but one that was to be rep
     .map((all) => all.map(({ T, RS }) => tool(T, { RS })));
   fc.assert(
     fc.property(theirs, fc.infiniteStream(fc.constantFrom<KeepAs>("mine", "theirs", "free")), (rows, ways) => {
-      const { list, added, replaced, moved } = keptBeside(mine, rows, () => ways.next().value);
+      const { list, added, replaced, moved } = keepTools(mine, rows, () => ways.next().value);
       const numbers = list.map((entry) => readEntry(entry).number);
       expect(new Set(numbers).size).toBe(numbers.length);
       expect(list.length).toBe(mine.length + added);
@@ -78,8 +78,8 @@ test("whatever is chosen, no row of the table is lost but one that was to be rep
 
 test("keeping twice changes nothing more", () => {
   const theirs = [tool("3", { RS: "3" }), tool("9")];
-  const once = keptBeside(shippedList, theirs, () => "theirs");
-  const twice = keptBeside(once.list, theirs, () => "theirs");
+  const once = keepTools(shippedList, theirs, () => "theirs");
+  const twice = keepTools(once.list, theirs, () => "theirs");
   expect(twice).toEqual({ list: once.list, added: 0, replaced: 0, moved: [] });
 });
 

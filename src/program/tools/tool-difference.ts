@@ -3,7 +3,7 @@ import { cellOf, readEntry, type ToolEntry } from "./tool-entry.ts";
 import { freeNumber, newId, type ToolList } from "./tool-list.ts";
 
 /** An incoming row, and the existing row with its number; null where the number is free. */
-export interface ToolBeside {
+export interface ToolPair {
   readonly entry: ToolEntry;
   readonly number: number | null;
   readonly mine: ToolEntry | null;
@@ -14,14 +14,14 @@ export interface ToolBeside {
 const CELLS: readonly CellName[] = [...new Set<CellName>([...TOOL_COLUMNS, ...MILL_COLUMNS, ...HOLDER_CELLS])];
 
 /** Normalized text of a cell: `0,80` is 0.8. */
-function meant(entry: ToolEntry, cell: CellName): string {
+function normalizedCell(entry: ToolEntry, cell: CellName): string {
   const text = cellOf(entry, cell).trim();
   const number = Number(text.replace(",", "."));
   return text !== "" && Number.isFinite(number) ? String(number) : text;
 }
 
 /** Pairs each incoming row with the existing row of its number. */
-export function toolsBeside(theirs: ToolList, mine: ToolList): readonly ToolBeside[] {
+export function pairTools(theirs: ToolList, mine: ToolList): readonly ToolPair[] {
   const byNumber = new Map<number, ToolEntry>();
   for (const entry of mine) {
     const { number } = readEntry(entry);
@@ -30,7 +30,7 @@ export function toolsBeside(theirs: ToolList, mine: ToolList): readonly ToolBesi
   return theirs.map((entry) => {
     const { number } = readEntry(entry);
     const other = number === null ? undefined : byNumber.get(number);
-    const differs = other ? CELLS.filter((cell) => meant(entry, cell) !== meant(other, cell)) : [];
+    const differs = other ? CELLS.filter((cell) => normalizedCell(entry, cell) !== normalizedCell(other, cell)) : [];
     return { entry, number, mine: other ?? null, differs };
   });
 }
@@ -47,7 +47,7 @@ export interface KeptTools {
 }
 
 /** Adds incoming rows to a table: at their own numbers where free, else as chosen. */
-export function keptBeside(mine: ToolList, theirs: ToolList, choice: (beside: ToolBeside) => KeepAs): KeptTools {
+export function keepTools(mine: ToolList, theirs: ToolList, choice: (beside: ToolPair) => KeepAs): KeptTools {
   let list = mine;
   let [added, replaced] = [0, 0];
   const moved: { from: number; to: number }[] = [];
@@ -55,7 +55,7 @@ export function keptBeside(mine: ToolList, theirs: ToolList, choice: (beside: To
     list = [...list, { id: newId(list), cells }];
     added++;
   };
-  for (const beside of toolsBeside(theirs, mine)) {
+  for (const beside of pairTools(theirs, mine)) {
     const { entry, number, mine: other, differs } = beside;
     if (!other) add(entry.cells);
     else if (differs.length === 0 || number === null) continue;

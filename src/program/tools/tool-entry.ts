@@ -1,6 +1,6 @@
 import { issue, type Issue } from "../../kernel/plan/issue.ts";
 import { USUAL_TOOTH } from "../../kernel/cutter/insert.ts";
-import { mends, offerOf, withOffer } from "../../kernel/plan/offer.ts";
+import { fixesFinding, offerOf, withOffer } from "../../kernel/plan/offer.ts";
 import type { DrillType, Tool } from "../../kernel/plan/tool.ts";
 import { checkTool } from "./check-tool.ts";
 import { readText } from "../values/field.ts";
@@ -189,7 +189,7 @@ export function readEntry(entry: ToolEntry): EntryReading {
     const [offer, cell] = [offerOf(found), found.at];
     if (offer === null || cell === undefined) return found;
     const other = read({ ...entry, cells: { ...entry.cells, [cell]: String(offer) } });
-    return mends(found, reading.issues, other.issues) ? found : withOffer(found, null);
+    return fixesFinding(found, reading.issues, other.issues) ? found : withOffer(found, null);
   };
   return { ...reading, issues: reading.issues.map(tried) };
 }

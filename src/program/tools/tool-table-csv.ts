@@ -107,14 +107,14 @@ export function readTableCsv(text: string): TableFile {
 }
 
 /** Format of a sheet: with decimal comma for spreadsheets that expect it, or with point and comma. */
-export type SheetManner = "comma" | "point";
+export type SheetFormat = "comma" | "point";
 
 function quoted(text: string, separator: string): string {
   return text.includes(separator) || /["\r\n]|^\s|\s$/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
 }
 
 /** Writes tools as a sheet, milling tools last. Nothing is rounded. */
-export function writeTableCsv(tools: readonly Tool[], mills: readonly MillTool[], manner: SheetManner): string {
+export function writeTableCsv(tools: readonly Tool[], mills: readonly MillTool[], manner: SheetFormat): string {
   const separator = manner === "comma" ? ";" : ",";
   const number = (value: string | number | undefined) =>
     typeof value === "number" && manner === "comma" ? String(value).replace(".", ",") : String(value ?? "");

@@ -1,7 +1,7 @@
 import type { Cycle, Given, Group } from "../../cycles/define.ts";
 import type { Params, Values } from "../../cycles/params.ts";
 import type { Reason } from "../../kernel/plan/issue.ts";
-import type { Plan, Setting } from "../../kernel/plan/plan.ts";
+import type { Plan, PlanContext } from "../../kernel/plan/plan.ts";
 import type { Segment } from "../../kernel/geometry/point.ts";
 import type { Tool, ToolType } from "../../kernel/plan/tool.ts";
 import { checkTool } from "./check-tool.ts";
@@ -85,7 +85,7 @@ export function rankTools<P extends Params>(
   cycle: Cycle<P>,
   values: Values<P>,
   given: Given,
-  setting: Omit<Setting, "tool">,
+  setting: Omit<PlanContext, "tool">,
   tools: readonly Tool[],
 ): ToolFit[] {
   return tools
@@ -104,7 +104,7 @@ export function betterTool<P extends Params>(
   cycle: Cycle<P>,
   values: Values<P>,
   given: Given,
-  setting: Setting,
+  setting: PlanContext,
   tools: readonly Tool[],
 ): Tool | null {
   const others = tools.filter((tool) => tool.T !== setting.tool.T);

@@ -39,7 +39,7 @@ export interface FieldReading {
 }
 
 /** Reading of an empty field. */
-export const nothing: FieldReading = {
+export const emptyReading: FieldReading = {
   value: null,
   written: null,
   incremental: false,
@@ -47,7 +47,7 @@ export const nothing: FieldReading = {
   empty: true,
   issue: null,
 };
-export const wrong = (found: Issue): FieldReading => ({ ...nothing, empty: false, issue: found });
+export const rejectedReading = (found: Issue): FieldReading => ({ ...emptyReading, empty: false, issue: found });
 
 /** An optional number without limits. */
 export const anyNumber: Field = {
@@ -59,7 +59,7 @@ export const anyNumber: Field = {
 };
 
 /** A number rounded to the control's resolution; never −0. */
-export const kept = (n: number, decimals: number): number => Number(n.toFixed(decimals)) || 0;
+export const roundedTo = (n: number, decimals: number): number => Number(n.toFixed(decimals)) || 0;
 
 const nearestOf = (choices: readonly number[], n: number) =>
   choices.reduce((best, next) => (Math.abs(next - n) < Math.abs(best - n) ? next : best));
@@ -89,30 +89,32 @@ export function feedWord(typed: string): "auto" | "max" | null {
 /** The only conversion from typed text to a value. Empty stays missing; unreadable text is reported, never guessed. */
 export function readText(field: Field, typed: string, known: KnownParameters = {}): FieldReading {
   const text = typed.trim();
-  if (text === "") return { ...nothing, issue: field.optional ? null : issue("missing", "error", {}, field.id) };
+  if (text === "") return { ...emptyReading, issue: field.optional ? null : issue("missing", "error", {}, field.id) };
   const word = field.kind === "feed" ? feedWord(text) : null;
-  if (word === "auto" || (word === "max" && field.rapid)) return { ...nothing, empty: false, written: word };
+  if (word === "auto" || (word === "max" && field.rapid)) return { ...emptyReading, empty: false, written: word };
   const incremental = field.increments === true && /^I/i.test(text);
   const bare = incremental ? text.slice(1) : text;
   const read = readExpression(bare, known);
   const parameter = parameterOf(spelling(bare));
   switch (read.kind) {
     case "number": {
-      const value = field.decimals === null ? read.value : kept(read.value, field.decimals);
+      const value = field.decimals === null ? read.value : roundedTo(read.value, field.decimals);
       const found = checkNumber(field, value);
       return found
-        ? wrong(found)
+        ? rejectedReading(found)
         : { value, written: parameter ?? value, incremental, computed: read.computed, empty: false, issue: null };
     }
     case "unknownParameter":
       return {
-        ...wrong(issue("unknownParameter", "error", { name: read.name }, field.id)),
+        ...rejectedReading(issue("unknownParameter", "error", { name: read.name }, field.id)),
         incremental,
         written: parameter,
       };
     default:
       return {
-        ...wrong(issue(read.kind === "badExpression" ? "badExpression" : "notANumber", "error", { text }, field.id)),
+        ...rejectedReading(
+          issue(read.kind === "badExpression" ? "badExpression" : "notANumber", "error", { text }, field.id),
+        ),
         written: parameter,
       };
   }

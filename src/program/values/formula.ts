@@ -2,7 +2,7 @@ import type { Formula, TextFormula, Value } from "../../nc/words.ts";
 import { inDegrees, radians } from "../../kernel/units.ts";
 
 /** Why a value has no number. */
-export type Trouble =
+export type EvaluationError =
   { readonly kind: "unset"; readonly name: string } | { readonly kind: "zero" } | { readonly kind: "notFinite" };
 /** Q parameters while a program runs, by name. */
 export type Parameters = Pick<ReadonlyMap<string, number>, "get">;
@@ -30,7 +30,7 @@ const CALLS: Readonly<Record<string, (n: number) => number>> = {
 };
 
 /** Number of a value; trouble for an unset parameter. */
-export function valueOf(value: Value, parameters: Parameters): number | Trouble {
+export function valueOf(value: Value, parameters: Parameters): number | EvaluationError {
   if (typeof value === "number") return value;
   const found = parameters.get(value.parameter);
   if (found === undefined) return { kind: "unset", name: value.parameter };
@@ -38,7 +38,7 @@ export function valueOf(value: Value, parameters: Parameters): number | Trouble 
 }
 
 /** Text of a text formula; trouble for a parameter without text. */
-export function textOf(f: TextFormula, parameters: Parameters, texts: Texts): string | Trouble {
+export function textOf(f: TextFormula, parameters: Parameters, texts: Texts): string | EvaluationError {
   switch (f.kind) {
     case "quoted":
       return f.text;
@@ -80,7 +80,11 @@ export function textOf(f: TextFormula, parameters: Parameters, texts: Texts): st
 const LONGEST_TEXT = 10_000;
 
 /** Number from a text function; positions count from 0, a missing text is at the end. */
-function numberOfText(f: Extract<Formula, { kind: "ofText" }>, parameters: Parameters, texts: Texts): number | Trouble {
+function numberOfText(
+  f: Extract<Formula, { kind: "ofText" }>,
+  parameters: Parameters,
+  texts: Texts,
+): number | EvaluationError {
   const source = textOf(f.source, parameters, texts);
   if (typeof source !== "string") return source;
   const search = f.search && textOf(f.search, parameters, texts);
@@ -95,7 +99,7 @@ function numberOfText(f: Extract<Formula, { kind: "ofText" }>, parameters: Param
 }
 
 /** Evaluates the right side of an assignment. Angles in degrees, as on the control. */
-export function formulaOf(f: Formula, parameters: Parameters, texts: Texts = NO_TEXTS): number | Trouble {
+export function formulaOf(f: Formula, parameters: Parameters, texts: Texts = NO_TEXTS): number | EvaluationError {
   const result = compute(f, parameters, texts);
   return typeof result === "number" && !Number.isFinite(result) ? { kind: "notFinite" } : result;
 }
@@ -103,7 +107,7 @@ export function formulaOf(f: Formula, parameters: Parameters, texts: Texts = NO_
 /** The angle of a right triangle between 0° and 360°, from its opposite and its adjacent side. */
 const angleOf = (opposite: number, adjacent: number) => (inDegrees(Math.atan2(opposite, adjacent)) + 360) % 360;
 
-function compute(f: Formula, parameters: Parameters, texts: Texts): number | Trouble {
+function compute(f: Formula, parameters: Parameters, texts: Texts): number | EvaluationError {
   if (f.kind === "value") return valueOf(f.value, parameters);
   if (f.kind === "ofText") return numberOfText(f, parameters, texts);
   if (f.kind === "undefined") return { kind: "notFinite" };

@@ -1,4 +1,4 @@
-import { Table, type Changing } from "./grown.ts";
+import { PersistentMap, type Mutable } from "./persistent.ts";
 
 /** Why a value is unknown: a block not simulated, or a reported fault. */
 export type UnknownReason = "unproved" | "told";
@@ -13,26 +13,26 @@ const [TOOL_RADIUS, UNIT] = ["Q108", "Q113"] as const;
 const LOCAL = /^QL/;
 
 /** Known Q parameters. Immutable. */
-export interface Known {
-  readonly parameters: Table<string, number>;
+export interface ParameterState {
+  readonly parameters: PersistentMap<string, number>;
   /** Texts of the QS parameters. */
-  readonly texts: Table<string, string>;
-  readonly forgotten: Table<string, UnknownReason>;
+  readonly texts: PersistentMap<string, string>;
+  readonly unknownReasons: PersistentMap<string, UnknownReason>;
   /** Parameters bound to a column by SQL BIND: a fetch writes into them. */
   readonly bound: ReadonlySet<string>;
   /** True after a touch probe cycle: result parameters have unknown values. */
   readonly probed: boolean;
   /** Why the last value without a number is unknown. */
-  readonly trouble: UnknownReason;
+  readonly lastUnknownReason: UnknownReason;
 }
 
-export const NOTHING_KNOWN: Known = {
-  parameters: new Table(),
-  texts: new Table(),
-  forgotten: new Table(),
+export const NOTHING_KNOWN: ParameterState = {
+  parameters: new PersistentMap(),
+  texts: new PersistentMap(),
+  unknownReasons: new PersistentMap(),
   bound: new Set(),
   probed: false,
-  trouble: "told",
+  lastUnknownReason: "told",
 };
 
 /** Local parameters of a program, and why some are unknown. */
@@ -41,53 +41,53 @@ export interface Locals {
   readonly forgotten: ReadonlyMap<string, UnknownReason>;
 }
 
-const localsIn = <V>(table: Table<string, V>): ReadonlyMap<string, V> =>
+const localsIn = <V>(table: PersistentMap<string, V>): ReadonlyMap<string, V> =>
   new Map([...table.toMap()].filter(([name]) => LOCAL.test(name)));
 
 /** Q parameters during a run. An unknown value differs from one never set. */
-export class KnownValues {
-  private readonly draft: Changing<Known>;
+export class ParameterStore {
+  private readonly draft: Mutable<ParameterState>;
 
-  constructor(state: Known) {
+  constructor(state: ParameterState) {
     this.draft = { ...state };
   }
 
-  get state(): Known {
+  get state(): ParameterState {
     return { ...this.draft };
   }
 
-  get parameters(): Known["parameters"] {
+  get parameters(): ParameterState["parameters"] {
     return this.draft.parameters;
   }
 
-  set parameters(parameters: Known["parameters"]) {
+  set parameters(parameters: ParameterState["parameters"]) {
     this.draft.parameters = parameters;
   }
 
-  get texts(): Known["texts"] {
+  get texts(): ParameterState["texts"] {
     return this.draft.texts;
   }
 
-  get bound(): Known["bound"] {
+  get bound(): ParameterState["bound"] {
     return this.draft.bound;
   }
 
-  get trouble(): UnknownReason {
-    return this.draft.trouble;
+  get lastUnknownReason(): UnknownReason {
+    return this.draft.lastUnknownReason;
   }
 
-  set trouble(trouble: UnknownReason) {
-    this.draft.trouble = trouble;
+  set lastUnknownReason(trouble: UnknownReason) {
+    this.draft.lastUnknownReason = trouble;
   }
 
   set(name: string, value: number): void {
     this.draft.parameters = this.parameters.with(name, value);
-    this.draft.forgotten = this.draft.forgotten.with(name, undefined);
+    this.draft.unknownReasons = this.draft.unknownReasons.with(name, undefined);
   }
 
   setText(name: string, text: string): void {
     this.draft.texts = this.texts.with(name, text);
-    this.draft.forgotten = this.draft.forgotten.with(name, undefined);
+    this.draft.unknownReasons = this.draft.unknownReasons.with(name, undefined);
   }
 
   bind(names: readonly string[]): void {
@@ -96,7 +96,7 @@ export class KnownValues {
 
   /** Stores the radius of the called tool, in the program's unit; null when it is unknown. */
   setToolRadius(radius: number | null): void {
-    if (radius === null) this.forget(TOOL_RADIUS);
+    if (radius === null) this.markUnknown(TOOL_RADIUS);
     else this.set(TOOL_RADIUS, radius);
   }
 
@@ -107,25 +107,25 @@ export class KnownValues {
 
   /** Back to a parameter that was never set. */
   unset(name: string): void {
-    this.holdNothing(name, undefined);
+    this.clearValue(name, undefined);
   }
 
   /** The value of a parameter is unknown from here on. */
-  forget(name: string, reason: UnknownReason = "unproved"): void {
-    this.holdNothing(name, reason);
+  markUnknown(name: string, reason: UnknownReason = "unproved"): void {
+    this.clearValue(name, reason);
   }
 
-  private holdNothing(name: string, reason: UnknownReason | undefined): void {
+  private clearValue(name: string, reason: UnknownReason | undefined): void {
     this.draft.parameters = this.parameters.with(name, undefined);
     this.draft.texts = this.texts.with(name, undefined);
-    this.draft.forgotten = this.draft.forgotten.with(name, reason);
+    this.draft.unknownReasons = this.draft.unknownReasons.with(name, reason);
   }
 
   /** A touch probe has run: earlier values of its result parameters are void. */
-  probe(): void {
+  markProbed(): void {
     const kept = [...this.parameters.toMap()].filter(([name]) => !RESULT.test(name));
     this.draft.probed = true;
-    this.draft.parameters = new Table(new Map(kept));
+    this.draft.parameters = new PersistentMap(new Map(kept));
   }
 
   /** Removes the numbers of local parameters, which do not count inside a contour. */
@@ -135,8 +135,8 @@ export class KnownValues {
 
   /** Removes and returns the local parameters. */
   takeLocals(): Locals {
-    const { parameters, forgotten } = this.draft;
-    const locals = { parameters: localsIn(parameters), forgotten: localsIn(forgotten) };
+    const { parameters, unknownReasons } = this.draft;
+    const locals = { parameters: localsIn(parameters), forgotten: localsIn(unknownReasons) };
     for (const name of [...locals.parameters.keys(), ...locals.forgotten.keys()]) this.unset(name);
     return locals;
   }
@@ -145,14 +145,14 @@ export class KnownValues {
   putLocals({ parameters, forgotten }: Locals): void {
     this.takeLocals();
     parameters.forEach((value, name) => this.set(name, value));
-    forgotten.forEach((reason, name) => this.forget(name, reason));
+    forgotten.forEach((reason, name) => this.markUnknown(name, reason));
   }
 
   /** Why a parameter is unknown; null when it is known or was never set. */
   reasonOf(name: string): UnknownReason | null {
     if (this.parameters.has(name) || this.texts.has(name)) return null;
     const unknown = KEPT_BY_CONTROL.test(name) || (this.draft.probed && RESULT.test(name));
-    return this.draft.forgotten.get(name) ?? (unknown ? "unproved" : null);
+    return this.draft.unknownReasons.get(name) ?? (unknown ? "unproved" : null);
   }
 
   /** True when a parameter has a value, false when it was never set, null when unknown. */
@@ -162,6 +162,6 @@ export class KnownValues {
 
   /** True when the last value without a number depends on a block not simulated. */
   get isUnproved(): boolean {
-    return this.trouble === "unproved";
+    return this.lastUnknownReason === "unproved";
   }
 }

@@ -1,6 +1,6 @@
 import type { AxisWord, CycleParameter, FeedWord, Value } from "../../nc/words.ts";
 import type { KnownParameters } from "./expression.ts";
-import { anyNumber, feedWord, kept, readText } from "./field.ts";
+import { anyNumber, feedWord, roundedTo, readText } from "./field.ts";
 
 /** Decimals a control keeps of a position. */
 export const POSITION_DECIMALS = 3;
@@ -32,7 +32,7 @@ export function valueAsTyped(value: Value | null | undefined): string {
 }
 
 /** A position as typed, rounded to the control's resolution. */
-export const positionAsTyped = (n: number): string => String(kept(n, POSITION_DECIMALS));
+export const positionAsTyped = (n: number): string => String(roundedTo(n, POSITION_DECIMALS));
 
 /** Value of a cycle parameter as typed. */
 export const parameterAsTyped = (value: CycleParameter["value"] | undefined): string =>

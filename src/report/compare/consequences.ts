@@ -20,7 +20,7 @@ export interface Consequence {
 }
 
 /** A program run with its simulation. */
-export interface Ran {
+export interface ProgramRun {
   readonly run: Run;
   readonly simulation: Pick<Simulation, "proof">;
 }
@@ -30,7 +30,7 @@ export interface Ran {
  * program, null for the main one.
  */
 export function effectsByUnit(
-  { run, simulation }: Ran,
+  { run, simulation }: ProgramRun,
   program: Program,
   file: string | null,
 ): ReadonlyMap<number, Effects> {
@@ -62,7 +62,7 @@ export function effectsByUnit(
 }
 
 /** The effects of the whole program. */
-export const effectsOf = ({ run, simulation }: Ran): Effects => ({
+export const effectsOf = ({ run, simulation }: ProgramRun): Effects => ({
   passes: run.operations.reduce((sum, { plan }) => sum + plan.passes, 0),
   infeed: run.operations.reduce((most, { plan }) => Math.max(most, plan.infeed), 0),
   seconds: run.seconds,

@@ -82,17 +82,17 @@ describe.each(cuttingCycles.map((cycle) => [cycle.number, cycle] as const))(
     test.each(asked)("%s is shown at values that can be told from each other", async (q, param) => {
       const found = await shown(cycle, q);
       const name = `${number} ${q}`;
-      expect(found?.ran.length).toBe(param.choices?.length ?? 3);
-      expect(found?.ran.filter(({ isUsual }) => isUsual).length).toBe(1);
-      expect(found?.ran.every(({ outcome }) => makesPath(outcome))).toBe(!REFUSED.includes(name));
-      expect(found?.unseen).toBe(name in ALIKE ? 1 : 0);
+      expect(found?.valueRuns.length).toBe(param.choices?.length ?? 3);
+      expect(found?.valueRuns.filter(({ isUsual }) => isUsual).length).toBe(1);
+      expect(found?.valueRuns.every(({ outcome }) => makesPath(outcome))).toBe(!REFUSED.includes(name));
+      expect(found?.alikeCount).toBe(name in ALIKE ? 1 : 0);
       const reason = ALIKE[name];
       if (reason)
         expect([param.shown, guide.values.alike[reason as keyof typeof guide.values.alike]]).toEqual([
           reason,
           expect.any(String),
         ]);
-      const values = found?.ran.map(({ value }) => Number(value)) ?? [];
+      const values = found?.valueRuns.map(({ value }) => Number(value)) ?? [];
       const rising = values.toSorted((a, b) => a - b);
       if (!param.choices) expect([rising, rising.toReversed()]).toContainEqual(values);
     });
@@ -104,7 +104,7 @@ test("a limit lies through the contour, from the side of the start point, and th
   // The printed contour runs between X20 and X75, its lowest point at Z-24.1; the tool is at X75 Z2.
   expect(found?.needed).toMatchObject({ Q479: 1, Q482: expect.closeTo(-26.1, 1) as number });
   const passes =
-    found?.ran.map(({ outcome }) => outcome.run.steps.filter(({ move }) => move.pass !== undefined).length) ?? [];
+    found?.valueRuns.map(({ outcome }) => outcome.run.steps.filter(({ move }) => move.pass !== undefined).length) ?? [];
   expect(passes.every((count) => count > 0)).toBe(true);
-  for (const { value } of found?.ran ?? []) expect(value).toSatisfy((x: number) => x > 20 && x < 75);
+  for (const { value } of found?.valueRuns ?? []) expect(value).toSatisfy((x: number) => x > 20 && x < 75);
 });

@@ -1,9 +1,9 @@
 import type { Cycle, Given } from "../../cycles/define.ts";
 import { rounded } from "../../kernel/units.ts";
 import { LEAST_SEEN, makesPath, shownChange, type RanProgram } from "./shown-effect.ts";
-import { situationsOf, type ShownWith } from "./situations.ts";
+import { situationsOf, type Situation } from "./situations.ts";
 import { finestOf, type Candidates } from "./three-values.ts";
-import { waysApart } from "./ways-apart.ts";
+import { pathDistance } from "./path-distance.ts";
 
 /** One demonstrated value of a parameter, with its run. */
 export interface ValueRun<R> {
@@ -17,9 +17,9 @@ export interface ValueRun<R> {
 export interface Demonstrated<R> {
   readonly usual: number | "auto";
   readonly needed: Readonly<Record<string, number>>;
-  readonly ran: readonly ValueRun<R>[];
+  readonly valueRuns: readonly ValueRun<R>[];
   /** Number of values that look like another one. */
-  readonly unseen: number;
+  readonly alikeCount: number;
 }
 
 /** The parameter to demonstrate, with all values of its cycle and the cycle's context. */
@@ -34,7 +34,7 @@ export interface ShownPrompt {
 function looksDifferent(a: RanProgram, b: RanProgram): boolean {
   const passes = ({ run }: RanProgram) => run.operations.reduce((sum, { plan }) => sum + plan.passes, 0);
   if (passes(a) !== passes(b) || Math.abs(a.run.seconds - b.run.seconds) >= LEAST_SEEN.seconds) return true;
-  if (waysApart(a.run, b.run) >= LEAST_SEEN.way) return true;
+  if (pathDistance(a.run, b.run) >= LEAST_SEEN.way) return true;
   const { part, residual, rz } = shownChange(a, b);
   return (
     part >= LEAST_SEEN.area || Math.abs(residual) >= LEAST_SEEN.area || (rz !== null && Math.abs(rz) >= LEAST_SEEN.rz)
@@ -42,12 +42,12 @@ function looksDifferent(a: RanProgram, b: RanProgram): boolean {
 }
 
 /** The issues of a run as text, to compare values without a path. */
-const said = ({ run }: RanProgram) => JSON.stringify(run.issues.map(({ issue }) => issue));
+const issuesKey = ({ run }: RanProgram) => JSON.stringify(run.issues.map(({ issue }) => issue));
 
 /** Values without a path differ by their issues. */
 const differs = (a: RanProgram, b: RanProgram): boolean => {
   const [one, other] = [makesPath(a), makesPath(b)];
-  return one && other ? looksDifferent(a, b) : one !== other || said(a) !== said(b);
+  return one && other ? looksDifferent(a, b) : one !== other || issuesKey(a) !== issuesKey(b);
 };
 
 /** Intermediate values, for when one of the three makes no path or looks like another. */
@@ -68,7 +68,7 @@ type Ran<R> = (values: Readonly<Record<string, number | "auto">>) => Promise<R |
 
 async function shownIn<R extends RanProgram>(
   { cycle, q, values: own }: ShownPrompt,
-  { needed, usual: set, values }: ShownWith,
+  { needed, usual: set, values }: Situation,
   run: Ran<R>,
 ): Promise<Demonstrated<R> | null> {
   const param = cycle.params[q];
@@ -115,7 +115,7 @@ async function shownIn<R extends RanProgram>(
   const inOrder = [...ran, ...missing].toSorted((a, b) =>
     choices || usual === "auto" ? order(a) - order(b) : (number(a) - number(b)) * (isFalling ? -1 : 1),
   );
-  return { usual, needed, ran: inOrder, unseen: missing.length };
+  return { usual, needed, valueRuns: inOrder, alikeCount: missing.length };
 }
 
 /**
@@ -131,11 +131,11 @@ export async function demonstrate<R extends RanProgram>(
   for (const situation of situationsOf(asked.cycle, asked.q, asked.values, asked.given)) {
     const shown = await shownIn(asked, situation, run);
     if (shown && (!best || worthOf(shown) > worthOf(best))) best = shown;
-    if (shown && worthOf(shown) === shown.ran.length) break;
+    if (shown && worthOf(shown) === shown.valueRuns.length) break;
   }
   return best;
 }
 
 /** How many values are visible; one without a path counts half, since it shows its error. */
-const worthOf = ({ ran, unseen }: Demonstrated<RanProgram>): number =>
-  ran.reduce((sum, { outcome }) => sum + (makesPath(outcome) ? 1 : 0.5), -unseen);
+const worthOf = ({ valueRuns, alikeCount }: Demonstrated<RanProgram>): number =>
+  valueRuns.reduce((sum, { outcome }) => sum + (makesPath(outcome) ? 1 : 0.5), -alikeCount);

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { actsIn } from "../../cycles/acts-in.ts";
+import { activeSteps } from "../../cycles/active-steps.ts";
 import { catalogue, cycleByNumber } from "../../cycles/index.ts";
 import type { SomeValues } from "../../cycles/effect.ts";
 import type { Cycle } from "../../cycles/define.ts";
@@ -104,7 +104,7 @@ test("a stretch begins at its first move, ends after its last one and never goes
 test("a step in which a value acts is one of its cycle, and every value that is not reserved acts somewhere", () => {
   const wrong = catalogue.flatMap((each) =>
     Object.entries(each.params).flatMap(([q, param]) => {
-      const { rough, finish } = actsIn(each, param);
+      const { rough, finish } = activeSteps(each, param);
       const beyond = [...rough.map((n) => n > each.steps.rough), ...finish.map((n) => n > each.steps.finish)].some(
         Boolean,
       );

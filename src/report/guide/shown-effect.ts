@@ -7,7 +7,7 @@ import { SLIVER } from "../../kernel/tolerance.ts";
 import type { Run, RunFinding } from "../../program/state/run-types.ts";
 import { roughnessOf } from "../../sim/load/roughness.ts";
 import type { Simulation } from "../../sim/simulation.ts";
-import { ownWays, waysApart } from "./ways-apart.ts";
+import { ownPathEnds, pathDistance } from "./path-distance.ts";
 
 /** A program that was run and simulated. */
 export interface RanProgram {
@@ -71,7 +71,7 @@ export function shownEffect({ run, simulation }: RanProgram): ShownEffect {
 }
 
 /** The areas in which two parts differ, without rounding slivers. */
-export const differing = (a: RanProgram, b: RanProgram): readonly Ring[] =>
+export const changedAreas = (a: RanProgram, b: RanProgram): readonly Ring[] =>
   opened(
     [...difference(a.simulation.final, b.simulation.final), ...difference(b.simulation.final, a.simulation.final)],
     SLIVER,
@@ -84,8 +84,8 @@ export function shownChange(a: RanProgram, b: RanProgram): ShownChange {
     seconds: one.seconds - other.seconds,
     residual: one.residual - other.residual,
     rz: one.rz === null || other.rz === null ? null : one.rz - other.rz,
-    part: areaOf(differing(a, b)),
-    way: waysApart(a.run, b.run),
+    part: areaOf(changedAreas(a, b)),
+    way: pathDistance(a.run, b.run),
   };
 }
 
@@ -100,7 +100,7 @@ const ROUND_IT = 0.14;
  */
 export function shownBox(all: readonly RanProgram[]): Box {
   const [first] = all;
-  const differs = first ? all.flatMap((ran) => differing(ran, first)) : [];
+  const differs = first ? all.flatMap((ran) => changedAreas(ran, first)) : [];
   const cuts = all.flatMap(({ run }) =>
     run.steps.flatMap(({ from, move, operation }) =>
       operation !== null && move.kind !== "rapid" ? [from, move.to] : [],
@@ -108,7 +108,7 @@ export function shownBox(all: readonly RanProgram[]): Box {
   );
   const ways =
     first && differs.length === 0
-      ? all.flatMap(({ run }) => [...ownWays(run, first.run), ...ownWays(first.run, run)])
+      ? all.flatMap(({ run }) => [...ownPathEnds(run, first.run), ...ownPathEnds(first.run, run)])
       : [];
   const points = ways.length > 0 ? ways : cuts;
   const rings = differs.length > 0 ? differs : points.length > 0 ? [points] : (first?.run.blank ?? []);

@@ -1,4 +1,4 @@
-import { neutralOf, saysNothing, type SomeValues } from "../../cycles/effect.ts";
+import { neutralValueOf, hasNoEffect, type SomeValues } from "../../cycles/effect.ts";
 import type { Cycle, Given } from "../../cycles/define.ts";
 import type { Param, Topic } from "../../cycles/params.ts";
 import { boxOf } from "../../kernel/area/box.ts";
@@ -6,7 +6,7 @@ import { rounded, toDiameter } from "../../kernel/units.ts";
 import { neededFor, threeValues, type Candidates } from "./three-values.ts";
 
 /** A situation in which a parameter is demonstrated: other values changed, and the values to show. */
-export interface ShownWith {
+export interface Situation {
   /** Other values changed to make the effect visible, by Q. */
   readonly needed: Readonly<Record<string, number>>;
   /** Null: the present value is the usual one. */
@@ -14,7 +14,7 @@ export interface ShownWith {
   readonly values: readonly Candidates[];
 }
 
-type Known = Readonly<Record<string, number | "auto">>;
+type CycleValues = Readonly<Record<string, number | "auto">>;
 
 /** Positions of a limit, as shares of the contour from the unmachined side. */
 const LIMITS_AT = [0.2, 0.45, 0.75] as const;
@@ -35,7 +35,7 @@ const withTopic = ({ params }: Pick<Cycle, "params">, topic: Topic) =>
   Object.entries<Param>(params).find(([, param]) => param.shown === topic)?.[0];
 
 /** Limits across the contour of a cycle, from the side of the tool at the call; null without a contour. */
-function limitsOver(cycle: Cycle, values: Known, given: Given) {
+function limitsOver(cycle: Cycle, values: CycleValues, given: Given) {
   const [switched, across, along] = [
     withTopic(cycle, "limits"),
     withTopic(cycle, "limitDiameter"),
@@ -56,7 +56,7 @@ function limitsOver(cycle: Cycle, values: Known, given: Given) {
 }
 
 /** Situations for the limits of a cycle: one through its contour, the other one ineffective. */
-function limitSituations(cycle: Cycle, q: string, values: Known, given: Given): readonly ShownWith[] {
+function limitSituations(cycle: Cycle, q: string, values: CycleValues, given: Given): readonly Situation[] {
   const limits = limitsOver(cycle, values, given);
   if (!limits) return [];
   const { switched, across, along } = limits;
@@ -79,17 +79,17 @@ function limitSituations(cycle: Cycle, q: string, values: Known, given: Given): 
 }
 
 /** Values for parameters that only some choices use and that are empty here. */
-function dependents(cycle: Cycle, q: string, values: Known): readonly Readonly<Record<string, number>>[] {
+function dependents(cycle: Cycle, q: string, values: CycleValues): readonly Readonly<Record<string, number>>[] {
   const idle = Object.entries<Param>(cycle.params).filter(
-    ([other, param]) => param.counts?.q === q && param.kind === "angle" && values[other] === neutralOf(param),
+    ([other, param]) => param.condition?.q === q && param.kind === "angle" && values[other] === neutralValueOf(param),
   );
   return idle.length === 0 ? [] : ANGLES.map((angle) => Object.fromEntries(idle.map(([other]) => [other, angle])));
 }
 
 /** Other values that give a parameter an effect, one set per choice. */
-function waysToCount(cycle: Cycle, q: string, values: Known): readonly Readonly<Record<string, number>>[] {
+function waysToCount(cycle: Cycle, q: string, values: CycleValues): readonly Readonly<Record<string, number>>[] {
   const first = neededFor(cycle, q, values);
-  const counts = cycle.params[q]?.counts;
+  const counts = cycle.params[q]?.condition;
   if (!counts || !(counts.q in first)) return [first];
   return counts.among
     .filter((value) => value !== 0 || counts.among.length === 1)
@@ -100,17 +100,17 @@ function waysToCount(cycle: Cycle, q: string, values: Known): readonly Readonly<
  * The situations in which to demonstrate a parameter, best first: unchanged, then with an effect, then with a larger
  * effect. `values`: all values of its cycle; `given`: the cycle's context.
  */
-export function situationsOf(cycle: Cycle, q: string, values: Known, given: Given): readonly ShownWith[] {
+export function situationsOf(cycle: Cycle, q: string, values: CycleValues, given: Given): readonly Situation[] {
   const param = cycle.params[q];
   if (!param) return [];
-  const shownWith = (needed: Readonly<Record<string, number>>): ShownWith => ({
+  const shownWith = (needed: Readonly<Record<string, number>>): Situation => ({
     needed,
     usual: null,
     values: threeValues(cycle, q, { ...values, ...needed } as SomeValues),
   });
   const counting = waysToCount(cycle, q, values);
   const limits = limitSituations(cycle, q, values, given);
-  const isIdle = saysNothing({ ...param, reserved: false }, values);
+  const isIdle = hasNoEffect({ ...param, reserved: false }, values);
   const plain = [...dependents(cycle, q, values), ...counting].map(shownWith);
   const otherwise = OTHERWISE[param.shown];
   const other = otherwise && withTopic(cycle, otherwise.of);

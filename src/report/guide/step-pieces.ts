@@ -1,4 +1,4 @@
-import { repeatedIn } from "../../cycles/acts-in.ts";
+import { repeatedIn } from "../../cycles/active-steps.ts";
 import type { Cycle } from "../../cycles/define.ts";
 import type { Step } from "../../kernel/time/step.ts";
 

@@ -1,4 +1,4 @@
-import { saysNothing, type SomeValues } from "../../cycles/effect.ts";
+import { hasNoEffect, type SomeValues } from "../../cycles/effect.ts";
 import type { Cycle } from "../../cycles/define.ts";
 import type { Kind, Param } from "../../cycles/params.ts";
 import { rounded } from "../../kernel/units.ts";
@@ -134,8 +134,8 @@ export function neededFor(
 ): Readonly<Record<string, number>> {
   const needed: Record<string, number> = {};
   let param = cycle.params[q];
-  while (param?.counts && saysNothing({ ...param, reserved: false }, values) && !(param.counts.q in needed)) {
-    const { q: other, among } = param.counts;
+  while (param?.condition && hasNoEffect({ ...param, reserved: false }, values) && !(param.condition.q in needed)) {
+    const { q: other, among } = param.condition;
     needed[other] = among.find((value) => value !== 0) ?? among[0] ?? 0;
     param = cycle.params[other];
   }

@@ -1,5 +1,5 @@
 import { cycleByNumber } from "../../cycles/index.ts";
-import { isKept } from "../../cycles/kept-cycles.ts";
+import { isUnsimulated } from "../../cycles/unsimulated-cycles.ts";
 import type { FeedUnit } from "../../kernel/plan/move.ts";
 import type { Pt } from "../../kernel/geometry/point.ts";
 import type { Spindle, Step } from "../../kernel/time/step.ts";
@@ -268,7 +268,7 @@ export function setupData({ program, run, tools, mills }: SetupInput): SetupData
     presets: presetsOf(program),
     shifts: shiftsOf(run),
     files: fileNames(program),
-    unknownCycles: once(cycles.filter((cycle) => !cycleByNumber(cycle) && !isKept(cycle) && !isPlain(cycle))),
+    unknownCycles: once(cycles.filter((cycle) => !cycleByNumber(cycle) && !isUnsimulated(cycle) && !isPlain(cycle))),
   };
 }
 

@@ -1,4 +1,4 @@
-import type { Wanted } from "../../cycles/wanted.ts";
+import type { ShapeRequest } from "../../cycles/shape-request.ts";
 import { areaOf } from "../../kernel/area/area.ts";
 import { intersection, opened } from "../../kernel/area/clip.ts";
 import type { Issue, Reason } from "../../kernel/plan/issue.ts";
@@ -9,19 +9,19 @@ import { parse } from "../../nc/parse.ts";
 import type { Shop } from "../../program/state/shop.ts";
 import type { RunFinding } from "../../program/state/run-types.ts";
 import { run } from "../../program/run/run.ts";
-import { wantedText } from "../../program/job/wanted-text.ts";
-import { wantedArea } from "../../program/job/wanted-shape.ts";
+import { requestedText } from "../../program/job/requested-text.ts";
+import { requestedArea } from "../../program/job/requested-shape.ts";
 import { simulate } from "../../sim/simulate.ts";
 import { verdictOf, type Judged } from "../verdict.ts";
 import type { Proposal } from "./ways.ts";
 
 /** The result of one option to make the wanted shape. */
-export interface Tried {
+export interface TriedOption {
   readonly id: string;
   readonly passes: number;
   readonly seconds: number;
   /** Residual material, mm²: the same measure for every option. Null for a thread, whose form is no area. */
-  readonly stays: number | null;
+  readonly residualArea: number | null;
   /** Reasons for the residual material, the largest first. */
   readonly reasons: readonly { readonly reason: Reason; readonly area: number }[];
   readonly judged: Judged;
@@ -38,7 +38,7 @@ const MOST_LEFT = 0.5;
 
 const WEIGHT: Readonly<Record<Issue["severity"], number>> = { error: 0, warning: 1, info: 2 };
 
-function summed(residual: readonly { readonly reason: Reason; readonly area: number }[]): Tried["reasons"] {
+function summed(residual: readonly { readonly reason: Reason; readonly area: number }[]): TriedOption["reasons"] {
   const sums = new Map<Reason, number>();
   for (const { reason, area } of residual) sums.set(reason, (sums.get(reason) ?? 0) + area);
   return [...sums].map(([reason, area]) => ({ reason, area })).sort((a, b) => b.area - a.area);
@@ -48,24 +48,29 @@ function summed(residual: readonly { readonly reason: Reason; readonly area: num
  * Runs the program of one option and measures its residual material; `stock`: the stock in the chuck, where it is no
  * plain blank.
  */
-export function tryWay({ id, job }: Proposal, wanted: Wanted, stock: readonly Ring[] | null, shop: Shop): Tried {
-  const made = run(parse(wantedText(job, wanted, ncLabels(job.ncLanguage))), shop);
+export function tryWay(
+  { id, job }: Proposal,
+  wanted: ShapeRequest,
+  stock: readonly Ring[] | null,
+  shop: Shop,
+): TriedOption {
+  const made = run(parse(requestedText(job, wanted, ncLabels(job.ncLanguage))), shop);
   const simulation = simulate(stock ? { ...made, blank: stock } : made);
   const judged = verdictOf(made, simulation);
-  const target = wantedArea(wanted);
+  const target = requestedArea(wanted);
   const [operation] = made.operations;
   const issues = made.issues
     .map((f) => f.issue)
     .filter((i) => i.severity !== "info")
     .sort((a, b) => WEIGHT[a.severity] - WEIGHT[b.severity]);
-  const stays = target ? areaOf(opened(intersection(simulation.final, [target]), SLIVER)) : null;
+  const residualArea = target ? areaOf(opened(intersection(simulation.final, [target]), SLIVER)) : null;
   const all = target ? areaOf(intersection(simulation.blank, [target])) : 0;
-  const leavesMost = stays !== null && stays > all * MOST_LEFT;
+  const leavesMost = residualArea !== null && residualArea > all * MOST_LEFT;
   return {
     id,
     passes: operation?.plan.passes ?? 0,
     seconds: made.seconds,
-    stays,
+    residualArea,
     reasons: summed(simulation.proof.residual),
     judged,
     issues,

@@ -2,14 +2,14 @@ import type { Cycle, Group } from "../../cycles/define.ts";
 import { catalogue } from "../../cycles/index.ts";
 import type { Topic } from "../../cycles/params.ts";
 import { useOf, worksAcross } from "../../cycles/use.ts";
-import { canLean, type Wanted } from "../../cycles/wanted.ts";
+import { canMakeAngle, type ShapeRequest } from "../../cycles/shape-request.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { cuttingWidth, isBar, noseRadius } from "../../kernel/cutter/insert.ts";
 import { readRows } from "../../program/job/contour-rows.ts";
 import type { SetJob } from "../../program/job/job.ts";
 import { readDraft } from "../../program/job/read-draft.ts";
-import { jobFor, tipAtCall, withValue } from "../../program/job/wanted-job.ts";
+import { jobFor, tipAtCall, withValue } from "../../program/job/requested-job.ts";
 import { isUsualTool, rankTools } from "../../program/tools/which-tool.ts";
 
 /** One option to make the wanted shape: a cycle with its values, and a tool. */
@@ -30,14 +30,14 @@ const MOST_CYCLES = 4;
 const COMPARED: ReadonlySet<Topic> = new Set<Topic>(["smoothing", "direction", "cuttingLines", "comb", "infeedType"]);
 
 /** The order in which kinds of cycles are proposed. */
-const ORDER: Readonly<Record<Wanted["site"], readonly Group[]>> = {
+const ORDER: Readonly<Record<ShapeRequest["site"], readonly Group[]>> = {
   outside: ["longitudinal", "recessTurning", "recessing", "transverse", "thread"],
   inside: ["longitudinal", "recessTurning", "recessing", "transverse", "thread"],
   face: ["transverse", "recessTurning", "recessing", "longitudinal", "thread"],
 };
 
 /** Whether a cycle works from an open side of the shape. A step has two. */
-function isOpenTo(cycle: Cycle, { site, shape }: Wanted): boolean {
+function isOpenTo(cycle: Cycle, { site, shape }: ShapeRequest): boolean {
   if (shape === "thread") return site !== "face" || cycle.params["Q461"] !== undefined;
   const recess = cycle.group === "recessTurning" || cycle.group === "recessing";
   const either = !recess && (shape === "step" || shape === "free");
@@ -45,9 +45,9 @@ function isOpenTo(cycle: Cycle, { site, shape }: Wanted): boolean {
 }
 
 /** Cycles that make the wanted shape, the simplest of each kind, the likeliest first. */
-export function cyclesFor(wanted: Wanted): readonly Cycle[] {
+export function cyclesFor(wanted: ShapeRequest): readonly Cycle[] {
   const able = catalogue.filter(
-    (c) => useOf(c).shapes.includes(wanted.shape) && isOpenTo(c, wanted) && canLean(c, wanted),
+    (c) => useOf(c).shapes.includes(wanted.shape) && isOpenTo(c, wanted) && canMakeAngle(c, wanted),
   );
   const kind = (c: Cycle) => `${c.group} ${c.contour} ${useOf(c).preTurned === true}`;
   const simplest = able.filter((c, i) => able.findIndex((other) => kind(other) === kind(c)) === i);
@@ -92,7 +92,11 @@ const choicesOf = (cycle: Cycle) =>
  * The options to compare, without duplicates, at most eight: each cycle with the tool that fits best; then, from the
  * likeliest cycle on, its other choices and another tool.
  */
-export function waysFor(wanted: Wanted, stock: readonly Ring[] | null, tools: readonly Tool[]): readonly Proposal[] {
+export function waysFor(
+  wanted: ShapeRequest,
+  stock: readonly Ring[] | null,
+  tools: readonly Tool[],
+): readonly Proposal[] {
   const made = cyclesFor(wanted).map((cycle) => {
     const job = jobFor(cycle, wanted, stock);
     return { cycle, job, tools: toolsFor(cycle, job, tools) };

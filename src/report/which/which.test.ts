@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { readDraft } from "../../program/job/read-draft.ts";
 import { cycleByNumber } from "../../cycles/index.ts";
-import type { Wanted } from "../../cycles/wanted.ts";
+import type { ShapeRequest } from "../../cycles/shape-request.ts";
 import { useOf } from "../../cycles/use.ts";
 import { axial, diameter, length } from "../../kernel/units.ts";
 import { shippedTools } from "../../program/tools/shipped-tools.ts";
@@ -11,7 +11,7 @@ import { waysFor } from "./ways.ts";
 
 const shop = { tools: shippedTools, rapid: 10_000 };
 const corner = (d: number, z: number) => ({ diameter: diameter(d), z: axial(z) });
-const wanted = (given: Partial<Wanted>): Wanted => ({
+const wanted = (given: Partial<ShapeRequest>): ShapeRequest => ({
   site: "outside",
   shape: "step",
   from: corner(75.3, 0),
@@ -22,13 +22,13 @@ const wanted = (given: Partial<Wanted>): Wanted => ({
   allowance: 0,
   ...given,
 });
-const compared = (of: Wanted) => {
+const compared = (of: ShapeRequest) => {
   const ways = waysFor(of, null, shippedTools);
   return { ways, tried: ways.map((way) => tryWay(way, of, null, shop)) };
 };
 
 describe("the ways that are proposed", () => {
-  const asked: readonly (readonly [string, Partial<Wanted>])[] = [
+  const asked: readonly (readonly [string, Partial<ShapeRequest>])[] = [
     ["a step outside", {}],
     ["a tapered step", { angle: 3.217 }],
     ["a step in a bore", { site: "inside", from: corner(30.3, 0), to: corner(48.71, -21.237) }],
@@ -46,7 +46,7 @@ describe("the ways that are proposed", () => {
     expect(new Set(ways.map((way) => way.id)).size).toBe(ways.length);
     expect(bestOf(tried)).not.toBeNull();
     const best = bestFirst(tried)[0];
-    expect(best?.stays ?? 0).toBeLessThan(0.2);
+    expect(best?.residualArea ?? 0).toBeLessThan(0.2);
     expect(best?.passes).toBeGreaterThan(0);
   });
 
@@ -70,7 +70,7 @@ test("the best leaves least, and among equals it is the fastest", () => {
   const { tried } = compared(wanted({}));
   const [best, ...rest] = bestFirst(tried);
   for (const other of rest.filter((each) => each.works)) {
-    const more = (other.stays ?? 0) - (best?.stays ?? 0);
+    const more = (other.residualArea ?? 0) - (best?.residualArea ?? 0);
     expect(more > -0.05 && (more > 0.05 || other.seconds >= (best?.seconds ?? 0))).toBe(true);
   }
 });

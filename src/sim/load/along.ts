@@ -1,12 +1,12 @@
 import type { Ring } from "../../kernel/geometry/point.ts";
 import { part } from "../../kernel/geometry/point.ts";
-import type { Stated, Step } from "../../kernel/time/step.ts";
+import type { StatedBlank, Step } from "../../kernel/time/step.ts";
 import { cuttingSpeedAt, isAtLimit, pathOf, travelOf } from "../../kernel/time/time.ts";
 import { SAME, SLIVER } from "../../kernel/tolerance.ts";
 import { cutting } from "../cutting.ts";
 import { outlinesOf } from "../outlines.ts";
 import { CHECKPOINT_PIECES, CHECKPOINT_STEPS } from "../simulate.ts";
-import { statedBlanks } from "../stated.ts";
+import { statedBlanks } from "../stated-blanks.ts";
 import { sweptBy } from "../sweep.ts";
 import { takenBy } from "./engaged.ts";
 import { feedPerTurn, rpmAt, spindleAt, type SpindleFrom } from "./spindles.ts";
@@ -14,7 +14,7 @@ import { feedPerTurn, rpmAt, spindleAt, type SpindleFrom } from "./spindles.ts";
 /** Inputs of the tool load. */
 export interface LoadInput {
   readonly blank: readonly Ring[];
-  readonly stated?: readonly Stated[];
+  readonly stated?: readonly StatedBlank[];
   readonly steps: readonly Step[];
   readonly spindles: readonly SpindleFrom[];
 }

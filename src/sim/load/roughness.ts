@@ -10,7 +10,7 @@ import type { Tool } from "../../kernel/plan/tool.ts";
 import type { PlayPosition } from "../simulation.ts";
 import { cuspOf, rzByRule, rzOfCircle, type Cusp } from "./cusp.ts";
 import { feedPerTurn, rpmAt, spindleAt, type SpindleFrom } from "./spindles.ts";
-import { madeBy, surfaceOf, type Made } from "./surface.ts";
+import { surfaceOrigins, surfaceOf, type SurfaceOrigin } from "./surface.ts";
 
 /**
  * What forms a stretch of the finished surface: the nose alone, or with an edge ("partly"); a straight edge along the
@@ -68,7 +68,7 @@ function forming(spindles: readonly SpindleFrom[]) {
     made.set(key, formed);
     return formed;
   };
-  return ({ out, tip, along }: Made, index: number, { move, tool }: Step): Formed => {
+  return ({ out, tip, along }: SurfaceOrigin, index: number, { move, tool }: Step): Formed => {
     if (move.kind === "thread") return without("thread");
     if (isDrill(tool)) return without("drill");
     if (!along) return without("shape");
@@ -100,7 +100,7 @@ export function roughnessOf(
 ): RoughStretch[] {
   const form = forming(spindles);
   const stretches: (Omit<RoughStretch, "points"> & { readonly points: Pt[] })[] = [];
-  for (const made of madeBy(surfaceOf(stock), steps, first)) {
+  for (const made of surfaceOrigins(surfaceOf(stock), steps, first)) {
     const step = made.step === null ? undefined : steps[made.step];
     if (made.step === null || !step) continue;
     const formed = form(made, made.step, step),

@@ -1,6 +1,6 @@
 import { edgeEnd, edgeStart, type Convex } from "../../kernel/reach/convex.ts";
 import { flat, type Flat } from "../../kernel/geometry/flat.ts";
-import { insertShape, shiftOf } from "../../kernel/cutter/insert.ts";
+import { insertShape, correctionShift } from "../../kernel/cutter/insert.ts";
 import { at, part, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import type { Step } from "../../kernel/time/step.ts";
 import { pathOf } from "../../kernel/time/time.ts";
@@ -26,7 +26,7 @@ export interface SurfacePiece {
 }
 
 /** A surface piece with the move that made it. */
-export interface Made extends SurfacePiece {
+export interface SurfaceOrigin extends SurfacePiece {
   /** Index of the last feed that touched it; null: unmachined in this clamping. */
   readonly step: number | null;
   /** Tip position at the middle of the piece. */
@@ -90,16 +90,16 @@ function tipOver({ out, from, to }: SurfacePiece, path: Segment, shape: Convex):
  * The move that made each piece of a surface: the last feed that has the piece on the edge of its sweep, as in the
  * picture. `first`: index of the first step in the present clamping.
  */
-export function madeBy(pieces: readonly SurfacePiece[], steps: readonly Step[], first = 0): Made[] {
+export function surfaceOrigins(pieces: readonly SurfacePiece[], steps: readonly Step[], first = 0): SurfaceOrigin[] {
   const touched = touchIndex(steps),
     shapes = new Map<Tool, Convex>(),
     end = { step: steps.length, fraction: 0 };
-  return pieces.map((piece): Made => {
+  return pieces.map((piece): SurfaceOrigin => {
     const { from, to, out } = piece;
     const index = touched.latest((from.z + to.z) / 2, (from.r + to.r) / 2, end, first - 1),
       step = steps[index];
     if (!step) return { ...piece, step: null, tip: from, along: false };
-    const shape = shapes.get(step.tool) ?? moved(insertShape(step.tool, true), shiftOf(step.tool));
+    const shape = shapes.get(step.tool) ?? moved(insertShape(step.tool, true), correctionShift(step.tool));
     shapes.set(step.tool, shape);
     const path = pathOf(step.from, step.move),
       tip = tipOver(piece, path, shape);

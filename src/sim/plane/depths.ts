@@ -13,7 +13,7 @@ export interface BodyHeights {
 }
 
 /** Heights shown in different tones, mm, the highest first. */
-export interface ToldHeights {
+export interface DistinctHeights {
   /** Depths that the program mills to. */
   readonly depths: readonly number[];
   /** Shoulders above the deepest of them, to distinguish a milled shoulder from a turned one. */
@@ -30,7 +30,10 @@ const inOrder = (heights: readonly number[]): readonly number[] =>
  * The heights shown for a milled body: depths of its program between top and bottom. Above MOST_DEPTHS (with shoulders)
  * an even selection; each represents everything deeper than the one before it.
  */
-export function toldHeights(motions: readonly MillMotion[], { bottom, top, shoulders }: BodyHeights): ToldHeights {
+export function distinctHeights(
+  motions: readonly MillMotion[],
+  { bottom, top, shoulders }: BodyHeights,
+): DistinctHeights {
   const all = inOrder(
     motions.flatMap((m) =>
       (m.side ? [m.from, spotOn(m, 1 / 2), m.to] : [m.from, m.to]).flatMap(({ z }) =>

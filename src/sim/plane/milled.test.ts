@@ -176,7 +176,7 @@ describe("a round body", () => {
       },
     );
     near(shoulder, large - flat - hole);
-    const came = stock.at({ step: 3, fraction: 0 }).came.map((rings) => areaOf(rings));
+    const came = stock.at({ step: 3, fraction: 0 }).initialBands.map((rings) => areaOf(rings));
     [small, 0, large - small, 0, 0].forEach((area, i) => (area === 0 ? expect(came[i]).toBe(0) : near(came[i], area)));
   });
   test("with a bore is a ring; a turned block is the intersection of both", () => {

@@ -2,14 +2,14 @@ import { areaOf } from "../../kernel/area/area.ts";
 import { difference, intersection, union, unpacked } from "../../kernel/area/clip.ts";
 import { isRapid, type MillMotion } from "../../kernel/plane/mill-motion.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
-import { real } from "../../kernel/area/real-area.ts";
+import { withoutSlivers } from "../../kernel/area/real-area.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { inStock } from "../contact.ts";
 import { cutting, type Cutting } from "../cutting.ts";
-import { isGiven, marksOf, type StockMarks } from "../marks.ts";
+import { isStockReplaced, marksOf, type StockMarks } from "../marks.ts";
 import type { Checkpoint, PlayPosition } from "../simulation.ts";
 import { heightsOf, standingAbove, type MilledBody } from "./body.ts";
-import { heightLimits, toldHeights, type ToldHeights } from "./depths.ts";
+import { heightLimits, distinctHeights, type DistinctHeights } from "./depths.ts";
 import { sweeper, type Sweeper } from "./swept-below.ts";
 
 /**
@@ -28,7 +28,7 @@ export interface MilledMoment {
   /** The sweep of the running motion below each limit, by the non-zero rule; empty where it meets nothing. */
   readonly swept: readonly (readonly Ring[])[];
   /** The initial area between each limit and the one before it: the part of it that remains is not milled. */
-  readonly came: readonly (readonly Ring[])[];
+  readonly initialBands: readonly (readonly Ring[])[];
 }
 
 /** The area above each limit at a moment, less the sweep of the running motion. */
@@ -46,7 +46,7 @@ export interface RapidThrough {
  * residue of ball or pointed tools. Cutting takes time and is done in small batches; a moment not reached yet is shown
  * as far as it is cut.
  */
-export interface MilledStock extends ToldHeights {
+export interface MilledStock extends DistinctHeights {
   readonly bottom: number;
   readonly top: number;
   /**
@@ -88,7 +88,7 @@ function cameFrom(
   heights: Pick<MilledStock, "bottom" | "top">,
 ): readonly (readonly Ring[])[] {
   const areas = limits.map((limit) => standingOn(body, limit, heights));
-  return areas.map((area, i) => (i === 0 ? area : real(difference(area, areas[i - 1] ?? []))));
+  return areas.map((area, i) => (i === 0 ? area : withoutSlivers(difference(area, areas[i - 1] ?? []))));
 }
 
 /** Starts cutting; null without a body. */
@@ -97,7 +97,7 @@ export function milledStock({ motions, bodies }: MilledInput): MilledStock | nul
     heights = first && heightsOf(first.body);
   if (!heights) return null;
   const { bottom, top } = heights;
-  const told = toldHeights(motions, {
+  const told = distinctHeights(motions, {
     bottom,
     top,
     shoulders: bodies.flatMap(({ body }) => heightsOf(body)?.shoulders ?? []),
@@ -136,7 +136,7 @@ export function milledStock({ motions, bodies }: MilledInput): MilledStock | nul
 
   function look(m: MillMotion, step: number): void {
     if (!isRapid(m) || rapids.length >= MOST_RAPIDS) return;
-    const rings = real(
+    const rings = withoutSlivers(
       union(
         limits.flatMap((limit, i) => {
           const now = cuts[i]?.present();
@@ -187,7 +187,7 @@ export function milledStock({ motions, bodies }: MilledInput): MilledStock | nul
         swept: limits.map((limit) =>
           running ? swept(running, limit, fraction).flatMap(({ rings }) => [...rings]) : [],
         ),
-        came: came.findLast((each) => each.step <= whole)?.areas ?? [],
+        initialBands: came.findLast((each) => each.step <= whole)?.areas ?? [],
       };
     },
     isSameBody: (one, other) => !bodies.some(({ step }) => step > Math.min(one, other) && step <= Math.max(one, other)),
@@ -222,7 +222,7 @@ function layerPlayer(
         now = {
           mark: now.mark + 1,
           next: now.next,
-          cut: cutting(isGiven(begun) ? unpacked(begun.stock ?? []) : now.cut.stock()),
+          cut: cutting(isStockReplaced(begun) ? unpacked(begun.stock ?? []) : now.cut.stock()),
         };
     }
     return areaOf(now.cut);

@@ -5,7 +5,7 @@ import { lineBox, textBox, type Candidate, type Item } from "../help/labels.ts";
 import { arcPath, arrowHead } from "../help/marks.ts";
 import { between, extension, filled, stroke, value, type Tag } from "../help/stroke.ts";
 import { onScreen } from "./frame.ts";
-import type { ApproachSpeech } from "./speech.ts";
+import type { ApproachWords } from "./words.ts";
 import { ROUND } from "../../kernel/tolerance.ts";
 import { rounded } from "../../kernel/units.ts";
 
@@ -101,7 +101,7 @@ function angleItem(tag: Tag, text: string, arc: Arc): Item {
 export function dimensionItems(
   result: Approach,
   camera: Camera,
-  speech: ApproachSpeech,
+  speech: ApproachWords,
   active: string | null,
 ): readonly Item[] {
   const tag = (q: string): Tag => ({ q, active: q === active });

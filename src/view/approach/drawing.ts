@@ -7,7 +7,7 @@ import { filled, stroke, type Tag } from "../help/stroke.ts";
 import { dimensionItems } from "./dimensions.ts";
 import { along, cameraFor, planeFrameOf, onScreen } from "./frame.ts";
 import { pointItem, shownPoints, type ShownPoint } from "./points.ts";
-import type { ApproachSpeech } from "./speech.ts";
+import type { ApproachWords } from "./words.ts";
 
 const { beyond } = plane;
 
@@ -25,7 +25,7 @@ export interface ApproachScene {
   readonly size: Size;
   /** Small pictures carry names without coordinates and no dimensions. */
   readonly small: boolean;
-  readonly speech: ApproachSpeech;
+  readonly speech: ApproachWords;
   /** Keeps the picture where it is while a point is dragged. */
   readonly camera?: Camera;
 }

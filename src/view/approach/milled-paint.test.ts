@@ -52,7 +52,7 @@ function noting() {
 const moment: MilledMoment = {
   standing: [[square(20, 20, 30)], [square(10, 10, 60)], [square(0, 0, 100)]],
   swept: [[], [square(60, 60, 20)], [square(64, 64, 5)]],
-  came: [[square(0, 0, 100)], [], []],
+  initialBands: [[square(0, 0, 100)], [], []],
 };
 const painted = (
   patch: { readonly x: number; readonly y: number; readonly width: number; readonly height: number },
@@ -79,7 +79,7 @@ test("an unmilled shoulder is hatched in the tone of its height", () => {
   const shouldered: MilledMoment = {
     ...moment,
     swept: [[], [], []],
-    came: [[square(20, 20, 30)], [square(10, 10, 60)], []],
+    initialBands: [[square(20, 20, 30)], [square(10, 10, 60)], []],
   };
   expect(painted({ x: 0, y: 0, width: 600, height: 500 }, shouldered)).toEqual([
     "clear within 1",

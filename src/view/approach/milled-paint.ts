@@ -86,7 +86,7 @@ export function paintMilled(
   colours: MilledColours,
   patch: Patch,
 ): void {
-  const { standing, swept, came } = moment,
+  const { standing, swept, initialBands } = moment,
     { x, y, width, height } = patch,
     { scale, zero } = camera,
     last = standing.length - 1;
@@ -107,7 +107,7 @@ export function paintMilled(
     trace(sheet, rings);
     pen.fillStyle = i === 0 ? colours.ground : (tones[i - 1] ?? colours.ground);
     pen.fill("nonzero");
-    const whole = came[i] ?? [];
+    const whole = initialBands[i] ?? [];
     if (whole.length > 0) {
       pen.save();
       pen.clip("nonzero");

@@ -3,9 +3,9 @@ import type { MilledMoment, MilledStock } from "../../sim/plane/milled.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import type { Camera } from "../camera.ts";
 import type { Patch, Pen } from "../material/pen.ts";
-import { patchOf, patchWithin } from "../material/touched.ts";
+import { patchOf, patchWithin } from "../material/changed-box.ts";
 import { paintMilled, type MilledColours } from "./milled-paint.ts";
-import { milledBetween } from "./touched-plane.ts";
+import { changedPlaneBox } from "./changed-box.ts";
 
 /** View settings of milled stock: `origin` is the painted part of the picture. */
 export interface MilledLook {
@@ -24,9 +24,9 @@ export interface MilledPainter {
   readonly goTo: (position: PlayPosition) => void;
   readonly at: () => PlayPosition;
   /** Paints everything at the current moment. */
-  readonly all: (pen: Pen, look: MilledLook) => void;
+  readonly paintAll: (pen: Pen, look: MilledLook) => void;
   /** Goes to another moment and repaints the differences; false if there are none. */
-  readonly follow: (pen: Pen, look: MilledLook, position: PlayPosition) => boolean;
+  readonly paintChanges: (pen: Pen, look: MilledLook, position: PlayPosition) => boolean;
 }
 
 /** A painter at the start of a run. */
@@ -48,14 +48,14 @@ export function milledPainter(
   return {
     goTo,
     at: () => now,
-    all: (pen, look) => paint(pen, look, look.origin),
-    follow(pen, look, position) {
+    paintAll: (pen, look) => paint(pen, look, look.origin),
+    paintChanges(pen, look, position) {
       const before = now,
         was = reached;
       goTo(position);
       // A picture painted before the stock was cut up to its moment is outdated.
       const isWhole = was >= before.step && stock.isSameBody(before.step, now.step);
-      const touched = isWhole ? milledBetween(motions, before, now) : "all";
+      const touched = isWhole ? changedPlaneBox(motions, before, now) : "all";
       const patch =
         touched === "all"
           ? look.origin

@@ -6,7 +6,7 @@ import { arrange } from "../help/labels.ts";
 import type { Mark } from "../help/marks.ts";
 import { onScreen } from "./frame.ts";
 import { pointItem, type ShownPoint } from "./points.ts";
-import type { ApproachSpeech } from "./speech.ts";
+import type { ApproachWords } from "./words.ts";
 
 /** With more approaches than this, names have no coordinates. */
 const FEW = 3;
@@ -26,7 +26,7 @@ export function planeNames(
   approaches: readonly { readonly points: NamedPoints; readonly departing: boolean }[],
   camera: Camera,
   size: Size,
-  speech: ApproachSpeech,
+  speech: ApproachWords,
 ): readonly NamedPlace[] {
   const shown: { names: PointName[]; at: PlanePoint }[] = [];
   for (const { points, departing } of approaches) {

@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import type { MillMotion } from "../../kernel/plane/mill-motion.ts";
 import { at } from "../../kernel/geometry/point.ts";
 import { motionAt, type NamedLead } from "./plane-pick.ts";
-import { milledBetween } from "./touched-plane.ts";
+import { changedPlaneBox } from "./changed-box.ts";
 
 const motion = (
   from: readonly [number, number],
@@ -46,13 +46,13 @@ describe("pointing in the working plane", () => {
 
 describe("the box in which the stock of two moments differs", () => {
   test("covers the tool path between them, and the whole of a motion that ended", () => {
-    expect(milledBetween(motions, { step: 0, fraction: 0.25 }, { step: 0, fraction: 0.75 })).toEqual({
+    expect(changedPlaneBox(motions, { step: 0, fraction: 0.25 }, { step: 0, fraction: 0.75 })).toEqual({
       left: -20 + 11.5 / 4 - 4.5,
       right: -8.5 - 11.5 / 4 + 4.5,
       low: -15.5,
       high: -6.5,
     });
-    const both = milledBetween(motions, { step: 1, fraction: 0.5 }, { step: 0, fraction: 0.75 });
+    const both = changedPlaneBox(motions, { step: 1, fraction: 0.5 }, { step: 0, fraction: 0.75 });
     expect(both).toEqual({
       left: -24.5,
       right: -4,
@@ -61,7 +61,7 @@ describe("the box in which the stock of two moments differs", () => {
     });
   });
   test("is null when no time passes, and everything when too much does", () => {
-    expect(milledBetween(motions, { step: 4, fraction: 0 }, { step: 4, fraction: 0 })).toBeNull();
-    expect(milledBetween(motions, { step: 0, fraction: 0 }, { step: 999, fraction: 0 })).toBe("all");
+    expect(changedPlaneBox(motions, { step: 4, fraction: 0 }, { step: 4, fraction: 0 })).toBeNull();
+    expect(changedPlaneBox(motions, { step: 0, fraction: 0 }, { step: 999, fraction: 0 })).toBe("all");
   });
 });

@@ -3,9 +3,9 @@ import { isRapid, wayOf, type MillMotion } from "../../kernel/plane/mill-motion.
 import { partPoint, partSegment, plane, planePoint, type PlanePoint } from "../../kernel/plane/plane.ts";
 import type { Pt } from "../../kernel/geometry/point.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
-import { fractionNear, nearestStep, type Looked } from "../pick.ts";
+import { fractionNear, nearestStep, type StepAccess } from "../pick.ts";
 
-const MILLED: Looked<MillMotion> = { wayOf: (m) => partSegment(wayOf(m)), cuts: (m) => !isRapid(m) };
+const MILLED: StepAccess<MillMotion> = { wayOf: (m) => partSegment(wayOf(m)), cuts: (m) => !isRapid(m) };
 
 /** An APPR or DEP, with the points that can be picked. */
 export interface NamedLead {

@@ -5,7 +5,7 @@ import type { Camera, Place } from "../camera.ts";
 import { SIZE, textWidth, type Candidate, type Item } from "../help/labels.ts";
 import type { Mark } from "../help/marks.ts";
 import { onScreen } from "./frame.ts";
-import type { ApproachSpeech } from "./speech.ts";
+import type { ApproachWords } from "./words.ts";
 
 /** A named point in the picture. Points that fall together share one. */
 export interface ShownPoint {
@@ -37,7 +37,7 @@ const AWAY = 13;
 /** The text beside a point, with eight candidate places; those away from the middle of the picture first. */
 export function pointItem(
   p: ShownPoint,
-  speech: ApproachSpeech,
+  speech: ApproachWords,
   middle: Place,
   active: boolean,
   coordinates: boolean,

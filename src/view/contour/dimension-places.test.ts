@@ -3,7 +3,7 @@ import { expect, test } from "vitest";
 import { part } from "../../kernel/geometry/point.ts";
 import { fitted, toScreen } from "../camera.ts";
 import { labelsOverlap } from "../help/labels.ts";
-import { placedDimensions, type AskedDimension, type DimensionSheet } from "./dimension-places.ts";
+import { placedDimensions, type DimensionRequest, type DimensionSheet } from "./dimension-places.ts";
 
 const size = { width: 713, height: 431 };
 const sheet: DimensionSheet = {
@@ -21,7 +21,12 @@ const sheet: DimensionSheet = {
   avoid: [],
 };
 const point = (z: number, r: number) => part.point(z, r);
-const asked = (key: string, measured: AskedDimension["measured"], needed = false, text = "⌀ 48.5"): AskedDimension => ({
+const asked = (
+  key: string,
+  measured: DimensionRequest["measured"],
+  needed = false,
+  text = "⌀ 48.5",
+): DimensionRequest => ({
   key,
   text,
   measured,
@@ -100,11 +105,13 @@ test("every text is fully on the sheet, clear of the scales and of all texts tha
   const number = (min: number, max: number) => fc.integer({ min: min * 1000, max: max * 1000 }).map((n) => n / 1000);
   const at = fc.record({ z: number(-60, 3), r: number(0.3, 31) }).map(({ z, r }) => point(z, r));
   const measured = fc.oneof(
-    at.map((p): AskedDimension["measured"] => ({ kind: "diameter", at: p })),
-    at.map((p): AskedDimension["measured"] => ({ kind: "axial", at: p })),
-    fc.tuple(at, at).map(([from, to]): AskedDimension["measured"] => ({ kind: "length", from, to })),
-    fc.tuple(at, number(-179, 179)).map(([p, angle]): AskedDimension["measured"] => ({ kind: "angle", at: p, angle })),
-    fc.tuple(at, at).map(([from, to]): AskedDimension["measured"] => ({ kind: "size", on: part.line(from, to) })),
+    at.map((p): DimensionRequest["measured"] => ({ kind: "diameter", at: p })),
+    at.map((p): DimensionRequest["measured"] => ({ kind: "axial", at: p })),
+    fc.tuple(at, at).map(([from, to]): DimensionRequest["measured"] => ({ kind: "length", from, to })),
+    fc
+      .tuple(at, number(-179, 179))
+      .map(([p, angle]): DimensionRequest["measured"] => ({ kind: "angle", at: p, angle })),
+    fc.tuple(at, at).map(([from, to]): DimensionRequest["measured"] => ({ kind: "size", on: part.line(from, to) })),
   );
   fc.assert(
     fc.property(fc.array(measured, { maxLength: 14 }), fc.boolean(), (all, fingers) => {

@@ -12,7 +12,7 @@ export type Measured =
   | { readonly kind: "angle"; readonly at: Pt; readonly angle: number }
   | { readonly kind: "size"; readonly on: Segment };
 
-export interface AskedDimension {
+export interface DimensionRequest {
   readonly key: string;
   readonly text: string;
   readonly measured: Measured;
@@ -191,7 +191,7 @@ function sizes(sheet: DimensionSheet, text: string, on: Segment): Candidate[] {
   );
 }
 
-function candidates(sheet: DimensionSheet, { text, measured }: AskedDimension): Candidate[] {
+function candidates(sheet: DimensionSheet, { text, measured }: DimensionRequest): Candidate[] {
   const place = (p: Pt) => toScreen(sheet.camera, p);
   switch (measured.kind) {
     case "diameter":
@@ -208,7 +208,7 @@ function candidates(sheet: DimensionSheet, { text, measured }: AskedDimension): 
 }
 
 /** Whether the measured place is visible: dimensions of points outside the picture would crowd its edges. */
-function inSight({ camera, size }: DimensionSheet, { measured }: AskedDimension): boolean {
+function inSight({ camera, size }: DimensionSheet, { measured }: DimensionRequest): boolean {
   const points =
     measured.kind === "length"
       ? [measured.from, measured.to]
@@ -238,7 +238,7 @@ function clearest(covered: (box: LabelBox) => number, possible: readonly Candida
  * Places dimensions on the drawing, those of the chosen element first, each where its text covers no other. Without a
  * free place, a dimension of the chosen element takes the place that covers least; others are left out.
  */
-export function placedDimensions(sheet: DimensionSheet, asked: readonly AskedDimension[]): PlacedDimension[] {
+export function placedDimensions(sheet: DimensionSheet, asked: readonly DimensionRequest[]): PlacedDimension[] {
   const taken: LabelBox[] = [...sheet.kept],
     out: PlacedDimension[] = [];
   const texts = boxesOn(sheet.size, sheet.kept),

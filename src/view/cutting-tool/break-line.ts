@@ -3,7 +3,7 @@ import type { Pt } from "../../kernel/geometry/point.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { boundsOf } from "../bounds.ts";
 import { toScreen, type Bounds, type Camera, type Place } from "../camera.ts";
-import type { Seen } from "../edge-mark.ts";
+import type { VisibleArea } from "../edge-mark.ts";
 
 /**
  * Where a shank leaves the picture: the middle of the break, the direction in which the shank continues, and its width,
@@ -31,7 +31,7 @@ function shankOf(tool: Tool): Bounds | null {
  * Where the shank of a tool with its tip at a place leaves the visible area; null if the end of the shank is visible,
  * or nothing of it.
  */
-export function breakOf(tool: Tool, tip: Pt, camera: Camera, seen: Seen): Broken | null {
+export function breakOf(tool: Tool, tip: Pt, camera: Camera, seen: VisibleArea): Broken | null {
   const shank = shankOf(tool);
   if (!tool.holder || !shank) return null;
   const corner = (z: number, r: number) => toScreen(camera, { z: (tip.z + z) as Pt["z"], r: (tip.r + r) as Pt["r"] });

@@ -1,6 +1,6 @@
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { toScreen, type Camera, type Place, type Size } from "../camera.ts";
-import type { SectionKind } from "../material/easel.ts";
+import type { SectionKind } from "../material/paint-target.ts";
 import { at } from "../../kernel/geometry/point.ts";
 import { toolBox } from "./drawing.ts";
 import type { Silhouette } from "./silhouette.ts";

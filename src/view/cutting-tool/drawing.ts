@@ -3,7 +3,14 @@ import { boxAround, boxOf } from "../../kernel/area/box.ts";
 import { intersection, offset, union } from "../../kernel/area/clip.ts";
 import { isDrill } from "../../kernel/cutter/drill.ts";
 import { holderOutlines, shankAxis } from "../../kernel/cutter/holder.ts";
-import { flanksUnknown, insertOutline, insertShape, isBar, shiftOf, tipDirection } from "../../kernel/cutter/insert.ts";
+import {
+  flanksUnknown,
+  insertOutline,
+  insertShape,
+  isBar,
+  correctionShift,
+  tipDirection,
+} from "../../kernel/cutter/insert.ts";
 import { at, part, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
@@ -66,7 +73,7 @@ const lineData = (from: Pt, to: Pt) => `${startData(from)}L${startData(to).slice
 export function outOfBlade(tool: Tool, ring: Ring): Ring {
   const edge = insertShape(tool).find((e) => e.feature === "width");
   if (!isBar(tool) || !tool.holder || edge?.kind !== "line") return ring;
-  const shift = shiftOf(tool),
+  const shift = correctionShift(tool),
     on = (p: { readonly u: number; readonly v: number }) => at(p.u + shift.u, p.v + shift.v);
   const [from, to] = [on(edge.from), on(edge.to)],
     inwards = part.leftOf(part.direction({ kind: "line", from, to }, from));

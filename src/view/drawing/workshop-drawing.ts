@@ -49,7 +49,7 @@ export interface WorkshopPrint {
   /** The mark of all turned surfaces, as text; null if they have no common one. */
   readonly general: string | null;
   /** Number of notes without room: the list has them. */
-  readonly left: number;
+  readonly omitted: number;
 }
 
 /** Nearer values are one, mm. */
@@ -346,7 +346,7 @@ function laidOut(
     texts,
     list: listed,
     general: marks.general === null ? null : words.roughness(marks.general),
-    left: notes.length - rows.length,
+    omitted: notes.length - rows.length,
   };
   return { print, isCrossed: insides.isCrossed };
 }

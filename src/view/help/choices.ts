@@ -4,7 +4,7 @@ import { numberOf, type Context } from "./context.ts";
 import type { Lettering } from "./dimensions.ts";
 import { along, pointAt } from "./frame.ts";
 import { polygon, polyline, type Mark } from "./marks.ts";
-import { bandMarks, besides, falling, limit, pathMarks, type Explanation } from "./process.ts";
+import { bandMarks, finishingPath, fallingElements, limit, pathMarks, type Explanation } from "./process.ts";
 import { drawnLine } from "./section.ts";
 import { filled, stroke } from "./stroke.ts";
 import { qOf } from "./topics.ts";
@@ -25,7 +25,7 @@ export function operation(c: Context, l: Lettering): Explanation {
   const rough = value === 0 || value === 1;
   const cut = rough ? [filled(l, "cut", polygon(screen(c, c.plan.area))), ...passMarks(c, l)] : [];
   const left = value === 1 || value === 3 ? bandMarks(c, l, "both", 5) : [];
-  const finish = value === 1 ? [] : pathMarks(c, l, besides(c, c.outline.contour, value === 3 ? 9 : 5));
+  const finish = value === 1 ? [] : pathMarks(c, l, finishingPath(c, c.outline.contour, value === 3 ? 9 : 5));
   return only([...cut, ...left, ...finish]);
 }
 
@@ -35,7 +35,7 @@ export function operation(c: Context, l: Lettering): Explanation {
  */
 export function reverse(c: Context, l: Lettering): Explanation {
   const value = numberOf(c.values, l.q);
-  const path = besides(c, c.outline.contour, 8);
+  const path = finishingPath(c, c.outline.contour, 8);
   const at = path[0];
   const tool: Mark[] = [];
   if (value === 2 && at) {
@@ -63,7 +63,7 @@ export function smoothing(c: Context, l: Lettering): Explanation {
   const f = c.frame;
   const passes = some(c, fourth(c));
   const high = passes[1] ? Math.abs((passes[0]?.level ?? 0) - passes[1].level) : c.step;
-  const left = drawnLine(c.plan.kept.map((k) => k.path));
+  const left = drawnLine(c.plan.oversizeReach.map((k) => k.path));
   const lifts = passes.flatMap(({ from, to, level }, i) => {
     if (value !== 0) return pathMarks(c, l, [from, to, pointAt(f, along(f, to) - high, level + high)]);
     const before = passes[i - 1];
@@ -71,7 +71,7 @@ export function smoothing(c: Context, l: Lettering): Explanation {
     const between = left.filter((p) => along(f, p) > along(f, to) && along(f, p) < along(f, before.to));
     return pathMarks(c, l, [from, to, ...between, before.to]);
   });
-  return only([...lifts, ...(value === 1 ? pathMarks(c, l, besides(c, c.outline.contour, 5)) : [])]);
+  return only([...lifts, ...(value === 1 ? pathMarks(c, l, finishingPath(c, c.outline.contour, 5)) : [])]);
 }
 
 /** Falling elements: machined, or bridged at the level where they begin. */
@@ -79,9 +79,11 @@ export function plunging(c: Context, l: Lettering): Explanation {
   const value = numberOf(c.values, l.q);
   const paths =
     value === 1
-      ? falling(c).map((run) => besides(c, run))
+      ? fallingElements(c).map((run) => finishingPath(c, run))
       : c.plan.reach.flatMap(({ path, reason }) => (reason === "plunging" ? [[path.from, path.to]] : []));
-  return only((paths.length > 0 ? paths : [besides(c, c.outline.contour)]).flatMap((path) => pathMarks(c, l, path)));
+  return only(
+    (paths.length > 0 ? paths : [finishingPath(c, c.outline.contour)]).flatMap((path) => pathMarks(c, l, path)),
+  );
 }
 
 /** The switch for the limits: both lines, strong while the limits apply. */

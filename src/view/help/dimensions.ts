@@ -243,7 +243,7 @@ export function leader(l: Lettering, at: Place, towards: Place): Candidate[] {
           marks,
           middle,
           0,
-          stairs(at, knee),
+          slopeBoxes(at, knee),
           (long - 22) * 0.16 + j * 1.4 + (Math.min(Math.abs(Math.cos(a)), Math.abs(Math.sin(a))) < 0.25 ? 4 : 0),
         ),
       ];
@@ -252,7 +252,7 @@ export function leader(l: Lettering, at: Place, towards: Place): Candidate[] {
 }
 
 /** A slanted line as small boxes, so that texts may stand beside it. */
-const stairs = (a: Place, b: Place): LabelBox[] =>
+const slopeBoxes = (a: Place, b: Place): LabelBox[] =>
   range(6).map((k) => {
     const p = (t: number): Place => ({ x: a.x + (b.x - a.x) * t, y: a.y + (b.y - a.y) * t });
     return lineBox(p(k / 6), p((k + 1) / 6));

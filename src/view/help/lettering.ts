@@ -5,7 +5,7 @@ import { partnerOf } from "./topics.ts";
 export type Numbers = Readonly<Record<string, number | "auto">>;
 
 /** Words and number form of the screen language. */
-export interface Speech {
+export interface HelpWords {
   /** At most so many decimals, with the decimal sign of the language. */
   readonly number: (value: number, decimals: number) => string;
   /** Short names of element types 0, 1, 2. */
@@ -45,11 +45,11 @@ function plain(p: Param, number: (v: number) => string, value: number): string {
 }
 
 /** The short text of a position: ⌀75, Z−55. */
-export const positionText = (kind: "diameter" | "axial", value: number, speech: Speech): string =>
+export const positionText = (kind: "diameter" | "axial", value: number, speech: HelpWords): string =>
   (kind === "diameter" ? "⌀" : "Z") + signed(speech.number(value, 3));
 
 /** The short text of a value on the drawing: ⌀75, Z−55, 5°, R1.5, 0.5×45°, ≤3, F0.3. */
-export function letteringOf(params: Params, q: string, values: Numbers, speech: Speech, square: boolean): string {
+export function letteringOf(params: Params, q: string, values: Numbers, speech: HelpWords, square: boolean): string {
   const p = params[q],
     value = values[q];
   if (!p || value === undefined) return "";

@@ -20,7 +20,7 @@ import {
   type Sheet,
 } from "./labels.ts";
 import { FIRST, layoutOf } from "./layout.ts";
-import { letteringOf, positionText, type Numbers, type Speech } from "./lettering.ts";
+import { letteringOf, positionText, type Numbers, type HelpWords } from "./lettering.ts";
 import { dense, polygon, polyline, segmentPath, type Mark } from "./marks.ts";
 import { passesOf } from "./passes.ts";
 import * as plunges from "./plunges.ts";
@@ -50,7 +50,7 @@ export interface HelpRequest {
   readonly active: string | null;
   /** CSS pixels. */
   readonly size: Size;
-  readonly speech: Speech;
+  readonly speech: HelpWords;
 }
 
 /** The display list of a help picture, from back to front, and the boxes of all its texts. */
@@ -149,7 +149,7 @@ function contextOf(request: HelpRequest, size: Size, indent: number): Context {
     frame,
     layout,
     passes,
-    step: plan.infeed > 0 ? plan.infeed : plan.most,
+    step: plan.infeed > 0 ? plan.infeed : plan.maxInfeed,
     top,
     section: sectionOf(frame, line, layout.reach),
     letter: (q) => ({
@@ -166,7 +166,7 @@ function contextOf(request: HelpRequest, size: Size, indent: number): Context {
 }
 
 /** The diagrams of a choice go below the drawing or to its left, whichever leaves the drawing larger. */
-function besideTiles(request: HelpRequest, count: number): { readonly c: Context; readonly column: number } {
+function contextBesideTiles(request: HelpRequest, count: number): { readonly c: Context; readonly column: number } {
   const { width, height } = request.size;
   const row = contextOf(request, { width, height: Math.max(60, height - TILE_ROW) }, 0);
   const beside = columnsFor(count, height);
@@ -220,7 +220,7 @@ function strongPlaces(c: Context): Place[] {
  * The order in which dimensions of the outline are placed, 0 … 3: short lengths go nearest to the part, leaders come
  * last because they fit almost anywhere.
  */
-function turnOf(d: Dimension): number {
+function placementOrder(d: Dimension): number {
   switch (d.form) {
     case "diameter":
       return 1;
@@ -251,7 +251,7 @@ function arranged(items: readonly Item[], active: string | null, sheet: Sheet): 
 }
 
 /** Moves the dimensions that the lens covers; all others stay. */
-function besideLens(
+function arrangedAroundLens(
   items: readonly Item[],
   placed: readonly Placed[],
   lens: readonly LabelBox[],
@@ -268,9 +268,11 @@ export function helpDrawing(request: HelpRequest): HelpDrawing {
   const topic = active === null ? null : shownAs(params, active);
   const choice = active === null ? undefined : params[active]?.choices;
   const strip = topic !== null && choice !== undefined && hasTiles(topic);
-  const { c, column } = strip ? besideTiles(request, choice.length) : { c: contextOf(request, size, 0), column: 0 };
+  const { c, column } = strip
+    ? contextBesideTiles(request, choice.length)
+    : { c: contextOf(request, size, 0), column: 0 };
   const shown = Object.keys(params).filter((q) => q === active || (strip ? CALM : ALWAYS).includes(shownAs(params, q)));
-  const turn = new Map(request.outline.dimensions.map((d) => [d.q, turnOf(d)] as const));
+  const turn = new Map(request.outline.dimensions.map((d) => [d.q, placementOrder(d)] as const));
   const rank = (q: string) => ALWAYS.indexOf(shownAs(params, q)) * 4 + (turn.get(q) ?? 2);
   const order = [...shown].sort((a, b) => rank(a) - rank(b));
   const parts = order.map((q) => ({ q, ...explanations[shownAs(params, q)](c, c.letter(q)) }));
@@ -286,7 +288,7 @@ export function helpDrawing(request: HelpRequest): HelpDrawing {
   );
   let placed: readonly Placed[] = arranged(items, active, sheet);
   const lens = small && active ? detail(c, c.letter(active), small, placed, kept) : null;
-  if (lens) placed = besideLens(items, placed, lens.boxes, sheet);
+  if (lens) placed = arrangedAroundLens(items, placed, lens.boxes, sheet);
   const back = (strong: boolean) => parts.filter((p) => (p.q === active) === strong).flatMap((p) => p.under);
   const marks: Mark[] = [
     ...ground(c),

@@ -23,7 +23,7 @@ const pointed = (c: Context, l: Lettering, at: Pt): Item => ({
   candidates: leader(l, spot(c.layout, at), spot(c.layout, raised(c, at, mm(c, 20)))),
 });
 /** Fallback without a plunge: the value points at the corner of the area. */
-const nowhere = (c: Context, l: Lettering): Explanation => ({ under: [], item: pointed(c, l, c.section.corner) });
+const cornerLeader = (c: Context, l: Lettering): Explanation => ({ under: [], item: pointed(c, l, c.section.corner) });
 
 /** The deepest plunges side by side, from the first one on. */
 function plunges(c: Context): Pass[] {
@@ -37,7 +37,7 @@ function plunges(c: Context): Pass[] {
 export function sideStep(c: Context, l: Lettering): Explanation {
   if (!l.active) return NOTHING;
   const [a, ...others] = plunges(c);
-  if (!a) return nowhere(c, l);
+  if (!a) return cornerLeader(c, l);
   const apart = (p: Pass) => Math.abs(along(c.frame, p.to) - along(c.frame, a.to));
   const [b] = others.filter((p) => apart(p) > mm(c, 1)).sort((x, y) => apart(x) - apart(y));
   if (!b) return { under: lines(c, l, [a]), item: pointed(c, l, a.to) };
@@ -54,7 +54,7 @@ export function sideStep(c: Context, l: Lettering): Explanation {
 export function solidFeed(c: Context, l: Lettering): Explanation {
   if (!l.active) return NOTHING;
   const [first] = plunges(c);
-  if (!first) return nowhere(c, l);
+  if (!first) return cornerLeader(c, l);
   const middle = pointAt(c.frame, along(c.frame, first.to), (outward(c.frame, first.from) + first.level) / 2);
   return { under: pathMarks(c, l, [first.from, first.to]), item: pointed(c, l, middle) };
 }
@@ -63,7 +63,7 @@ export function solidFeed(c: Context, l: Lettering): Explanation {
 export function dwell(c: Context, l: Lettering): Explanation {
   if (!l.active) return NOTHING;
   const [first] = plunges(c);
-  if (!first) return nowhere(c, l);
+  if (!first) return cornerLeader(c, l);
   const ring = stroke(l, "frame", circle(toScreen(c.layout.camera, first.to), 5));
   return { under: [...lines(c, l, [first]), ring], item: pointed(c, l, first.to) };
 }
@@ -72,7 +72,7 @@ export function dwell(c: Context, l: Lettering): Explanation {
 export function depthLimit(c: Context, l: Lettering): Explanation {
   if (!l.active) return NOTHING;
   const [first] = plunges(c);
-  if (!first) return nowhere(c, l);
+  if (!first) return cornerLeader(c, l);
   const [u, high] = [along(c.frame, first.to), outward(c.frame, first.from)];
   const depth = high - first.level;
   const limit = numberOf(c.values, l.q);

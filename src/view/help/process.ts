@@ -2,7 +2,7 @@ import type { Dimension } from "../../cycles/define.ts";
 import { fallingRuns } from "../../kernel/reach/bridge.ts";
 import { segmentToFlat, segmentToPart } from "../../kernel/geometry/flat.ts";
 import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
-import { keptOver } from "../../kernel/strategy/kept.ts";
+import { oversizeContour } from "../../kernel/strategy/oversize-contour.ts";
 import { diameter, toRadius } from "../../kernel/units.ts";
 import { toScreen, type Place } from "../camera.ts";
 import { longest, numberOf, startPoint, type Context } from "./context.ts";
@@ -52,14 +52,14 @@ export function pathMarks(c: Context, tag: Tag, points: readonly Pt[]): Mark[] {
 
 /** The contour with an oversize of so many pixels. */
 const kept = (c: Context, contour: readonly Segment[], z: number, r: number): Segment[] =>
-  keptOver(contour, c.frame, { z: mm(c, z), r: mm(c, r) });
+  oversizeContour(contour, c.frame, { z: mm(c, z), r: mm(c, r) });
 
 /** The path of the finishing cut, a little beside the drawn contour; farther off where oversize is left. */
-export const besides = (c: Context, contour: readonly Segment[], pixels: number = BESIDE): Pt[] =>
+export const finishingPath = (c: Context, contour: readonly Segment[], pixels: number = BESIDE): Pt[] =>
   drawnLine(kept(c, contour, pixels, pixels));
 
 /** The falling elements of the contour in machining direction, in runs of consecutive ones. */
-export const falling = (c: Context): Segment[][] =>
+export const fallingElements = (c: Context): Segment[][] =>
   fallingRuns(c.outline.contour.map((s) => segmentToFlat(c.frame, s))).map((run) =>
     run.map((s) => segmentToPart(c.frame, s)),
   );
@@ -95,7 +95,7 @@ export function clearance(c: Context, l: Lettering): Explanation {
 }
 
 export function infeed(c: Context, l: Lettering): Explanation {
-  if (c.plan.isParallel) return infeedBeside(c, l);
+  if (c.plan.isParallel) return infeedAlongContour(c, l);
   const u = along(c.frame, c.section.corner);
   const [from, to] = [pointAt(c.frame, u, c.top), pointAt(c.frame, u, c.top - c.step)];
   const lines = mm(c, 3) > c.step ? c.passes.slice(0, 3) : c.passes;
@@ -106,16 +106,16 @@ export function infeed(c: Context, l: Lettering): Explanation {
 }
 
 /** A point on the contour, and another one `by` mm square to it. */
-function beside(c: Context, by: number): { readonly at: Pt; readonly off: Pt } {
+function offsetPoint(c: Context, by: number): { readonly at: Pt; readonly off: Pt } {
   const { element, at } = longest(c, () => true);
   const away = element ? part.scaled(part.leftOf(part.direction(element, at)), openSide(c.frame)) : part.point(0, 1);
   return { at, off: part.beyond(at, away, by) };
 }
 
 /** The infeed of passes along the contour: the first of them, square to the blank. */
-function infeedBeside(c: Context, l: Lettering): Explanation {
+function infeedAlongContour(c: Context, l: Lettering): Explanation {
   const blank = numberOf(c.values, qOf(c.params, "allowance"));
-  const [from, to] = [beside(c, blank).off, beside(c, blank - c.step).off];
+  const [from, to] = [offsetPoint(c, blank).off, offsetPoint(c, blank - c.step).off];
   return {
     under: c.passes.map((p) => stroke(l, "pass", polyline(screen(c, p.line)))),
     item: dimensionItem(c.layout, { q: l.q, form: "along", from, to }, l),
@@ -125,8 +125,8 @@ function infeedBeside(c: Context, l: Lettering): Explanation {
 /** The allowance on the contour before the cycle, square to it. */
 export function allowance(c: Context, l: Lettering): Explanation {
   const value = numberOf(c.values, l.q);
-  const { at, off } = beside(c, Math.max(value, mm(c, 1)));
-  const outer = drawnLine(keptOver(c.outline.contour, c.frame, { z: 0, r: 0, round: value }));
+  const { at, off } = offsetPoint(c, Math.max(value, mm(c, 1)));
+  const outer = drawnLine(oversizeContour(c.outline.contour, c.frame, { z: 0, r: 0, round: value }));
   const band = l.active ? [filled(l, "cut", polygon(screen(c, [...c.section.line, ...outer.toReversed()])))] : [];
   return {
     under: [...band, stroke(l, "break", polyline(screen(c, outer)))],
@@ -176,17 +176,17 @@ export function finishingFeed(c: Context, l: Lettering): Explanation {
     found[0] ?? c.section.corner,
   );
   return {
-    under: l.active ? pathMarks(c, l, besides(c, c.outline.contour)) : [],
+    under: l.active ? pathMarks(c, l, finishingPath(c, c.outline.contour)) : [],
     item: pointed(c, l, middle, outside(c, middle)),
   };
 }
 
 export function plungingFeed(c: Context, l: Lettering): Explanation {
-  const found = falling(c);
+  const found = fallingElements(c);
   const u = along(c.frame, c.section.corner);
   const runs =
     found.length > 0
-      ? found.map((run) => besides(c, run))
+      ? found.map((run) => finishingPath(c, run))
       : [[pointAt(c.frame, u, c.top + mm(c, 14)), pointAt(c.frame, u, c.top - c.step)]];
   const first = runs[0] ?? [];
   const middle = first[Math.floor(first.length / 2)] ?? c.section.corner;

@@ -5,14 +5,14 @@ import { along, outward, pointAt } from "./frame.ts";
 import { leader } from "./dimensions.ts";
 import { spot } from "./layout.ts";
 import { arrowHead, circle, polyline, type Mark } from "./marks.ts";
-import { besides, pathMarks, type Explanation } from "./process.ts";
+import { finishingPath, pathMarks, type Explanation } from "./process.ts";
 import { filled, stroke } from "./stroke.ts";
 
 const mm = (c: Context, pixels: number) => pixels / c.layout.camera.scale;
 
 /** The path of the tool along the thread, drawn for a choice while its prompt is active. */
 export const alongThread = (c: Context, l: Lettering): Explanation => ({
-  under: l.active ? pathMarks(c, l, besides(c, c.outline.contour)) : [],
+  under: l.active ? pathMarks(c, l, finishingPath(c, c.outline.contour)) : [],
   item: null,
 });
 
@@ -63,8 +63,8 @@ export function starts(c: Context, l: Lettering): Explanation {
 /** The path at finished depth, there and back. */
 export function airCuts(c: Context, l: Lettering): Explanation {
   if (!l.active) return { under: [], item: null };
-  const way = besides(c, c.outline.contour);
-  const back = besides(c, c.outline.contour, 18).toReversed();
+  const way = finishingPath(c, c.outline.contour);
+  const back = finishingPath(c, c.outline.contour, 18).toReversed();
   const at = way[Math.floor(way.length / 2)] ?? c.section.corner;
   const over = part.point(at.z, at.r);
   return {

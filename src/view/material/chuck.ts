@@ -3,7 +3,7 @@ import type { Ring } from "../../kernel/geometry/point.ts";
 import { radiusOf } from "../../kernel/units.ts";
 import { boundsOf, joined } from "../bounds.ts";
 import type { Bounds } from "../camera.ts";
-import { heldPlane, type HeldPlane } from "../held-plane.ts";
+import { unstatedClamping, type UnstatedClamping } from "../unstated-clamping.ts";
 
 /** A place beside the axis: r is positive on the tool's side, negative on the other, mm. */
 export type ChuckPoint = readonly [z: number, r: number];
@@ -13,7 +13,7 @@ export type ChuckPoint = readonly [z: number, r: number];
  */
 export interface ChuckDrawing {
   /** The plane at the rear end, if no clamping is stated. */
-  readonly unstated: HeldPlane | null;
+  readonly unstated: UnstatedClamping | null;
   /** Chuck, collet, driver and tailstock: bodies of revolution, as outlines of one half. */
   readonly turned: readonly (readonly ChuckPoint[])[];
   /** The jaw on the tool's side. */
@@ -39,7 +39,7 @@ const placesOf = (ring: Ring): readonly ChuckPoint[] => ring.map(({ z, r }) => [
 /** The drawing of a blank's clamping; a plane at the blank's rear end if none is stated. */
 export function chuckDrawing(blank: readonly Ring[], material: Bounds, clamped: Clamped | null): ChuckDrawing {
   if (!clamped) {
-    const unstated = heldPlane(blank, material);
+    const unstated = unstatedClamping(blank, material);
     const all = joined(material, boundsOf([...unstated.plane, ...unstated.hatch.flat()])) ?? material;
     return { unstated, turned: [], jaws: [], flanks: [], backs: [], limit: null, all, seen: all };
   }

@@ -1,10 +1,10 @@
 import type { ChuckDrawing, ChuckPoint } from "./chuck.ts";
-import { acrossRadius, asPage, brush, trace, type Half, type SectionKind, type Easel } from "./easel.ts";
+import { acrossRadius, asPage, brush, trace, type Half, type SectionKind, type PaintTarget } from "./paint-target.ts";
 
 /** Opacity of the clamping's edges, which are quieter than those of the work. */
 const QUIET = 0.6;
 
-function area(easel: Easel, down: 1 | -1, places: readonly ChuckPoint[], fill: string): void {
+function area(easel: PaintTarget, down: 1 | -1, places: readonly ChuckPoint[], fill: string): void {
   const { pen, colours } = easel;
   pen.beginPath();
   trace(easel, down, places);
@@ -17,14 +17,14 @@ function area(easel: Easel, down: 1 | -1, places: readonly ChuckPoint[], fill: s
   pen.globalAlpha = 1;
 }
 
-function line(easel: Easel, down: 1 | -1, places: readonly ChuckPoint[]): void {
+function line(easel: PaintTarget, down: 1 | -1, places: readonly ChuckPoint[]): void {
   easel.pen.beginPath();
   trace(easel, down, places);
   easel.pen.stroke();
 }
 
 /** A body of revolution from outside. */
-function turned(easel: Easel, { down, facing }: Half, places: readonly ChuckPoint[]): void {
+function turned(easel: PaintTarget, { down, facing }: Half, places: readonly ChuckPoint[]): void {
   const { pen, colours } = easel;
   pen.beginPath();
   trace(easel, down, places);
@@ -40,7 +40,7 @@ function turned(easel: Easel, { down, facing }: Half, places: readonly ChuckPoin
 }
 
 /** The plane at the rear end of a blank whose clamping is not stated. */
-function plane(easel: Easel, down: 1 | -1, { plane, hatch }: NonNullable<ChuckDrawing["unstated"]>): void {
+function plane(easel: PaintTarget, down: 1 | -1, { plane, hatch }: NonNullable<ChuckDrawing["unstated"]>): void {
   const { pen, colours } = easel;
   pen.strokeStyle = colours.edge;
   pen.lineWidth = 2;
@@ -60,7 +60,7 @@ function plane(easel: Easel, down: 1 | -1, { plane, hatch }: NonNullable<ChuckDr
 
 /** Paints the clamping, behind the work. */
 export function paintChuck(
-  easel: Easel,
+  easel: PaintTarget,
   halves: readonly [Half, Half],
   section: SectionKind,
   chuck: ChuckDrawing,
@@ -74,7 +74,7 @@ export function paintChuck(
 }
 
 /** The stated limit, dashed across the picture. */
-function limits(easel: Easel, halves: readonly [Half, Half], { limit, all }: ChuckDrawing): void {
+function limits(easel: PaintTarget, halves: readonly [Half, Half], { limit, all }: ChuckDrawing): void {
   if (!limit) return;
   const { pen, colours } = easel,
     { z = all.right, r = all.high * 1.5 } = limit;
@@ -100,7 +100,7 @@ function limits(easel: Easel, halves: readonly [Half, Half], { limit, all }: Chu
  * axis.
  */
 export function paintFrontJaw(
-  easel: Easel,
+  easel: PaintTarget,
   halves: readonly [Half, Half],
   section: SectionKind,
   chuck: ChuckDrawing,

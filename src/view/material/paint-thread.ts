@@ -1,7 +1,7 @@
-import { acrossRadius, asPage, brush, type Half, type Easel } from "./easel.ts";
+import { acrossRadius, asPage, brush, type Half, type PaintTarget } from "./paint-target.ts";
 import { flanksOf, silhouette, type HalfTurn, type ScreenPoint, type ThreadZone } from "./thread-zone.ts";
 
-function way({ pen }: Easel, places: readonly ScreenPoint[]): void {
+function way({ pen }: PaintTarget, places: readonly ScreenPoint[]): void {
   places.forEach(([x, y], i) => {
     if (i === 0) pen.moveTo(x, y);
     else pen.lineTo(x, y);
@@ -16,7 +16,7 @@ const CREST = 0.55;
 const turnsOf = (isToolSide: boolean): HalfTurn => (isToolSide ? [0, 0.5] : [0.5, 1]);
 
 /** A thread on the outside of a half, or on the wall of a hollow behind the cut. */
-export function paintThread(easel: Easel, half: Half, zone: ThreadZone): void {
+export function paintThread(easel: PaintTarget, half: Half, zone: ThreadZone): void {
   const { pen, camera, colours } = easel,
     { scale, zero, xUp } = camera;
   const isToolSide = half.down === (xUp ? -1 : 1),

@@ -15,7 +15,16 @@ import { paintChuck, paintFrontJaw } from "./paint-chuck.ts";
 import { paintThread } from "./paint-thread.ts";
 import type { Pen, Patch } from "./pen.ts";
 import { boundaryIn, columnsOf, type Boundary, type Columns } from "./scan.ts";
-import { acrossRadius, asPage, brush, halvesOf, trace, type Half, type SectionKind, type Easel } from "./easel.ts";
+import {
+  acrossRadius,
+  asPage,
+  brush,
+  halvesOf,
+  trace,
+  type Half,
+  type SectionKind,
+  type PaintTarget,
+} from "./paint-target.ts";
 import type { Surfaces } from "./surfaces.ts";
 import { threadZones, type ThreadZone } from "./thread-zone.ts";
 
@@ -38,7 +47,7 @@ const BESIDE = 3;
 const LEVEL = 0.2;
 
 /** Columns of a patch, one per device pixel, with the boundary in and beside them. */
-function columnsIn({ rings, surfaces, now }: Material, { camera, ratio }: Easel, { x, width }: Patch) {
+function columnsIn({ rings, surfaces, now }: Material, { camera, ratio }: PaintTarget, { x, width }: Patch) {
   const first = Math.floor(x * ratio) - BESIDE,
     count = Math.ceil((x + width) * ratio) + BESIDE - first;
   const perColumn = 1 / (camera.scale * ratio),
@@ -90,7 +99,7 @@ function runsInside({ count, gaps }: Columns, level: number, fill: FillColumns):
 const isIn = (zones: readonly ThreadZone[], z: number) => zones.some((zone) => z >= zone.left && z < zone.right);
 
 function shades(
-  easel: Easel,
+  easel: PaintTarget,
   half: Half,
   first: number,
   boundary: Boundary,
@@ -115,7 +124,7 @@ function shades(
   asPage(easel);
 }
 
-function strokes(easel: Easel, down: 1 | -1, lines: readonly DrawnLine[]): void {
+function strokes(easel: PaintTarget, down: 1 | -1, lines: readonly DrawnLine[]): void {
   if (lines.length === 0) return;
   easel.pen.beginPath();
   for (const { z0, r0, z1, r1 } of lines)
@@ -128,7 +137,7 @@ function strokes(easel: Easel, down: 1 | -1, lines: readonly DrawnLine[]): void 
 
 /** Feed marks, edges across, and the outline where it is not cut. */
 function drawing(
-  easel: Easel,
+  easel: PaintTarget,
   { down, isCut }: Half,
   boundary: Boundary,
   columns: Columns,
@@ -153,7 +162,7 @@ function drawing(
 }
 
 /** Traces rings without the points beyond a window along Z: a row of points on one side of it becomes two. */
-function traceNear(easel: Easel, down: 1 | -1, rings: readonly Ring[], left: number, right: number): void {
+function traceNear(easel: PaintTarget, down: 1 | -1, rings: readonly Ring[], left: number, right: number): void {
   const beyond = (z: number) => (z < left ? -1 : Number(z > right));
   for (const ring of rings) {
     const places = ring.filter((p, i) => {
@@ -171,7 +180,7 @@ function traceNear(easel: Easel, down: 1 | -1, rings: readonly Ring[], left: num
   }
 }
 
-function cutFace(easel: Easel, down: 1 | -1, rings: readonly Ring[], { x, y, width, height }: Patch): void {
+function cutFace(easel: PaintTarget, down: 1 | -1, rings: readonly Ring[], { x, y, width, height }: Patch): void {
   const {
     pen,
     colours,
@@ -215,10 +224,10 @@ export function paintMaterial(
   pen: Pen,
   material: Material,
   camera: Camera,
-  look: Pick<Easel, "colours" | "ratio" | "origin">,
+  look: Pick<PaintTarget, "colours" | "ratio" | "origin">,
   patch: Patch,
 ): void {
-  const easel: Easel = { pen, camera, ...look },
+  const easel: PaintTarget = { pen, camera, ...look },
     { rings, section, chuck } = material;
   const halves = halvesOf(section, camera.xUp),
     near = chuck && isNear(chuck, camera, patch) ? chuck : null;

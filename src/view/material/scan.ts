@@ -1,11 +1,11 @@
 import { hypotenuse } from "../../kernel/geometry/vectors.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
-import type { Maker, StockSide, Surfaces } from "./surfaces.ts";
+import type { SurfaceOrigin, StockSide, Surfaces } from "./surfaces.ts";
 
 /** A piece of the boundary that one move made. */
 export interface SurfaceEdge extends StockSide {
-  readonly made: Maker;
+  readonly made: SurfaceOrigin;
 }
 
 /** A vertex where the boundary turns sharply, with the edges on both sides of it (−1: beyond the window). */

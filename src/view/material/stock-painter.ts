@@ -3,10 +3,10 @@ import type { Step } from "../../kernel/time/step.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import type { Camera } from "../camera.ts";
 import { paintMaterial, type Material } from "./paint.ts";
-import { asPage, type Easel } from "./easel.ts";
+import { asPage, type PaintTarget } from "./paint-target.ts";
 import type { Patch, Pen } from "./pen.ts";
 import { UNTOUCHED, type Surfaces } from "./surfaces.ts";
-import { patchWithin, touchedBetween, turnedPatchOf } from "./touched.ts";
+import { patchWithin, changedBox, turnedPatchOf } from "./changed-box.ts";
 
 /** A run whose stock is painted. */
 export interface PaintedRun {
@@ -23,7 +23,7 @@ export interface PaintedRun {
  * View settings of a stock: `origin` is the painted part of the picture, `ground` the part that shows the surroundings
  * without the work, `room` everything visible.
  */
-export interface StockLook extends Pick<Material, "section" | "chuck">, Pick<Easel, "colours" | "ratio"> {
+export interface StockLook extends Pick<Material, "section" | "chuck">, Pick<PaintTarget, "colours" | "ratio"> {
   readonly camera: Camera;
   readonly origin: Patch;
   readonly ground: Patch;
@@ -38,9 +38,9 @@ export interface StockPainter {
   readonly at: () => PlayPosition;
   readonly rings: () => readonly Ring[];
   /** Paints everything at the current moment. */
-  readonly all: (pen: Pen, look: StockLook) => void;
+  readonly paintAll: (pen: Pen, look: StockLook) => void;
   /** Goes to another moment and repaints the differences; false if there are none. */
-  readonly follow: (pen: Pen, look: StockLook, position: PlayPosition) => boolean;
+  readonly paintChanges: (pen: Pen, look: StockLook, position: PlayPosition) => boolean;
 }
 
 /** A run of a blank without any move. */
@@ -55,10 +55,10 @@ export const untouchedRun = (blank: readonly Ring[]): PaintedRun => ({
  * Paints the surroundings without the work onto a pen for the ground, and leaves out the area where the work is
  * painted.
  */
-export function paintShop(pen: Pen, look: StockLook): void {
+export function paintSurroundings(pen: Pen, look: StockLook): void {
   const onGround = { ...look, origin: look.ground },
     { x, y, width, height } = look.origin;
-  stockPainter(untouchedRun([])).all(pen, onGround);
+  stockPainter(untouchedRun([])).paintAll(pen, onGround);
   asPage({ pen, ...onGround });
   pen.clearRect(x, y, width, height);
 }
@@ -87,12 +87,12 @@ export function stockPainter({ steps, stockAt, isSameBlank, surfaces }: PaintedR
     goTo,
     at: () => now,
     rings: () => rings,
-    all: (pen, look) => paint(pen, look, look.origin),
-    follow(pen, look, position) {
+    paintAll: (pen, look) => paint(pen, look, look.origin),
+    paintChanges(pen, look, position) {
       const [before, were] = [now, rings];
       goTo(position);
       if (rings === were && onlyRapids(steps, before, now)) return false;
-      const touched = isSameBlank(before, now) ? touchedBetween(steps, before, now) : "all";
+      const touched = isSameBlank(before, now) ? changedBox(steps, before, now) : "all";
       if (!touched) return false;
       if (touched === "all") paint(pen, look, look.origin);
       else {

@@ -149,7 +149,7 @@ test("a run that begins like another one, or is a part of it, has the same surfa
         spindleOf = (): Spindle => ({ kind: "constant", speed }),
         now = { step: until, fraction: 0 };
       const rings = stockAt(cut, now);
-      surfaces = surfaces.again(some, spindleOf, () => false);
+      surfaces = surfaces.forRun(some, spindleOf, () => false);
       const [one, other] = [surfaces, surfacesOf(some, spindleOf)].map((s) =>
         boundaryIn(rings, s, now, -1000, 1000).edges.map((e) => e.made),
       );

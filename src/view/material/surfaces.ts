@@ -13,7 +13,7 @@ import { touchIndex, type TouchIndex } from "../../sim/touch-index.ts";
 export type Texture = "raw" | "rough" | "finished" | "thread";
 
 /** The origin of a stretch of the boundary. */
-export interface Maker {
+export interface SurfaceOrigin {
   readonly texture: Texture;
   /** Index of the move; −1 where nothing has cut yet. */
   readonly step: number;
@@ -39,7 +39,7 @@ export interface StockSide {
 export interface SurfaceStretch {
   readonly begin: number;
   readonly end: number;
-  readonly made: Maker;
+  readonly made: SurfaceOrigin;
 }
 
 /**
@@ -51,14 +51,14 @@ export interface Surfaces {
   /** The greatest lead of the threads begun so far, mm; 0 without threads. */
   readonly lead: (now: PlayPosition) => number;
   /** The surfaces of another run; cached sides are reused as far as both runs begin alike. */
-  readonly again: (
+  readonly forRun: (
     steps: readonly Step[],
     spindleOf: (step: number) => Spindle | null,
     isBackwards: (step: number) => boolean,
   ) => Surfaces;
 }
 
-const RAW: Maker = { texture: "raw", step: -1, pitch: 0, from: 0, way: [0, 0], hand: 1 };
+const RAW: SurfaceOrigin = { texture: "raw", step: -1, pitch: 0, from: 0, way: [0, 0], hand: 1 };
 
 /** Sides shorter than this were made by one move, mm. */
 const ONE = 0.3;
@@ -95,7 +95,7 @@ function textureOf(step: Step, perTurn: number): Texture {
   return finishes(step, perTurn) ? "finished" : "rough";
 }
 
-interface Known extends StockSide {
+interface CachedSide extends StockSide {
   /** The last move that had begun when this was found, and its fraction. */
   last: number;
   fraction: number;
@@ -131,9 +131,9 @@ const isAlike = (a: Step, b: Step | undefined): boolean =>
   a === b || (a.move.kind === "rapid" && b?.move.kind === "rapid");
 
 /** Cached sides of the previous run. */
-interface Former {
+interface PreviousSides {
   readonly steps: readonly Step[];
-  readonly sides: readonly Known[];
+  readonly sides: readonly CachedSide[];
 }
 
 function surfacesBy(
@@ -141,14 +141,14 @@ function surfacesBy(
   steps: readonly Step[],
   spindleOf: (step: number) => Spindle | null,
   isBackwards: (step: number) => boolean,
-  before: Former | null = null,
+  before: PreviousSides | null = null,
 ): Surfaces {
-  const made = new Map<number, Maker>();
-  const known = new Map<number, Known>();
-  let former = before;
+  const made = new Map<number, SurfaceOrigin>();
+  const known = new Map<number, CachedSide>();
+  let previous = before;
 
   /** Reuses sides that were made by steps common to both runs, until a later step touches them. */
-  function remember({ steps: others, sides }: Former): void {
+  function reuse({ steps: others, sides }: PreviousSides): void {
     const last = steps.findIndex((step, i) => !isAlike(step, others[i])) - 1;
     const common = last < -1 ? steps.length - 1 : last;
     for (const side of sides) {
@@ -162,7 +162,7 @@ function surfacesBy(
     }
   }
 
-  function madeBy(step: number): Maker {
+  function madeBy(step: number): SurfaceOrigin {
     const s = steps[step];
     if (!s) return RAW;
     const perTurn = perTurnOf(s, spindleOf(step));
@@ -183,7 +183,7 @@ function surfacesBy(
     touched.latest(side.z0 + (side.z1 - side.z0) * t, side.r0 + (side.r1 - side.r0) * t, now, after);
 
   function split(side: StockSide, length: number, now: PlayPosition): SurfaceStretch[] {
-    const out: { begin: number; end: number; made: Maker }[] = [];
+    const out: { begin: number; end: number; made: SurfaceOrigin }[] = [];
     const put = (begin: number, end: number, step: number) => {
       const last = out.at(-1);
       if (last?.made.step === step) last.end = end;
@@ -204,7 +204,7 @@ function surfacesBy(
     return out;
   }
 
-  function stillTrue(k: Known, last: number, now: PlayPosition): boolean {
+  function isStillValid(k: CachedSide, last: number, now: PlayPosition): boolean {
     if (last < k.last || (last === k.last && now.fraction < k.fraction)) return k.newest < last;
     // Split sides are split again: a later move may have come between.
     if (k.stretches.length > 1 && (last !== k.last || now.fraction !== k.fraction)) return false;
@@ -221,12 +221,12 @@ function surfacesBy(
   return {
     lead: (now) => threads.reduce((most, t) => (t.step <= now.step ? Math.max(most, t.lead) : most), 0),
     of(side, now) {
-      if (former) remember(former);
-      former = null;
+      if (previous) reuse(previous);
+      previous = null;
       const last = now.fraction > 0 ? now.step : now.step - 1;
       const key = keyOf(side),
         have = known.get(key);
-      if (have && isSame(have, side) && stillTrue(have, last, now)) return have.stretches;
+      if (have && isSame(have, side) && isStillValid(have, last, now)) return have.stretches;
       const length = hypotenuse(side.z1 - side.z0, side.r1 - side.r0);
       const stretches = length < SAME ? [{ begin: 0, end: 1, made: RAW }] : split(side, length, now);
       if (known.size > MOST) known.clear();
@@ -234,8 +234,8 @@ function surfacesBy(
       known.set(key, { ...side, last, fraction: now.fraction, newest, stretches });
       return stretches;
     },
-    again: (next, spindleAt, turnsBack) =>
-      surfacesBy(touched.of(next), next, spindleAt, turnsBack, former ?? { steps, sides: [...known.values()] }),
+    forRun: (next, spindleAt, turnsBack) =>
+      surfacesBy(touched.of(next), next, spindleAt, turnsBack, previous ?? { steps, sides: [...known.values()] }),
   };
 }
 

@@ -2,7 +2,7 @@ import fc from "fast-check";
 import { expect, test } from "vitest";
 import type { Pt } from "../../kernel/geometry/point.ts";
 import { axial, radius } from "../../kernel/units.ts";
-import { gaugedFor, measure, measuredFor, nudged } from "./distance.ts";
+import { fieldValueOf, measure, rulerValueFor, nudged } from "./distance.ts";
 
 const point = fc.record({
   z: fc.double({ min: -200, max: 200, noNaN: true }).map(axial),
@@ -33,23 +33,23 @@ test("nudging stays on whole thousandths", () => {
 test("a ruler reads places for positions and distances for sizes", () => {
   const [first, second] = [at(12.46, -41.37), at(30.11, -3.17)];
   const between = measure(first, second);
-  expect(measuredFor("diameter", first, null)).toBe(24.92);
-  expect(measuredFor("axial", second, between)).toBe(-3.17);
-  expect(measuredFor("radial", second, between)).toBe(17.65);
-  expect(measuredFor("oversizeDiameter", second, between)).toBe(35.3);
-  expect(measuredFor("axialDepth", second, between)).toBe(38.2);
-  expect(measuredFor("length", second, between)).toBeCloseTo(Math.hypot(38.2, 17.65), 3);
-  expect(measuredFor("radial", first, null)).toBeNull();
-  expect(measuredFor("feed", first, between)).toBeNull();
+  expect(rulerValueFor("diameter", first, null)).toBe(24.92);
+  expect(rulerValueFor("axial", second, between)).toBe(-3.17);
+  expect(rulerValueFor("radial", second, between)).toBe(17.65);
+  expect(rulerValueFor("oversizeDiameter", second, between)).toBe(35.3);
+  expect(rulerValueFor("axialDepth", second, between)).toBe(38.2);
+  expect(rulerValueFor("length", second, between)).toBeCloseTo(Math.hypot(38.2, 17.65), 3);
+  expect(rulerValueFor("radial", first, null)).toBeNull();
+  expect(rulerValueFor("feed", first, between)).toBeNull();
 });
 
 test("a measured value fits values of its kind, on the grid of the control", () => {
-  expect(gaugedFor("diameter", "diameter", 41.23456)).toBe(41.235);
-  expect(gaugedFor("diameter", "length", 41.23456)).toBeNull();
-  expect(gaugedFor("radial", "depth", 3.0004)).toBe(3);
-  expect(gaugedFor("length", "radius", 1.5999)).toBe(1.6);
-  expect(gaugedFor("length", "diameter", 1.5999)).toBeNull();
-  expect(gaugedFor("angle", "angle", 12.34567)).toBe(12.3457);
-  expect(gaugedFor("length", "angle", 12.3)).toBeNull();
-  expect(gaugedFor("feed", "length", 12.3)).toBeNull();
+  expect(fieldValueOf("diameter", "diameter", 41.23456)).toBe(41.235);
+  expect(fieldValueOf("diameter", "length", 41.23456)).toBeNull();
+  expect(fieldValueOf("radial", "depth", 3.0004)).toBe(3);
+  expect(fieldValueOf("length", "radius", 1.5999)).toBe(1.6);
+  expect(fieldValueOf("length", "diameter", 1.5999)).toBeNull();
+  expect(fieldValueOf("angle", "angle", 12.34567)).toBe(12.3457);
+  expect(fieldValueOf("length", "angle", 12.3)).toBeNull();
+  expect(fieldValueOf("feed", "length", 12.3)).toBeNull();
 });

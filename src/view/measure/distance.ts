@@ -33,7 +33,7 @@ export const measure = (from: Pt, to: Pt): Distance => ({
  * The reading of a ruler for a kind of value: a place for positions, the distance between two places for sizes; null
  * for other kinds.
  */
-export function measuredFor(kind: Kind, place: Pt | null, between: Distance | null): number | null {
+export function rulerValueFor(kind: Kind, place: Pt | null, between: Distance | null): number | null {
   switch (kind) {
     case "diameter":
       return place && rounded(toDiameter(place.r));
@@ -60,14 +60,14 @@ const TAKES: Partial<Record<Kind, readonly MeasuredKind[]>> = {
 };
 
 /** A finished measurement as a value of a kind, mm or degrees; null if it does not fit. */
-export function gaugedFor(kind: Kind, measured: MeasuredKind, value: number): number | null {
+export function fieldValueOf(kind: Kind, measured: MeasuredKind, value: number): number | null {
   if (kind === "angle") return measured === "angle" ? roundedAngle(value) : null;
   const fits: readonly MeasuredKind[] = TAKES[kind] ?? [];
   return fits.includes(measured) ? rounded(value) : null;
 }
 
 /** How a block counts: in units of `unit` mm, from a datum at `zero` on the workpiece. */
-export interface Counting {
+export interface BlockUnits {
   readonly unit: number;
   readonly zero: Pt;
 }
@@ -75,7 +75,7 @@ export interface Counting {
 /**
  * A value of a kind, mm or degrees and from the workpiece zero, in the units of a block, on the grid of the control.
  */
-export function counted(kind: Kind, value: number, { unit, zero }: Counting): number {
+export function inBlockUnits(kind: Kind, value: number, { unit, zero }: BlockUnits): number {
   if (kind === "angle") return value;
   const from = kind === "diameter" ? toDiameter(zero.r) : kind === "axial" ? zero.z : 0;
   return unit === 1 ? rounded(value - from) : roundedInch((value - from) / unit);

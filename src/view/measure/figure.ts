@@ -22,7 +22,7 @@ export type Figure =
     };
 
 /** A value with its figure; mm or degrees. */
-export interface Gauged {
+export interface MeasuredFigure {
   readonly value: number;
   readonly figure: Figure;
 }
@@ -37,7 +37,7 @@ const lineOf = (place: MeasuredPlace, isTurned: boolean): readonly [Pt, Pt] | nu
 const angleBetween = (a: Pt, b: Pt): number => inDegrees(Math.abs(Math.atan2(part.cross(a, b), part.dot(a, b))));
 
 /** The angle of an edge to the axis, 0 … 90°, at its end that lies nearer to the axis. */
-function toAxis(place: MeasuredPlace, isTurned: boolean): Gauged | null {
+function toAxis(place: MeasuredPlace, isTurned: boolean): MeasuredFigure | null {
   const line = lineOf(place, isTurned);
   if (!line) return null;
   const [near, far] = Math.abs(line[0].r) <= Math.abs(line[1].r) ? line : [line[1], line[0]];
@@ -58,7 +58,7 @@ function armOf([from, to]: readonly [Pt, Pt], place: Pt, vertex: Pt): { readonly
 }
 
 /** The angle between two edges, on the sides where they were picked; null for parallel edges. */
-function between(first: MeasuredPlace, second: MeasuredPlace, isTurned: boolean): Gauged | null {
+function between(first: MeasuredPlace, second: MeasuredPlace, isTurned: boolean): MeasuredFigure | null {
   const [one, two] = [lineOf(first, isTurned), lineOf(second, isTurned)];
   if (!one || !two) return null;
   const [a, b] = [part.unit(part.difference(one[1], one[0])), part.unit(part.difference(two[1], two[0]))];
@@ -81,7 +81,11 @@ const arcOf = (place: MeasuredPlace, isTurned: boolean): { readonly centre: Pt; 
  * The value that a measuring tool reads from its places; null if they give none, such as two parallel edges for an
  * angle. `isTurned`: the second axis counts from a spindle axis.
  */
-export function gauged(kind: MeasuredKind, places: readonly MeasuredPlace[], isTurned: boolean): Gauged | null {
+export function measuredFigure(
+  kind: MeasuredKind,
+  places: readonly MeasuredPlace[],
+  isTurned: boolean,
+): MeasuredFigure | null {
   const [first, second] = places;
   if (!first) return null;
   const arc = arcOf(first, isTurned);

@@ -5,7 +5,7 @@ import { toScreen, type Camera } from "../camera.ts";
 import { labelsOverlap } from "../help/labels.ts";
 import { measuredOnPaper } from "../sheet/measured.ts";
 import type { Figure } from "./figure.ts";
-import { standingMeasurements, type AskedMeasurement, type MeasurementPaper } from "./layout.ts";
+import { placedMeasurements, type MeasurementRequest, type MeasurementPaper } from "./layout.ts";
 
 const camera: Camera = { scale: 4.37, zero: { x: 613.5, y: 387.25 }, xUp: true };
 const paper: MeasurementPaper = {
@@ -15,8 +15,8 @@ const paper: MeasurementPaper = {
   edges: { left: 52, right: 6, top: 6, bottom: 28 },
   kept: [{ x: 54, y: 8, width: 250, height: 86 }],
 };
-const asked = (id: string, figure: Figure, text: string): AskedMeasurement => ({ id, figure, text, caption: "" });
-const some: readonly AskedMeasurement[] = [
+const asked = (id: string, figure: Figure, text: string): MeasurementRequest => ({ id, figure, text, caption: "" });
+const some: readonly MeasurementRequest[] = [
   asked("1", { kind: "diameter", at: at(-27.77, 8.5) }, "⌀17.000"),
   asked("2", { kind: "diameter", at: at(-28.1, 21.03) }, "⌀42.060"),
   asked("3", { kind: "along", from: at(-54.87, 23.1), to: at(-1.15, 8.5) }, "53.72"),
@@ -34,7 +34,7 @@ const ends = (d: string) =>
   [...d.matchAll(/M([-\d.]+) ([-\d.]+)L([-\d.]+) ([-\d.]+)/g)].map((m) => m.slice(1).map(Number));
 
 describe("dimensions over the picture", () => {
-  const standing = standingMeasurements(paper, some);
+  const standing = placedMeasurements(paper, some);
 
   test("all dimensions are on the picture, in their order, clear of each other and of kept boxes", () => {
     expect(standing.map(({ id }) => id)).toEqual(some.map(({ id }) => id));
@@ -65,16 +65,16 @@ describe("dimensions over the picture", () => {
     expect(standing.flatMap(through)).toEqual([]);
     // The first place of a length is in line with a text of the drawing, which its line would cross.
     const length = asked("1", { kind: "along", from: at(-54.87, 23.1), to: at(-1.15, 8.5) }, "53.720");
-    const [plain] = standingMeasurements({ ...paper, kept: [] }, [length]),
+    const [plain] = placedMeasurements({ ...paper, kept: [] }, [length]),
       y = plain?.middle.y ?? 0;
     const kept = [{ x: 420, y: y - 8, width: 30, height: 16 }],
-      [clear] = standingMeasurements({ ...paper, kept }, [length]);
+      [clear] = placedMeasurements({ ...paper, kept }, [length]);
     expect(Math.abs((clear?.middle.y ?? y) - y)).toBeGreaterThan(8);
   });
 
   test("a text placed by hand stays there, whatever it covers, and its dimension follows", () => {
     const put = at(-37.3, 31.9),
-      [one] = standingMeasurements(paper, [{ ...some[2]!, put }]);
+      [one] = placedMeasurements(paper, [{ ...some[2]!, put }]);
     expect(one?.middle).toEqual(toScreen(camera, put));
     const level = ends(one?.lines ?? "").filter(([, y, , y2]) => y === y2);
     // The dimension line runs at the height of the text, between what is measured.
@@ -85,7 +85,7 @@ describe("dimensions over the picture", () => {
   });
 
   test("a diameter goes right across, with both its ends on the part", () => {
-    const [drawn] = standingMeasurements(paper, [{ ...some[1]!, put: at(-28.1, 11.2) }]);
+    const [drawn] = placedMeasurements(paper, [{ ...some[1]!, put: at(-28.1, 11.2) }]);
     const heights = ends(drawn?.lines ?? "").flatMap(([, y = 0, , y2 = 0]) => [y, y2]);
     expect(Math.max(...heights)).toBeCloseTo(387.25 + 21.03 * 4.37, 1);
     expect(Math.min(...heights)).toBeCloseTo(387.25 - 21.03 * 4.37, 1);
@@ -93,7 +93,7 @@ describe("dimensions over the picture", () => {
 
   test("arrows stand outside where a length is too short for them", () => {
     const short = { kind: "along", from: at(-3.31, 9.1), to: at(-1.15, 9.1) } as const,
-      [one] = standingMeasurements(paper, [asked("1", short, "2.16")]);
+      [one] = placedMeasurements(paper, [asked("1", short, "2.16")]);
     const tips = [...(one?.arrows ?? "").matchAll(/M([-\d.]+) [-\d.]+L([-\d.]+)/g)].map(([, tip, back]) => [
       Number(tip),
       Number(back),
@@ -114,7 +114,7 @@ describe("dimensions over the picture", () => {
         fc.constantFrom(0.05, 3.1, 1999),
         fc.boolean(),
         (one, z, r, scale, xUp) => {
-          const [drawn] = standingMeasurements({ ...paper, camera: { ...camera, scale, xUp } }, [
+          const [drawn] = placedMeasurements({ ...paper, camera: { ...camera, scale, xUp } }, [
             { ...one, put: at(z, r) },
           ]);
           const all = numbers(`${drawn?.lines}${drawn?.arrows}`);

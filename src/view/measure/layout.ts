@@ -5,7 +5,7 @@ import { dimensionLines, opening, type DimensionLines, type DimensionPaper } fro
 import type { Figure } from "./figure.ts";
 
 /** A dimension to place on a drawing. */
-export interface AskedMeasurement {
+export interface MeasurementRequest {
   readonly id: string;
   readonly figure: Figure;
   readonly text: string;
@@ -16,7 +16,7 @@ export interface AskedMeasurement {
 }
 
 /** A placed dimension: the middle and the box of its text, and its lines, in the units of the paper. */
-export interface StandingMeasurement extends DimensionLines {
+export interface PlacedMeasurement extends DimensionLines {
   readonly id: string;
   readonly text: string;
   readonly caption: string;
@@ -46,7 +46,7 @@ const OFF = 26,
 const OUTSIDE = 32;
 const ROWS = [0, 1, 2, 3, 4, 5] as const;
 
-const boxAt = (middle: Place, { text, caption }: AskedMeasurement, unit: number): LabelBox => {
+const boxAt = (middle: Place, { text, caption }: MeasurementRequest, unit: number): LabelBox => {
   const width = Math.max(textWidth(text, MEASURED_TEXT * unit), textWidth(caption, CAPTION.text * unit)) + PAD * unit;
   const height = (TALL + (caption === "" ? 0 : CAPTION.tall)) * unit;
   return { x: middle.x - width / 2, y: middle.y - height / 2, width, height };
@@ -214,7 +214,7 @@ function runsThrough([a, b]: readonly [Place, Place], { x, y, width, height }: L
 
 /** A placed dimension, with the pieces of its lines. */
 interface Standing {
-  readonly made: StandingMeasurement;
+  readonly made: PlacedMeasurement;
   readonly pieces: readonly (readonly [Place, Place])[];
 }
 
@@ -232,7 +232,7 @@ function crossings(
 }
 
 /** The best place for a dimension among the placed ones. */
-function placed(paper: MeasurementPaper, each: AskedMeasurement, others: readonly Standing[]): Standing | undefined {
+function placed(paper: MeasurementPaper, each: MeasurementRequest, others: readonly Standing[]): Standing | undefined {
   const { unit } = paper,
     taken = [...paper.kept, ...others.map(({ made }) => made.box)];
   const possible = middles(paper, each.figure, boxAt({ x: 0, y: 0 }, each, unit).width);
@@ -251,7 +251,7 @@ function placed(paper: MeasurementPaper, each: AskedMeasurement, others: readonl
   return least && standing(paper, each, least);
 }
 
-function standing(paper: MeasurementPaper, each: AskedMeasurement, middle: Place): Standing {
+function standing(paper: MeasurementPaper, each: MeasurementRequest, middle: Place): Standing {
   const { id, figure, text, caption } = each,
     box = boxAt(middle, each, paper.unit),
     own = dimensionLines(paper, figure, middle);
@@ -263,10 +263,10 @@ function standing(paper: MeasurementPaper, each: AskedMeasurement, middle: Place
  * no other text, and of such places to the first with the fewest crossings of lines and texts. Without a free place it
  * takes the one that covers least. Then each dimension that a later one's line crosses is placed once more.
  */
-export function standingMeasurements(
+export function placedMeasurements(
   paper: MeasurementPaper,
-  asked: readonly AskedMeasurement[],
-): readonly StandingMeasurement[] {
+  asked: readonly MeasurementRequest[],
+): readonly PlacedMeasurement[] {
   const out = new Map<string, Standing>();
   const othersOf = (id: string) => [...out.values()].filter(({ made }) => made.id !== id);
   for (const each of asked) if (each.put) out.set(each.id, standing(paper, each, toScreen(paper.camera, each.put)));

@@ -3,9 +3,9 @@ import { describe, expect, test } from "vitest";
 import type { MeasuredKind, MeasuredMoment, MeasuredPlace, Measurement } from "../../kernel/plan/measured.ts";
 import { at, part, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import { chainOfRing, NOTHING_MEASURABLE, type Measurable } from "./edges.ts";
-import { gauged } from "./figure.ts";
+import { measuredFigure } from "./figure.ts";
 import { readMeasurement } from "./reading.ts";
-import { gripOf, nextStop, snapAt, snappingOf, stopsOf } from "./snap.ts";
+import { snapTargetOf, nextStop, snapAt, snappingOf, stopsOf } from "./snap.ts";
 import { pickedWith } from "./tool.ts";
 
 const line = (from: Pt, to: Pt): Segment => ({ kind: "line", from, to });
@@ -25,7 +25,7 @@ const REACH = 0.6;
 
 function taken(kind: MeasuredKind, on: Measurable, ...pointed: readonly Pt[]): readonly MeasuredPlace[] {
   const snapping = snappingOf(on),
-    grip = gripOf(kind, on);
+    grip = snapTargetOf(kind, on);
   let first: MeasuredPlace | null = null;
   for (const p of pointed) {
     const picked = pickedWith(kind, snapping, snapAt(snapping, p, REACH, grip), first);
@@ -36,7 +36,7 @@ function taken(kind: MeasuredKind, on: Measurable, ...pointed: readonly Pt[]): r
   return [];
 }
 const value = (kind: MeasuredKind, on: Measurable, ...pointed: readonly Pt[]): number | undefined =>
-  gauged(kind, taken(kind, on, ...pointed), on.isTurned)?.value;
+  measuredFigure(kind, taken(kind, on, ...pointed), on.isTurned)?.value;
 
 describe("snapping of measuring tools", () => {
   const snapping = snappingOf(drawing({ path: [at(3.2, 9.1)], blank: [[line(at(2.2, 26.05), at(-60, 26.05))]] }));
@@ -130,7 +130,7 @@ describe("measured values", () => {
           const of = (segment: Segment, side: number) => {
             const middle = part.pointOn(segment, 0.5);
             const edge = { of: "contour", chain: 0, element: 0, shape: "", segment } as const;
-            return gauged("angle", [{ at: at(middle.z, side * middle.r), spot: "edge", edge }], true)?.value;
+            return measuredFigure("angle", [{ at: at(middle.z, side * middle.r), spot: "edge", edge }], true)?.value;
           };
           const wanted = of(line(a, b), 1);
           expect(wanted).toBeLessThanOrEqual(90);
@@ -197,7 +197,7 @@ describe("the outline of stock", () => {
 });
 
 describe("after a change", () => {
-  const printOf = (print: string | null) => (_: Omit<MeasuredMoment, "print">) => print;
+  const fingerprintOf = (print: string | null) => (_: Omit<MeasuredMoment, "print">) => print;
   const made = (kind: MeasuredKind, ...pointed: readonly Pt[]): Measurement => ({
     id: "m",
     kind,
@@ -221,24 +221,24 @@ describe("after a change", () => {
   ])("%s", (_, measurement, wanted) => {
     const now = readMeasurement(measurement, {
       ...drawing({ contours: [changed(9.31, -17.18)] }),
-      printOf: printOf(""),
+      fingerprintOf: fingerprintOf(""),
     });
     expect(now?.value).toBeCloseTo(wanted, 9);
-    expect(now?.isOld).toBe(false);
+    expect(now?.isStale).toBe(false);
   });
 
   test("with other elements, only places that still lie on an edge are current; the rest is old and keeps its value", () => {
     const without = changed(8.5, -14.87).filter((s) => s.kind === "line");
-    const on = { ...drawing({ contours: [without] }), printOf: printOf("") };
-    expect(readMeasurement(made("diameter", at(-7.77, 8.6)), on)).toMatchObject({ value: 17, isOld: false });
+    const on = { ...drawing({ contours: [without] }), fingerprintOf: fingerprintOf("") };
+    expect(readMeasurement(made("diameter", at(-7.77, 8.6)), on)).toMatchObject({ value: 17, isStale: false });
     const radius = readMeasurement(made("radius", at(-14.5, 8.7)), on);
     expect(radius?.value).toBeCloseTo(1.6, 9);
-    expect(radius?.isOld).toBe(true);
+    expect(radius?.isStale).toBe(true);
     const moved = {
       ...drawing({ contours: [changed(9.02, -14.87).filter((s) => s.kind === "line")] }),
-      printOf: printOf(""),
+      fingerprintOf: fingerprintOf(""),
     };
-    expect(readMeasurement(made("diameter", at(-7.77, 8.6)), moved)).toMatchObject({ value: 17, isOld: true });
+    expect(readMeasurement(made("diameter", at(-7.77, 8.6)), moved)).toMatchObject({ value: 17, isStale: true });
   });
 
   test("a measurement of stock is current while its fingerprint is unchanged; an end of a move while that end exists", () => {
@@ -247,7 +247,7 @@ describe("after a change", () => {
     const moment: MeasuredMoment = { step: 12, fraction: 0.25, block: 31, print: "abc" };
     const measurement: Measurement = { id: "m", kind: "distance", plane: "ZX", places: [place, path], moment };
     const on = (print: string | null, ends: readonly Pt[]) =>
-      readMeasurement(measurement, { ...drawing({ path: ends }), printOf: printOf(print) })?.isOld;
+      readMeasurement(measurement, { ...drawing({ path: ends }), fingerprintOf: fingerprintOf(print) })?.isStale;
     expect(on("abc", [at(1.7, 4.4)])).toBe(false);
     expect(on("abd", [at(1.7, 4.4)])).toBe(true);
     expect(on(null, [at(1.7, 4.4)])).toBe(true);
@@ -260,7 +260,7 @@ test("a failed pick says why: parallel edges, no distance in that direction, the
     far = drawing({ contours: [[...shaft, beside]] }),
     snapping = snappingOf(far);
   const outcome = (kind: MeasuredKind, one: Pt, other: Pt) => {
-    const [a, b] = [one, other].map((p) => snapAt(snapping, p, REACH, gripOf(kind, far)));
+    const [a, b] = [one, other].map((p) => snapAt(snapping, p, REACH, snapTargetOf(kind, far)));
     return a && b ? pickedWith(kind, snapping, b, a) : null;
   };
   const [seat, face] = [at(-7.3, 8.5), at(-14.87, 15.2)];

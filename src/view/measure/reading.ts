@@ -2,20 +2,20 @@ import type { MeasuredEdge, MeasuredMoment, MeasuredPlace, Measurement } from ".
 import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { segmentNow, type Measurable } from "./edges.ts";
-import { gauged, type Gauged } from "./figure.ts";
+import { measuredFigure, type MeasuredFigure } from "./figure.ts";
 import { onSide, halfOf } from "./snap.ts";
 
 /** The current geometry from which measurements are read after each change. */
 export interface MeasuredWork extends Measurable {
   /** The fingerprint of the stock of a moment; null if the program has no such moment. */
-  readonly printOf: (moment: Omit<MeasuredMoment, "print">) => string | null;
+  readonly fingerprintOf: (moment: Omit<MeasuredMoment, "print">) => string | null;
 }
 
 /** A measurement, read from the current geometry. */
-export interface MeasurementNow extends Gauged {
+export interface CurrentMeasurement extends MeasuredFigure {
   readonly measurement: Measurement;
   /** The geometry it was taken from is gone: the value is the previous one. */
-  readonly isOld: boolean;
+  readonly isStale: boolean;
 }
 
 /**
@@ -73,20 +73,20 @@ function placeNow(measured: MeasuredWork, place: MeasuredPlace): MeasuredPlace |
  * from; stock of a moment is current while everything that made it is unchanged. A measurement without its geometry
  * keeps its value and is marked as old. Null if it never had a value.
  */
-export function readMeasurement(measurement: Measurement, measured: MeasuredWork): MeasurementNow | null {
+export function readMeasurement(measurement: Measurement, measured: MeasuredWork): CurrentMeasurement | null {
   const { kind, places, moment } = measurement;
   const isTurned = measurement.plane === "ZX";
   const now = places.map((place) => placeNow(measured, place));
   const isThere = now.every((place) => place !== null);
-  const isSame = !moment || measured.printOf(moment) === moment.print;
+  const isSame = !moment || measured.fingerprintOf(moment) === moment.print;
   const fresh =
     isThere && isSame
-      ? gauged(
+      ? measuredFigure(
           kind,
           now.filter((place) => place !== null),
           isTurned,
         )
       : null;
-  const read = fresh ?? gauged(kind, places, isTurned);
-  return read && { ...read, measurement, isOld: fresh === null };
+  const read = fresh ?? measuredFigure(kind, places, isTurned);
+  return read && { ...read, measurement, isStale: fresh === null };
 }

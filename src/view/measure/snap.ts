@@ -4,8 +4,8 @@ import { SAME } from "../../kernel/tolerance.ts";
 import { measurableEdges, type Measurable } from "./edges.ts";
 
 /** The kind of geometry that a tool snaps to. */
-export type Grip = "point" | "surface" | "arc" | "line" | "wall";
-const GRIPS: Readonly<Record<MeasuredKind, Grip>> = {
+export type SnapTarget = "point" | "surface" | "arc" | "line" | "wall";
+const GRIPS: Readonly<Record<MeasuredKind, SnapTarget>> = {
   diameter: "surface",
   length: "point",
   depth: "point",
@@ -15,7 +15,7 @@ const GRIPS: Readonly<Record<MeasuredKind, Grip>> = {
   wall: "wall",
 };
 /** The kind of geometry that a measuring tool snaps to; without a spindle axis a diameter is that of an arc. */
-export const gripOf = (kind: MeasuredKind, { isTurned }: Pick<Measurable, "isTurned">): Grip =>
+export const snapTargetOf = (kind: MeasuredKind, { isTurned }: Pick<Measurable, "isTurned">): SnapTarget =>
   kind === "diameter" && !isTurned ? "arc" : GRIPS[kind];
 
 /** Handicap of edges that lie on one another, as a share of the reach: the finished contour wins, then the blank. */
@@ -52,7 +52,7 @@ function snappedAbove(
   edges: readonly MeasuredEdge[],
   p: Pt,
   reach: number,
-  grip: Grip,
+  grip: SnapTarget,
 ): MeasuredPlace | null {
   const corner = nearest(reach),
     centre = nearest(reach),
@@ -94,7 +94,7 @@ export const snappingOf = (drawing: Measurable): Snapping => ({ drawing, edges: 
  * The place that a measuring tool snaps to, within `reach` mm: a corner before the centre of an arc, that before the
  * end of a move, that before the nearest point of an edge. Without any of them, the place itself.
  */
-export function snapAt({ drawing, edges }: Snapping, place: Pt, reach: number, grip: Grip): MeasuredPlace {
+export function snapAt({ drawing, edges }: Snapping, place: Pt, reach: number, grip: SnapTarget): MeasuredPlace {
   const side = halfOf(drawing, place);
   const found = snappedAbove(drawing, edges, onSide(place, side), reach, grip);
   return found ? { ...found, at: onSide(found.at, side) } : { at: place, spot: "free" };
@@ -104,7 +104,7 @@ export function snapAt({ drawing, edges }: Snapping, place: Pt, reach: number, g
 const middleOf = (each: MeasuredEdge): MeasuredPlace => taken(each, part.pointOn(each.segment, 0.5), "edge");
 
 /** The places that a tool snaps to, in the order in which keys step through them; each once. */
-export function stopsOf({ drawing, edges }: Snapping, grip: Grip): readonly MeasuredPlace[] {
+export function stopsOf({ drawing, edges }: Snapping, grip: SnapTarget): readonly MeasuredPlace[] {
   const seen = new Set<string>(),
     stops: MeasuredPlace[] = [];
   const add = (stop: MeasuredPlace) => {

@@ -1,7 +1,7 @@
 import type { MeasuredKind, MeasuredPlace } from "../../kernel/plan/measured.ts";
 import { part } from "../../kernel/geometry/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
-import { gauged } from "./figure.ts";
+import { measuredFigure } from "./figure.ts";
 import type { Snapping } from "./snap.ts";
 import { wallAt } from "./wall.ts";
 
@@ -9,10 +9,9 @@ import { wallAt } from "./wall.ts";
  * Why a pick measures nothing: the place does not suit the tool, the two have no distance in its direction, or the two
  * edges never meet.
  */
-export type PickedNothing = "nothing" | "level" | "parallel";
+export type PickFailure = "nothing" | "level" | "parallel";
 /** The result of a pick: a second place is needed, the measurement is complete, or there is none. */
-export type Picked =
-  { readonly waits: MeasuredPlace } | { readonly measured: readonly MeasuredPlace[] } | PickedNothing;
+export type Picked = { readonly waits: MeasuredPlace } | { readonly measured: readonly MeasuredPlace[] } | PickFailure;
 
 const sameEdge = (a: MeasuredPlace, b: MeasuredPlace): boolean =>
   a.edge !== undefined &&
@@ -49,7 +48,9 @@ export function pickedWith(
     case "angle":
       if (!first) return place.edge?.segment.kind === "line" ? { waits: place } : "nothing";
       if (onAxis(place) || sameEdge(first, place)) return { measured: [first] };
-      return gauged(kind, [first, place], snapping.drawing.isTurned) ? { measured: [first, place] } : "parallel";
+      return measuredFigure(kind, [first, place], snapping.drawing.isTurned)
+        ? { measured: [first, place] }
+        : "parallel";
     case "length":
     case "depth":
     case "distance": {

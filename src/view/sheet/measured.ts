@@ -1,7 +1,7 @@
 import type { Camera } from "../camera.ts";
 import type { LabelBox } from "../help/labels.ts";
 import type { Figure } from "../measure/figure.ts";
-import { MEASURED_TEXT, standingMeasurements } from "../measure/layout.ts";
+import { MEASURED_TEXT, placedMeasurements } from "../measure/layout.ts";
 import { FIGURES } from "./sizes.ts";
 
 /** A measurement that is drawn on the sheet, with its text. */
@@ -49,7 +49,7 @@ export function measuredOnPaper(
   const { camera, width, height, kept } = paper;
   const edges = { left: EDGE, right: EDGE, top: EDGE, bottom: EDGE };
   const sheet = { camera, unit: FIGURES / MEASURED_TEXT, size: { width, height }, edges, kept };
-  return standingMeasurements(
+  return placedMeasurements(
     sheet,
     measured.map((each) => ({ ...each, caption: "" })),
   ).map(({ lines, arrows, box, text }) => ({

@@ -5,7 +5,7 @@ import { type Diameter, toDiameter } from "../../kernel/units.ts";
 import { boundsOf, joined, mirrored } from "../bounds.ts";
 import type { Place } from "../camera.ts";
 import { clampingNear } from "./clamping-on-paper.ts";
-import { heldPlane } from "../held-plane.ts";
+import { unstatedClamping } from "../unstated-clamping.ts";
 import { textWidth, type LabelBox } from "../help/labels.ts";
 import { featuresOf, type DiameterFeature, type PositionFeature, type TurnedContour } from "./features.ts";
 import { measuredOnPaper, type SheetMeasurement } from "./measured.ts";
@@ -72,7 +72,7 @@ export interface PartDrawing {
   readonly shapes: readonly DrawnShape[];
   readonly texts: readonly DrawnText[];
   /** Number of dimensions without room. */
-  readonly left: number;
+  readonly omitted: number;
 }
 
 /** The height that a figure takes, mm on paper. */
@@ -224,7 +224,7 @@ export function partDrawing(
   const outline = boundsOf(work.contours.flatMap(({ segments }) => segments.flatMap(({ from, to }) => [from, to])));
   const body = joined(material, joined(boundsOf(work.finished.flat()), outline));
   if (!body) return null;
-  const held = material && !work.clamping ? heldPlane(work.blank, material) : null;
+  const held = material && !work.clamping ? unstatedClamping(work.blank, material) : null;
   const clamping = material && work.clamping ? clampingNear(work.clamping, material) : { areas: [], edges: [] };
   const holding = boundsOf([...clamping.areas.flat(), ...(held?.hatch.flat() ?? [])]);
   const all = mirrored(joined(joined(body, holding), boundsOf([at(0, 0)])) ?? body);
@@ -371,7 +371,7 @@ export function partDrawing(
   }
   const wanted = distinct(diameters, (d) => seen(d).y).length + distinct(marks, (p) => onPaper(p.at).x).length;
   const missing = wanted - shownDiameters.length - shownPositions.length;
-  return { scale, width: room.width, height, shapes, texts, left: missing };
+  return { scale, width: room.width, height, shapes, texts, omitted: missing };
 }
 
 /** The end of a leader on a surface. */

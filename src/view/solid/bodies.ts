@@ -3,7 +3,7 @@ import { difference, intersection, offset, simplified, union, unpacked } from ".
 import type { Ring } from "../../kernel/geometry/point.ts";
 import { SLIVER } from "../../kernel/tolerance.ts";
 import { lessPlainCuts, machiningArea } from "../../sim/finished.ts";
-import { madeOf } from "../../sim/made.ts";
+import { producedParts } from "../../sim/produced-parts.ts";
 import type { PlayPosition, SimulatedOperation, Simulation } from "../../sim/simulation.ts";
 
 /** The stock by colour, as areas of the half plane that do not overlap. */
@@ -81,7 +81,7 @@ export function finishedBody(simulation: Simulation, operations: readonly Simula
  */
 export function leftBody(simulation: Simulation): readonly Ring[] {
   const { blank } = lastHeld(simulation, []);
-  const made = madeOf(simulation);
+  const made = producedParts(simulation);
   return areaOf(blank) - areaOf(made) > SLIVER ? made : [];
 }
 

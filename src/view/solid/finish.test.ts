@@ -6,7 +6,7 @@ import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { simulate } from "../../sim/simulate.ts";
 import { playerOf } from "../../sim/stock.ts";
 import { surfacesOf } from "../material/surfaces.ts";
-import { finishOf, LOOKS } from "./finish.ts";
+import { stockLooksOf, TEXTURE_CODES } from "./finish.ts";
 import { profileOf } from "./profile.ts";
 import { revolved } from "./revolve.ts";
 import type { TonedSide } from "./tones.ts";
@@ -43,7 +43,7 @@ const player = playerOf(simulate({ blank: [BLANK], steps, operations: [], unprov
 function level(step: number, tones: readonly TonedSide[] = []) {
   const now = { step, fraction: 0 },
     rings = player.at(now),
-    told = finishOf(rings, surfaces, now, tones);
+    told = stockLooksOf(rings, surfaces, now, tones);
   const { positions, looks, index } = revolved(rings, { chords: 32, quarterCut: true, finish: told }).surface;
   const out = new Map<string, readonly [number, number, number, number]>();
   for (let i = 0; i < index.length; i += 3) {
@@ -59,8 +59,8 @@ function level(step: number, tones: readonly TonedSide[] = []) {
     const [p, , q] = ends;
     if (!p || !q || q.z - p.z < 1 || Math.abs(p.r - q.r) > 0.001) continue;
     expect(ends.every(({ texture }) => texture === p.texture)).toBe(true);
-    const tone = Math.floor(p.texture / LOOKS.length) - 1,
-      texture = LOOKS[p.texture % LOOKS.length] ?? "?";
+    const tone = Math.floor(p.texture / TEXTURE_CODES.length) - 1,
+      texture = TEXTURE_CODES[p.texture % TEXTURE_CODES.length] ?? "?";
     out.set(`${texture}${tone < 0 ? "" : ` (${tone})`} ${p.r.toFixed(2)} ${p.z.toFixed(1)}`, [
       p.z,
       q.z,

@@ -3,11 +3,17 @@ import { SAME } from "../../kernel/tolerance.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import { FEED_ALONG } from "../material/lines.ts";
 import { boundaryIn } from "../material/scan.ts";
-import type { Maker, StockSide, Surfaces, Texture } from "../material/surfaces.ts";
+import type { SurfaceOrigin, StockSide, Surfaces, Texture } from "../material/surfaces.ts";
 import type { TonedSide } from "./tones.ts";
 
 /** Textures by their number; 0 is a surface of unknown origin. */
-export const LOOKS = [null, "raw", "rough", "thread", "finished"] as const satisfies readonly (Texture | null)[];
+export const TEXTURE_CODES = [
+  null,
+  "raw",
+  "rough",
+  "thread",
+  "finished",
+] as const satisfies readonly (Texture | null)[];
 
 /** How a piece of a surface looks. */
 export interface SideLook {
@@ -39,17 +45,20 @@ const SLICES = 128;
  * The look of a place on a surface as two numbers for each corner: the texture's number plus the number of textures for
  * each tone, and the turn.
  */
-export const lookAt = (look: SideLook | null | undefined, p: Pt): readonly [look: number, turn: number] =>
+export const encodedLook = (look: SideLook | null | undefined, p: Pt): readonly [look: number, turn: number] =>
   look
-    ? [LOOKS.indexOf(look.texture) + LOOKS.length * (look.tone === null ? 0 : look.tone + 1), look.turnAt?.(p) ?? 0]
+    ? [
+        TEXTURE_CODES.indexOf(look.texture) + TEXTURE_CODES.length * (look.tone === null ? 0 : look.tone + 1),
+        look.turnAt?.(p) ?? 0,
+      ]
     : [0, 0];
 
-const isAlong = ({ way, pitch }: Maker, dz: number, dr: number, long: number) =>
+const isAlong = ({ way, pitch }: SurfaceOrigin, dz: number, dr: number, long: number) =>
   pitch > 0 && Math.abs(way[0] * dr - way[1] * dz) <= FEED_ALONG * long;
 
 /** A move that runs along a face counts its turns from the axis, another one from where it began. */
 const turnsOf =
-  ({ pitch, way, from }: Maker) =>
+  ({ pitch, way, from }: SurfaceOrigin) =>
   (p: Pt): number =>
     Math.abs(way[0]) < FEED_ALONG ? p.r / (pitch * Math.abs(way[1])) : (p.z - from) / (pitch * way[0]);
 
@@ -68,7 +77,8 @@ function shareOn(p: Pt, q: Pt, { z0, r0, z1, r1 }: StockSide): readonly [number,
   return to > from ? [from, to] : null;
 }
 
-const looksLike = (a: Maker, b: Maker) => a.texture === b.texture && a.pitch === b.pitch && a.from === b.from;
+const looksLike = (a: SurfaceOrigin, b: SurfaceOrigin) =>
+  a.texture === b.texture && a.pitch === b.pitch && a.from === b.from;
 
 /** An outline with corners wherever its look changes. */
 export const partedBy = ({ changes }: StockLooks, ring: Ring): Ring =>
@@ -144,7 +154,7 @@ function toneChanges(stretches: readonly Stretch<TonedSide>[], near: number): re
  * The looks of a stock at a moment: textures by the origin of its surfaces, as in the section, and tones by another
  * quantity.
  */
-export function finishOf(
+export function stockLooksOf(
   stock: readonly Ring[],
   surfaces: Surfaces,
   now: PlayPosition,
@@ -155,7 +165,7 @@ export function finishOf(
     tonesOn = stretchesOf(tones);
   const there = new Set(edges.map(({ made }) => made.texture));
   return {
-    textures: LOOKS.flatMap((texture) => (texture && there.has(texture) ? [texture] : [])),
+    textures: TEXTURE_CODES.flatMap((texture) => (texture && there.has(texture) ? [texture] : [])),
     changes(p, q) {
       const long = part.apart(p, q),
         makers = makersOn(p, q),

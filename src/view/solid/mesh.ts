@@ -9,7 +9,7 @@ export interface Mesh {
   readonly normals: Float32Array;
   /** Three corners for each triangle. */
   readonly index: Uint32Array;
-  /** The look at each corner, if known: the two numbers of `lookAt`, or 0. */
+  /** The look at each corner, if known: the two numbers of `encodedLook`, or 0. */
   readonly looks?: Float32Array;
 }
 

@@ -77,7 +77,7 @@ export function bodiesAt({ stock, simulation, threads, position, size }: Moment,
     },
     { role: "gouge", solid: turned(all.gouge) },
   ];
-  if (helices?.told) bodies.push({ role: "residual", solid: helices.told });
+  if (helices?.highlighted) bodies.push({ role: "residual", solid: helices.highlighted });
   return {
     bodies,
     hasRings: apart !== null && helices === null,

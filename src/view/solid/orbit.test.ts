@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
 import {
-  approached,
+  zoomedOrbit,
   axesOf,
   eyeOf,
   FIELD,
@@ -70,8 +70,8 @@ test("the eye never turns over, and nears by a factor within limits", () => {
   const view = namedView("iso", bounds, { width: 400, height: 400 });
   expect(axesOf(orbited(view, 0, 17)).up[0]).toBeGreaterThan(0);
   expect(axesOf(orbited(view, 0, -17)).up[0]).toBeGreaterThan(0);
-  expect(approached(view, 1.4).distance).toBeCloseTo(view.distance / 1.4, 9);
-  expect(approached(view, 1e9).distance).toBe(0.5);
+  expect(zoomedOrbit(view, 1.4).distance).toBeCloseTo(view.distance / 1.4, 9);
+  expect(zoomedOrbit(view, 1e9).distance).toBe(0.5);
 });
 
 test("the way between two views turns the shorter way round and ends exactly", () => {

@@ -59,7 +59,7 @@ export const orbited = (orbit: Orbit, turn: number, rise: number): Orbit => ({
 const DISTANCE = { nearest: 0.5, farthest: 50_000 } as const;
 
 /** Moved nearer by a factor. */
-export const approached = (orbit: Orbit, factor: number): Orbit => ({
+export const zoomedOrbit = (orbit: Orbit, factor: number): Orbit => ({
   ...orbit,
   distance: clamped(orbit.distance / factor, DISTANCE.nearest, DISTANCE.farthest),
 });

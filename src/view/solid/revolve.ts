@@ -1,6 +1,6 @@
 import { at, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 import { trianglesOf } from "./fill.ts";
-import { lookAt, partedBy, type StockLooks } from "./finish.ts";
+import { encodedLook, partedBy, type StockLooks } from "./finish.ts";
 import { joinedMeshes, MeshBuilder, NO_MESH, type Mesh } from "./mesh.ts";
 import { profileOf, type Profile } from "./profile.ts";
 
@@ -106,7 +106,7 @@ function surfaceOf(profile: Profile, turning: Turning, directions: ReturnType<ty
   const looks = new Float32Array(2 * points.length * rows);
   sides.forEach((ends, side) => {
     for (const end of ends) {
-      const [texture, turn] = lookAt(known[side], points[end]?.p ?? AXIS);
+      const [texture, turn] = encodedLook(known[side], points[end]?.p ?? AXIS);
       for (let row = 0; row < rows; row += 1) looks.set([texture, turn], 2 * (end * rows + row));
     }
   });

@@ -29,7 +29,7 @@ function toldOf(text: string, share: number) {
       size: 60,
       turning: { chords: 32, quarterCut: true, hand: 1, within: 0.02, most: 20_000 },
     },
-  ).told;
+  ).notes;
 }
 
 test.each([
@@ -40,5 +40,5 @@ test.each([
   ["both", gouging, 1, ["residual", "gouge"]],
   ["nothing", printed("822"), 1, []],
 ])("%s is announced once it is visible, and no sooner", (_, text, share, marked) =>
-  expect(toldOf(text, share).marked).toEqual(marked),
+  expect(toldOf(text, share).highlighted).toEqual(marked),
 );

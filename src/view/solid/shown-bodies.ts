@@ -1,7 +1,7 @@
 import type { Ring } from "../../kernel/geometry/point.ts";
 import type { PlayPosition, Simulation } from "../../sim/simulation.ts";
 import type { Surfaces, Texture } from "../material/surfaces.ts";
-import { finishOf } from "./finish.ts";
+import { stockLooksOf } from "./finish.ts";
 import { bodiesAt, type MomentBody } from "./moment.ts";
 import type { RunThreads } from "./thread-cuts.ts";
 import type { ThreadTurning } from "./threaded.ts";
@@ -16,7 +16,7 @@ export interface TurnedRun {
 }
 
 /** A request for bodies: the moment, and the view settings. */
-export interface BodiesAsked {
+export interface BodiesRequest {
   readonly position: PlayPosition;
   /** Size of the part, mm. */
   readonly size: number;
@@ -26,40 +26,40 @@ export interface BodiesAsked {
 }
 
 /** Facts to announce about the shown bodies. */
-export interface SolidTold {
+export interface SolidNotes {
   /** Threads are drawn as rings, because they cannot be drawn as helices. */
-  readonly rings: boolean;
+  readonly hasRings: boolean;
   readonly leftHanded: boolean;
   readonly textures: readonly Texture[];
   /** The roles visible in a colour of their own. */
-  readonly marked: readonly ToldRole[];
+  readonly highlighted: readonly HighlightRole[];
 }
 
 /** A role with a colour of its own: residual material, or damage to the part or the stock. */
-export type ToldRole = Exclude<MomentBody["role"], "steel">;
-const MARKED = ["residual", "gouge"] as const satisfies readonly ToldRole[];
+export type HighlightRole = Exclude<MomentBody["role"], "steel">;
+const MARKED = ["residual", "gouge"] as const satisfies readonly HighlightRole[];
 
 const isSeen = ({ solid }: MomentBody) => solid.surface.index.length > 0;
 
 /** The bodies of a moment, ready to be drawn, with the facts to announce. */
 export interface ShownBodies {
   readonly bodies: readonly MomentBody[];
-  readonly told: SolidTold;
+  readonly notes: SolidNotes;
 }
 
 /** Builds the visible bodies of a stock, both on the page and in the worker. */
 export function shownBodies(
   stock: readonly Ring[],
   { simulation, threads, surfaces }: TurnedRun,
-  { position, size, turning, tones }: BodiesAsked,
+  { position, size, turning, tones }: BodiesRequest,
 ): ShownBodies {
-  const finish = finishOf(stock, surfaces, position, tones);
+  const finish = stockLooksOf(stock, surfaces, position, tones);
   const { bodies, hasRings, hasLeft } = bodiesAt(
     { stock, simulation, threads, position, size },
     { ...turning, finish },
   );
-  const marked = MARKED.filter((role) => bodies.some((body) => body.role === role && isSeen(body)));
-  return { bodies, told: { rings: hasRings, leftHanded: hasLeft, textures: finish.textures, marked } };
+  const highlighted = MARKED.filter((role) => bodies.some((body) => body.role === role && isSeen(body)));
+  return { bodies, notes: { hasRings: hasRings, leftHanded: hasLeft, textures: finish.textures, highlighted } };
 }
 
 /** Buffers that can be transferred from one thread to the other without a copy. */

@@ -1,5 +1,5 @@
 import { SAME } from "../../kernel/tolerance.ts";
-import type { lookAt } from "./finish.ts";
+import type { encodedLook } from "./finish.ts";
 import type { Mesh } from "./mesh.ts";
 import { spanOf, type directionsOf, type Turning } from "./revolve.ts";
 
@@ -10,7 +10,7 @@ export interface Strip {
   /** Directions out of the material at both rows (z, r), for where the strip has no width; null: always its own. */
   readonly smooth: readonly [readonly [number, number], readonly [number, number]] | null;
   /** The encoded look at both rows. */
-  readonly looks: readonly [ReturnType<typeof lookAt>, ReturnType<typeof lookAt>];
+  readonly looks: readonly [ReturnType<typeof encodedLook>, ReturnType<typeof encodedLook>];
 }
 
 /** Strips as a surface; the same places have the same coordinates to the bit. */

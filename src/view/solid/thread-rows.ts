@@ -93,14 +93,14 @@ function period(floor: ThreadFloor, { left, right, heights: [a, b] }: ThreadedSi
   const on = (p: Place): Place => ({ z: p.z + lead, height: p.height + slope * lead });
   const first = needed([...line.slice(top, -1), ...line.slice(0, top + 1).map(on)], within);
   if (floor.slope !== null && Math.abs(floor.slope - slope) * (right - left) < within) return first;
-  return besides(first, floor, { left, right, surface, within });
+  return extraPlaces(first, floor, { left, right, surface, within });
 }
 
 /** Number of leads sampled if no two are alike. */
 const WINDOWS = 8;
 
 /** Extra places of a lead: those needed elsewhere in the thread, where grooves are less deep. */
-function besides(
+function extraPlaces(
   first: Places,
   floor: ThreadFloor,
   {

@@ -4,7 +4,7 @@ import { difference, intersection, isInside, offset, union } from "../../kernel/
 import { at, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 import type { ThreadHand } from "../../kernel/time/thread-turns.ts";
 import { SAME } from "../../kernel/tolerance.ts";
-import { lookAt, type StockLooks } from "./finish.ts";
+import { encodedLook, type StockLooks } from "./finish.ts";
 import { joinedMeshes, NO_MESH } from "./mesh.ts";
 import { profileOf, type Profile } from "./profile.ts";
 import { directionsOf, cutFaces, spanOf, type Solid, type Turning } from "./revolve.ts";
@@ -36,10 +36,11 @@ export const THREAD_FINENESS = {
  * Tolerance of a threaded body's section against that of the stock: this share of the grooves, or the tolerance of
  * flanks all along them.
  */
-const AMISS = 0.03;
-const isAmiss = (area: number, grooves: number, cuts: ThreadedStock["cuts"], within: number) =>
+const AREA_TOLERANCE = 0.03;
+const isSectionOff = (area: number, grooves: number, cuts: ThreadedStock["cuts"], within: number) =>
   Math.abs(area) >
-  Math.max(AMISS * grooves, within * Math.max(...cuts.map(({ from, move }) => Math.abs(move.to.z - from.z)))) + SAME;
+  Math.max(AREA_TOLERANCE * grooves, within * Math.max(...cuts.map(({ from, move }) => Math.abs(move.to.z - from.z)))) +
+    SAME;
 
 type Floors = readonly ThreadFloor[];
 
@@ -84,7 +85,7 @@ function parted(ring: Ring, floors: Floors, finish: StockLooks | undefined): Rin
 interface Surfaces {
   readonly strips: readonly Strip[];
   /** The strips between rows of a thread, with places of each in the half plane of the stock. */
-  readonly told: ReadonlyMap<Strip, readonly Pt[]>;
+  readonly threadStrips: ReadonlyMap<Strip, readonly Pt[]>;
   /** Rows drawn as lines, with the columns in which they are visible. */
   readonly lines: readonly {
     readonly z: Float64Array;
@@ -130,7 +131,7 @@ function rowOf({ side, rows }: { readonly side: ThreadSide; readonly rows: Threa
   };
 }
 
-const THREAD = lookAt({ texture: "thread", turnAt: null, tone: null }, at(0, 0));
+const THREAD = encodedLook({ texture: "thread", turnAt: null, tone: null }, at(0, 0));
 
 const same = (n: number, columns: number) => new Float64Array(columns).fill(n);
 
@@ -159,7 +160,7 @@ function surfacesOf(profile: Profile, floors: Floors, threading: ThreadTurning):
   const cornerOf = (i: number, p: Pt) =>
     ends[i]?.[0].r ?? ends[(i + sides.length - 1) % sides.length]?.[1].r ?? same(p.r, columns);
   const corners = sides.map(([a], i) => cornerOf(i, points[a]?.p ?? at(0, 0)));
-  const told = new Map<Strip, readonly Pt[]>();
+  const threadStrips = new Map<Strip, readonly Pt[]>();
   const strips: Strip[] = [],
     lines: Surfaces["lines"][number][] = [];
   const outlines = sides.map(([a, b], i) => {
@@ -170,7 +171,7 @@ function surfacesOf(profile: Profile, floors: Floors, threading: ThreadTurning):
     if (!each) {
       const z = [same(from.p.z, columns), same(to.p.z, columns)] as const;
       const look = profile.looks[i],
-        looks = [lookAt(look, from.p), lookAt(look, to.p)] as const;
+        looks = [encodedLook(look, from.p), encodedLook(look, to.p)] as const;
       strips.push({
         z,
         r: [corners[i] as Float64Array, corners[next] as Float64Array],
@@ -188,7 +189,7 @@ function surfacesOf(profile: Profile, floors: Floors, threading: ThreadTurning):
         after = rows[k + 2];
       const strip: Strip = { z: [before.z, row.z], r: [before.r, row.r], smooth: null, looks: [THREAD, THREAD] };
       strips.push(strip);
-      told.set(strip, placesOf(strip, threading.chords, each.lead));
+      threadStrips.set(strip, placesOf(strip, threading.chords, each.lead));
       const falls = (other: typeof before | undefined, c: number) =>
         other !== undefined && each.side * ((row.r[c] ?? 0) - (other.r[c] ?? 0)) > SAME;
       if (row.crest) lines.push({ ...row, shown: (c) => falls(before, c) || falls(after, c) });
@@ -208,7 +209,7 @@ function surfacesOf(profile: Profile, floors: Floors, threading: ThreadTurning):
       return !before || p.z !== before.z || p.r !== before.r;
     });
   };
-  return { strips, told, lines, outline };
+  return { strips, threadStrips, lines, outline };
 }
 
 function linesOf(
@@ -248,13 +249,13 @@ const EDGE = 0.03;
 /** A threaded body, and the part of it in another colour. */
 export interface ThreadedBody {
   readonly plain: Solid;
-  readonly told: Solid | null;
+  readonly highlighted: Solid | null;
 }
 
 /**
  * Splits off the strips inside `rings`, areas of the half plane of the stock between the grooves; for the screen only.
  */
-function toldApart(
+function splitByRings(
   all: readonly Surfaces[],
   rings: readonly Ring[],
   floors: Floors,
@@ -263,8 +264,8 @@ function toldApart(
   const wide = offset(union(rings), EDGE),
     directions = directionsOf(threading.chords),
     { first } = spanOf(threading);
-  const isTold = ({ told }: Surfaces, strip: Strip) =>
-    told.get(strip)?.some((place) => wide.some((ring) => isInside(ring, place))) ?? false;
+  const isTold = ({ threadStrips }: Surfaces, strip: Strip) =>
+    threadStrips.get(strip)?.some((place) => wide.some((ring) => isInside(ring, place))) ?? false;
   const surface = (which: boolean) =>
     joinedMeshes(
       all.map((each) =>
@@ -292,7 +293,7 @@ function toldApart(
     threading.quarterCut ? cutFaces(of(standing, rings), of(lying, on)) : NO_MESH;
   return {
     plain: { surface: surface(false), section: faces(difference), edges: linesOf(all, threading, directions) },
-    told: { surface: surface(true), section: faces(intersection), edges: new Float32Array() },
+    highlighted: { surface: surface(true), section: faces(intersection), edges: new Float32Array() },
   };
 }
 
@@ -320,8 +321,8 @@ export function threadedBody(
   if (all.length < surfaces.length || all.length === 0) return null;
   const upright = all.map(({ outline }) => outline(threading.chords)),
     [wanted, full] = [areaOf(stock), areaOf(base)];
-  if (isAmiss(areaOf(upright) - wanted, full - wanted, cuts, threading.within)) return null;
-  if (rings.length > 0) return toldApart(all, rings, floors, threading);
+  if (isSectionOff(areaOf(upright) - wanted, full - wanted, cuts, threading.within)) return null;
+  if (rings.length > 0) return splitByRings(all, rings, floors, threading);
   const directions = directionsOf(threading.chords),
     { first } = spanOf(threading);
   const plain: Solid = {
@@ -334,5 +335,5 @@ export function threadedBody(
       : NO_MESH,
     edges: linesOf(all, threading, directions),
   };
-  return { plain, told: null };
+  return { plain, highlighted: null };
 }

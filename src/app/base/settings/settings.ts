@@ -3,8 +3,8 @@ import { z } from "zod/mini";
 import { isLanguage, LANGUAGES, type Language } from "../../../i18n/languages.ts";
 import { isNcOutput, NC_OUTPUTS, type NcOutput } from "../../../program/machine/nc-output.ts";
 import type { Control } from "../../../program/tools/plane-types.ts";
-import { keptData } from "../kept.ts";
-import { fetchAsked } from "./loaded-texts.ts";
+import { storedData } from "../storage.ts";
+import { fetchRequested } from "./loaded-texts.ts";
 
 /** Longest cutting data, characters: more than the largest valid table needs. */
 const LONGEST_CUTTING = 200_000;
@@ -102,7 +102,7 @@ export const readSettings = (raw: unknown): Settings | null => kept.safeParse(ra
 /** Default settings. */
 export const firstSettings = (): Settings => shape.parse({});
 
-const KEPT = keptData<Settings>("settings", kept);
+const KEPT = storedData<Settings>("settings", kept);
 
 export const useSettings = create<Settings>(() => KEPT.get() ?? firstSettings());
 
@@ -111,7 +111,7 @@ export const useSettings = create<Settings>(() => KEPT.get() ?? firstSettings())
  * says so.
  */
 export async function changeLanguage(language: Language): Promise<void> {
-  await fetchAsked(language);
+  await fetchRequested(language);
   changeSettings({ language });
 }
 

@@ -1,6 +1,6 @@
 import { use, useEffect, useReducer } from "react";
 import type { PartName } from "../../../i18n/parts.ts";
-import { fetchTexts, partOf, type ByLanguage, type Said } from "./loaded-texts.ts";
+import { fetchTexts, partOf, type ByLanguage, type PartContents } from "./loaded-texts.ts";
 import { useSettings } from "./settings.ts";
 
 /** A value in the current screen language. Suspends until it is loaded. */
@@ -8,25 +8,25 @@ export function useByLanguage<T>(of: ByLanguage<T>): T {
   const language = useSettings((s) => s.language);
   // A component that has suspended is rendered once more and must use the same promise: otherwise React fails at its
   // further hooks.
-  const waited = of.waited(language);
-  return waited ? use(waited) : (of.here(language) ?? use(of.wait(language)));
+  const waited = of.pending(language);
+  return waited ? use(waited) : (of.cached(language) ?? use(of.fetchWithRetry(language)));
 }
 
 /** A part of the texts in the screen language, by default that of the workplaces. Suspends until it is loaded. */
-export const useTexts = <N extends PartName = "workplace">(name = "workplace" as N): Said<N> =>
+export const useTexts = <N extends PartName = "workplace">(name = "workplace" as N): PartContents<N> =>
   useByLanguage(partOf(name));
 
 /** The same without suspending: null until it is loaded. */
-export function useTextsSoon<N extends PartName>(name: N): Said<N> | null {
+export function useTextsOrNull<N extends PartName>(name: N): PartContents<N> | null {
   const language = useSettings((s) => s.language);
   const [, showAgain] = useReducer((n: number) => n + 1, 0);
   const part = partOf(name),
-    texts = part.here(language);
+    texts = part.cached(language);
   const isHere = texts !== undefined;
   useEffect(() => {
     if (isHere) return undefined;
     let isGone = false;
-    void part.wait(language).then(() => {
+    void part.fetchWithRetry(language).then(() => {
       if (!isGone) showAgain();
     });
     return () => {

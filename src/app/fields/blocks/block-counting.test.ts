@@ -3,7 +3,7 @@ import { parse } from "../../../nc/parse.ts";
 import { print } from "../../../nc/program.ts";
 import { run } from "../../../program/run/run.ts";
 import { shippedTools } from "../../../program/tools/shipped-tools.ts";
-import { counted } from "../../../view/measure/distance.ts";
+import { inBlockUnits } from "../../../view/measure/distance.ts";
 import { countingOf } from "./block-counting.ts";
 import { withPrompt } from "./block-prompts.ts";
 
@@ -31,20 +31,20 @@ const made = (unit: string, shift: string) => {
 
 test("a block of an inch program takes inches, with one decimal more", () => {
   const inch = made("INCH", ";");
-  expect(counted("diameter", 60.334, inch)).toBe(2.3754);
-  expect(counted("axial", -33.02, inch)).toBe(-1.3);
+  expect(inBlockUnits("diameter", 60.334, inch)).toBe(2.3754);
+  expect(inBlockUnits("axial", -33.02, inch)).toBe(-1.3);
   expect(print(withPrompt(inch.program, inch.index, "Q493", "2.3754"))).toContain("Q493=+2.3754 ~");
   const { program, index } = made("MM", ";");
   expect(print(withPrompt(program, index, "Q493", "2.3754"))).toContain("Q493=+2.375 ~");
-  expect(counted("length", 1.905, inch)).toBe(0.075);
-  expect(counted("angle", 12.3457, inch)).toBe(12.3457);
-  expect(counted("diameter", 60.334, made("MM", ";"))).toBe(60.334);
+  expect(inBlockUnits("length", 1.905, inch)).toBe(0.075);
+  expect(inBlockUnits("angle", 12.3457, inch)).toBe(12.3457);
+  expect(inBlockUnits("diameter", 60.334, made("MM", ";"))).toBe(60.334);
 });
 
 test("positions refer to the datum active at the call, sizes do not", () => {
   const shifted = made("MM", "TRANS DATUM AXIS X+4.2 Z-7.3");
-  expect(counted("axial", -20.02, shifted)).toBe(-12.72);
-  expect(counted("diameter", 60.334, shifted)).toBe(56.134);
-  expect(counted("axialDepth", -20.02, shifted)).toBe(-20.02);
-  expect(counted("axial", -20.02, made("INCH", "TRANS DATUM AXIS Z-0.5"))).toBe(-0.2882);
+  expect(inBlockUnits("axial", -20.02, shifted)).toBe(-12.72);
+  expect(inBlockUnits("diameter", 60.334, shifted)).toBe(56.134);
+  expect(inBlockUnits("axialDepth", -20.02, shifted)).toBe(-20.02);
+  expect(inBlockUnits("axial", -20.02, made("INCH", "TRANS DATUM AXIS Z-0.5"))).toBe(-0.2882);
 });

@@ -3,13 +3,13 @@ import { INCH } from "../../../kernel/units.ts";
 import { startLines, type Program } from "../../../nc/program.ts";
 import type { Run } from "../../../program/state/run-types.ts";
 import { datumAt, datumIndex } from "../../../view/datum.ts";
-import type { Counting } from "../../../view/measure/distance.ts";
-import { useShownBeside } from "../../document/shown-file.ts";
+import type { BlockUnits } from "../../../view/measure/distance.ts";
+import { useShownOtherFile } from "../../document/shown-file.ts";
 import { countsInches } from "./block-prompts.ts";
 import { useSession } from "./session.ts";
 
 /** Unit and datum of a cycle block: the unit of its program, and the datum active at its first call. */
-export function countingOf(program: Program, index: number, run: Run | null, file: string | null): Counting {
+export function countingOf(program: Program, index: number, run: Run | null, file: string | null): BlockUnits {
   const line = startLines(program)[index];
   const call = run?.operations.find(
     ({ definedLine, definedFile }) => definedLine === line && (definedFile ?? null) === file,
@@ -22,9 +22,9 @@ export function countingOf(program: Program, index: number, run: Run | null, fil
 }
 
 /** Unit and datum of the open block, as a hook. */
-export function useBlockCounting(run: Run | null): Counting {
+export function useBlockCounting(run: Run | null): BlockUnits {
   const program = useSession((s) => s.reading.program),
     index = useSession((s) => s.index),
-    file = useShownBeside();
+    file = useShownOtherFile();
   return useMemo(() => countingOf(program, index, run, file), [program, index, run, file]);
 }

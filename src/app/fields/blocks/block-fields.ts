@@ -1,4 +1,4 @@
-import { isKept, keptLabels } from "../../../cycles/kept-cycles.ts";
+import { isUnsimulated, labelsOfUnsimulated } from "../../../cycles/unsimulated-cycles.ts";
 import type { Field, Typed, ValueField } from "../../../nc/blocks/define.ts";
 import type { Grammar } from "../../../nc/blocks/grammar.ts";
 import { klartext } from "../../../nc/blocks/klartext.ts";
@@ -97,9 +97,9 @@ const klartextFields = fieldsIn(klartext);
 /** The fields of a block's dialog, in the order of its words. */
 export function fieldsOf(s: Statement): readonly WordField[] {
   const fields = klartextFields(s);
-  if (s.kind !== "cycle" || !isKept(s.cycle)) return fields;
+  if (s.kind !== "cycle" || !isUnsimulated(s.cycle)) return fields;
   // Parameter names of a cycle that is not simulated, for parameters without text in the program.
-  const labels = keptLabels(s.cycle);
+  const labels = labelsOfUnsimulated(s.cycle);
   return fields.map((field, i) =>
     s.parameters[i]?.label === null
       ? { ...field, name: { word: `${field.id} ${labels.get(field.id) ?? ""}`.trim() } }

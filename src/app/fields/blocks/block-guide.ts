@@ -4,9 +4,9 @@ import type { FieldFacts, Spread } from "../../../nc/blocks/define.ts";
 export const wordOfField = ({ id }: Pick<FieldFacts, "id">): string => id.replace(/^word /, "");
 
 /** Sample values for the guide's pictures of a word; null if it changes neither path nor part. */
-export function spreadOf({ spread, unseen, choices }: FieldFacts): Spread | null {
+export function spreadOf({ spread, noPicture, choices }: FieldFacts): Spread | null {
   if (spread) return spread;
-  const shown = unseen ? [] : (choices ?? []).filter((choice) => choice !== "");
+  const shown = noPicture ? [] : (choices ?? []).filter((choice) => choice !== "");
   return shown.length === 0 ? null : { choices: shown };
 }
 

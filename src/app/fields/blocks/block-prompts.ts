@@ -1,4 +1,4 @@
-import { neutralOf, saysNothing, type SomeValues } from "../../../cycles/effect.ts";
+import { neutralValueOf, hasNoEffect, type SomeValues } from "../../../cycles/effect.ts";
 import { cycleByNumber } from "../../../cycles/index.ts";
 import type { Issue } from "../../../kernel/plan/issue.ts";
 import { blockNumbers, startLines, type Program } from "../../../nc/program.ts";
@@ -96,7 +96,7 @@ function leftOut(s: CycleStatement, q: string): number | null {
   const known: SomeValues = Object.fromEntries(
     s.parameters.map(({ q: name, value }) => [name, typeof value === "number" ? value : undefined]),
   );
-  return param && saysNothing(param, known) ? neutralOf(param) : null;
+  return param && hasNoEffect(param, known) ? neutralValueOf(param) : null;
 }
 
 /** Sets a parameter. A missing one is inserted in the order of the catalogue or the description. */

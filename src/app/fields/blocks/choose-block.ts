@@ -1,12 +1,12 @@
 import { blockSpan } from "../../../program/run/block-span.ts";
 import type { PathChoice } from "../../../program/run/path-index.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
-import { shownBeside } from "../../document/shown-file.ts";
+import { shownOtherFile } from "../../document/shown-file.ts";
 import { trackOf } from "../../../view/playback.ts";
 import { playback } from "../../calculation/playback.ts";
 import { useSelection } from "../../document/selected.ts";
 import { choosePath } from "../../pictures/selection.ts";
-import { isPresent } from "./present.ts";
+import { isUpToDate } from "./up-to-date.ts";
 import { blockRange } from "./reading-field.ts";
 import { sessionView, useSession } from "./session.ts";
 
@@ -20,7 +20,7 @@ function choiceOfOpenBlock(): PathChoice | null {
   const range = view && blockRange(view.state, index);
   if (!range) return null;
   const line = view.state.doc.lineAt(range.from).number;
-  const file = shownBeside()?.name;
+  const file = shownOtherFile()?.name;
   if (file !== undefined) return { kind: "inFile", file, line };
   return { kind: "blocks", span: blockSpan(program, index), line };
 }
@@ -43,8 +43,8 @@ export function chooseOpenBlock(): void {
   const { pictured: shown, newest } = useOutcome.getState();
   const choice = isChosen ? null : choiceOfOpenBlock();
   if (!choice) return;
-  choosePath(isPresent(shown) ? shown.run : null, choice);
-  if (!isPresent(shown) && !newest) useSelection.setState({ isEarly: true });
+  choosePath(isUpToDate(shown) ? shown.run : null, choice);
+  if (!isUpToDate(shown) && !newest) useSelection.setState({ isEarly: true });
 }
 
 /**
@@ -58,7 +58,7 @@ export function followOpenBlock(): void {
   if (isEarly) {
     const { pictured } = useOutcome.getState();
     // The picture is not drawn yet, but the steps of its run are known, so playback can seek.
-    if (isPresent(pictured) && pictured.run.steps.length > 0)
+    if (isUpToDate(pictured) && pictured.run.steps.length > 0)
       playback.dispatch({ do: "load", track: trackOf(pictured.run.steps) });
     return chooseOpenBlock();
   }

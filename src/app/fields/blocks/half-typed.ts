@@ -12,7 +12,7 @@ import { rememberingLast } from "../../base/once.ts";
  */
 
 /** Index of the block that became invalid while typing; null if there is none. */
-let half: number | null = null;
+let halfTypedBlock: number | null = null;
 
 function isWrongWith(program: Program, index: number, draft: Draft): boolean {
   const block = program.blocks[index],
@@ -23,29 +23,29 @@ function isWrongWith(program: Program, index: number, draft: Draft): boolean {
 /** True if the text of a block cannot be run. */
 const isWrong = rememberingLast((program: Program, index: number): boolean => isWrongWith(program, index, {}));
 
-function note(index: number | null): void {
-  half = index;
+function setHalfTyped(index: number | null): void {
+  halfTypedBlock = index;
   holdPicture(index !== null);
 }
 
 /** Called when another text opens, or none. */
-export const forgetHalf = (): void => note(null);
+export const forgetHalfTyped = (): void => setHalfTyped(null);
 
 /** Checks a change of the text before that text is run. */
 export function watchText({ startState, state, docChanged }: TextUpdate): void {
   const index = cursorBlock(state);
   if (!docChanged) {
-    if (half !== null && index !== half) note(null);
+    if (halfTypedBlock !== null && index !== halfTypedBlock) setHalfTyped(null);
     return;
   }
-  const wasRight = half !== null || !isWrong(startState.field(readingField).program, cursorBlock(startState));
-  note(wasRight && isWrong(state.field(readingField).program, index) ? index : null);
+  const wasRight = halfTypedBlock !== null || !isWrong(startState.field(readingField).program, cursorBlock(startState));
+  setHalfTyped(wasRight && isWrong(state.field(readingField).program, index) ? index : null);
 }
 
 /** Checks what is typed into prompts. `program`: the text of their block, with all values that can be read. */
 export function watchTyped(program: Program, index: number, isWrongTyped: boolean): void {
-  if (half === null && isWrong(program, index)) return;
-  note(isWrongTyped ? index : null);
+  if (halfTypedBlock === null && isWrong(program, index)) return;
+  setHalfTyped(isWrongTyped ? index : null);
 }
 
 /** Checks the typed prompts of a cycle. */

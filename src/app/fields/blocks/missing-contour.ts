@@ -8,7 +8,7 @@ import type { Label } from "../../../nc/words.ts";
 import { contourStatements } from "../../../program/job/print-contour.ts";
 import { blocksOfStatements } from "../../../program/edits/operation-edits.ts";
 import { proposedOperation } from "../../../program/job/proposed-operation.ts";
-import { ringOf } from "../../../program/job/wanted-job.ts";
+import { ringOf } from "../../../program/job/requested-job.ts";
 
 /** The cylindrical blank of a program, if its values are numbers. */
 function cylinderOf({ blocks }: Program) {

@@ -11,9 +11,9 @@ import { readingOfOwn, type OwnBlock } from "./own-block.ts";
 import { watchDraft } from "./half-typed.ts";
 import { problemsOfBlock, readingOfBlock, withPrompt } from "./block-prompts.ts";
 import { editProgram, useSession, type Session } from "./session.ts";
-import { useShownBeside } from "../../document/shown-file.ts";
+import { useShownOtherFile } from "../../document/shown-file.ts";
 import { findingsShown } from "../../document/shown-findings.ts";
-import { heldWhileTyping } from "../../base/typing.ts";
+import { createDeferredStore } from "../../base/typing.ts";
 
 /** Text typed into the prompts of the open block. It is written to the program as soon as it can be read. */
 interface Typed {
@@ -23,7 +23,7 @@ interface Typed {
   readonly index: number;
 }
 
-const useTyped = heldWhileTyping<Typed>(() => ({ draft: {}, reading: null, index: -1 }));
+const useTyped = createDeferredStore<Typed>(() => ({ draft: {}, reading: null, index: -1 }));
 const untyped: Draft = {};
 const none: readonly Issue[] = [];
 const draftIn = ({ draft, reading, index }: Typed, session: Session): Draft =>
@@ -52,7 +52,7 @@ export function useOpenBlock(): {
   const session = useSession();
   const draft = useTyped((typed) => draftIn(typed, session));
   const findings = useOutcome((s) => s.newest?.run.issues);
-  const file = useShownBeside();
+  const file = useShownOtherFile();
   const {
     reading: { program },
     index,

@@ -1,7 +1,7 @@
 import { blockNumbers, startLines, type Program } from "../../../nc/program.ts";
 import type { Severity } from "../../../kernel/plan/issue.ts";
 import type { Tool } from "../../../kernel/plan/tool.ts";
-import { isOff, operationsOf, wholeOf, type Tie } from "../../../program/edits/operations.ts";
+import { isOff, operationsOf, wholeOf, type FixedReason } from "../../../program/edits/operations.ts";
 import type { Outcome } from "../../calculation/outcome.ts";
 import { doneByLine, firstLine, type Done } from "./program-parts.ts";
 import type { FindingEntry } from "../../findings/entry.ts";
@@ -21,7 +21,7 @@ export interface OperationRow {
   readonly known: Tool | null;
   readonly inherits: boolean;
   readonly isOff: boolean;
-  readonly tie: Tie | null;
+  readonly tie: FixedReason | null;
   /** Block range, including opening and closing blocks that belong to this operation alone. */
   readonly from: number;
   readonly to: number;
@@ -105,7 +105,7 @@ export function operationRows(
       known: isMilled ? null : (tools.find(({ T, NAME }) => String(T) === tool || NAME === tool) ?? null),
       inherits: own.inherits,
       isOff: isOff(program, own),
-      tie: own.tie,
+      tie: own.fixedReason,
       from,
       to,
       opens: own.definitions[0] ?? own.from,

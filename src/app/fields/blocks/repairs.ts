@@ -5,11 +5,11 @@ import { klartext } from "../../../nc/blocks/klartext.ts";
 import { blockNumbers, startLines, type Program } from "../../../nc/program.ts";
 import { statementLines } from "../../../nc/print.ts";
 import { styleAt } from "../../../nc/read-style.ts";
-import { withTiedLists } from "../../../nc/tie-lists.ts";
+import { withListTildes } from "../../../nc/list-tildes.ts";
 import type { Statement } from "../../../nc/statement.ts";
 import { noWords } from "../../../nc/words.ts";
-import { kept } from "../../../program/values/field.ts";
-import { beginOfCut, MEANT } from "../../../program/state/meant-cuts.ts";
+import { roundedTo } from "../../../program/values/field.ts";
+import { startOfCut, INTENDED_CUT } from "../../../program/state/intended-cuts.ts";
 import type { NcOutput } from "../../../program/machine/nc-output.ts";
 import { outputIn } from "../../../program/edits/output-in.ts";
 import { STOPS_SPINDLE } from "../../../program/blocks/spindle-start.ts";
@@ -129,10 +129,10 @@ function withoutParameter(program: Program, index: number, q: string): Repair | 
 function withStart(program: Program, index: number, start: { readonly x: number; readonly z: number }): Repair {
   const [x, z] = [inProgram(program, start.x), inProgram(program, start.z)];
   const axes = [
-    { axis: "X", value: kept(x, POSITION_DECIMALS), incremental: false },
+    { axis: "X", value: roundedTo(x, POSITION_DECIMALS), incremental: false },
     {
       axis: "Z",
-      value: kept(z, POSITION_DECIMALS),
+      value: roundedTo(z, POSITION_DECIMALS),
       incremental: false,
     },
   ] as const;
@@ -183,7 +183,7 @@ function withKnownStart(program: Program, index: number, spindleOn: number): Rep
     { axis: "X" as const, value: outside.value, incremental: false },
     {
       axis: "Z" as const,
-      value: kept(distance ?? 0, POSITION_DECIMALS) + inProgram(program, CLEAR),
+      value: roundedTo(distance ?? 0, POSITION_DECIMALS) + inProgram(program, CLEAR),
       incremental: false,
     },
   ];
@@ -274,11 +274,11 @@ export function repairsOf(
     case "programEndMissing":
       return insert(placeOfEnd(program), { kind: "functions", words: { ...noWords, functions: [output.end] } });
     case "listWithoutTilde":
-      return [{ kind: "tie", text: "~", block: "", open: index, next: () => withTiedLists(program) }];
+      return [{ kind: "tie", text: "~", block: "", open: index, next: () => withListTildes(program) }];
     case "cutBelowContour": {
-      const at = beginOfCut(program.blocks, index);
-      const next = () => withInserted(program, at, { kind: "comment", text: ` ${MEANT}` });
-      return [{ kind: "meant", text: MEANT, block: "", open: index + 1, next }];
+      const at = startOfCut(program.blocks, index);
+      const next = () => withInserted(program, at, { kind: "comment", text: ` ${INTENDED_CUT}` });
+      return [{ kind: "meant", text: INTENDED_CUT, block: "", open: index + 1, next }];
     }
     case "blankMissing":
       return asking(

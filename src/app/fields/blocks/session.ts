@@ -6,13 +6,19 @@ import type { Program } from "../../../nc/program.ts";
 import { fileKey } from "../../../program/state/program-files.ts";
 import { calculation as calculating } from "../../calculation/calculation.ts";
 import { takeKeptSteps, textKeepers } from "../../records/keep-steps.ts";
-import { closeStep, goesOn, note, type HistoryStep } from "../../document/steps.ts";
+import { closeStep, continuesStep, recordStep, type HistoryStep } from "../../document/steps.ts";
 import { setProgram, useEditor } from "../../document/store.ts";
 import { fileOf, withText, type ProgramWork, type WorkFile } from "../../document/work.ts";
 import { changesBetween } from "./block-edits.ts";
 import { editorExtensions } from "./editor-extensions.ts";
-import { forgetHalf, watchText } from "./half-typed.ts";
-import { fileText, heldAs, withHistory, writtenState, type HeldText as Text } from "./held-text.ts";
+import { forgetHalfTyped, watchText } from "./half-typed.ts";
+import {
+  fileText,
+  textKey,
+  restoredState,
+  serializedState,
+  type TextWithHistory as Text,
+} from "./text-with-history.ts";
 import { lineEndsOf, toEditor, type LineEnds } from "./line-ends.ts";
 import {
   blockRange,
@@ -25,7 +31,7 @@ import {
 } from "./reading-field.ts";
 import { createTextView, type TextUpdate, type TextView } from "./text-view.ts";
 import { onShown, shownFile, showFile } from "../../document/shown-file.ts";
-import { heldWhileTyping } from "../../base/typing.ts";
+import { createDeferredStore } from "../../base/typing.ts";
 import { restartable } from "../../base/once.ts";
 import { TYPING } from "../../base/waits.ts";
 
@@ -48,13 +54,13 @@ export interface Session {
 const dialogEdit = Annotation.define<boolean>();
 
 const none: Session = { reading: readingOf(""), index: -1, parameter: null, opened: 0, pointed: 0, put: 0 };
-export const useSession = heldWhileTyping<Session>(() => none);
+export const useSession = createDeferredStore<Session>(() => none);
 
 /** False before a text is opened; having no blocks then does not mean an empty program. */
 export const ofText = ({ reading }: Session): boolean => reading !== none.reading;
 
 /** Texts that stay cached after they were left. */
-const HELD = 8;
+const CACHED_TEXTS = 8;
 const texts = new Map<string, Text>();
 
 let view: TextView | null = null;
@@ -65,7 +71,7 @@ const [panels, calculation, reading] = [restartable(), restartable(), restartabl
 export const sessionText = (): string | null => (open ? fileText(open) : null);
 
 /** Flushes the text to saving and calculation. */
-export function handOverText(): void {
+export function flushText(): void {
   calculation.stop();
   const { program, work } = useEditor.getState();
   if (!open || !program || open.work !== work) return;
@@ -76,10 +82,10 @@ export function handOverText(): void {
 }
 
 /** One undo or redo step of a text. A text that is not in the editor is shown. */
-function go(text: Text, command: StateCommand): boolean {
-  if (texts.get(heldAs(text)) !== text || useEditor.getState().work !== text.work) return false;
+function stepHistory(text: Text, command: StateCommand): boolean {
+  if (texts.get(textKey(text)) !== text || useEditor.getState().work !== text.work) return false;
   if (view && open === text) return command(view.get());
-  handOverText();
+  flushText();
   const { program } = useEditor.getState();
   if (!program || !fileOf(program, text.file)) return false;
   const done = command({ state: text.state, dispatch: (tr) => (text.state = tr.state) });
@@ -92,13 +98,13 @@ function go(text: Text, command: StateCommand): boolean {
 /** Adds typing to the page's history when the history of the text starts a new step. */
 function noteTyping(text: Text, before: EditorState): void {
   const more = undoDepth(text.state) > undoDepth(before);
-  if (more) note(stepOf(text));
+  if (more) recordStep(stepOf(text));
 }
 
 const stepOf = (text: Text): HistoryStep => ({
   of: text,
-  back: () => go(text, undo),
-  forth: () => go(text, redo),
+  back: () => stepHistory(text, undo),
+  forth: () => stepHistory(text, redo),
   file: text.file,
 });
 
@@ -127,12 +133,12 @@ function onChange(update: TextUpdate): void {
     const long = update.state.field(readingField).program.blocks.length > TYPING.long;
     if (long) calculating.typed(TYPING.longRest);
     else if (typed && !byDialog) calculating.typed(TYPING.rest);
-    calculation.start(handOverText, long ? TYPING.longRest : TYPING.rest);
+    calculation.start(flushText, long ? TYPING.longRest : TYPING.rest);
     if (open && !update.transactions.some((tr) => tr.isUserEvent("undo") || tr.isUserEvent("redo")))
       noteTyping(open, update.startState);
   }
   // A short program is planned on the page, so its text is flushed at once.
-  if (update.docChanged && calculating.plansOnPage(update.state.doc.length)) handOverText();
+  if (update.docChanged && calculating.plansOnPage(update.state.doc.length)) flushText();
   const more = update.state.field(readingField) !== update.startState.field(readingField);
   if (!more && !update.selectionSet) return;
   if (typed && !byDialog) panels.start(() => show(true), TYPING.panels);
@@ -146,19 +152,19 @@ const extensionsOf = (ends: LineEnds) => editorExtensions(ends === "mixed");
 /** The text of a file, with its cached history if the text is unchanged. */
 function textOf({ name, text }: WorkFile, work: string): Text {
   const file = fileKey(name);
-  const held = texts.get(heldAs({ work, file }));
+  const held = texts.get(textKey({ work, file }));
   if (held && fileText(held) === text) return held;
   const ends = lineEndsOf(text);
   return { work, file, ends, state: EditorState.create({ doc: toEditor(text, ends), extensions: extensionsOf(ends) }) };
 }
 
 /** Returns the text of the shown file and caches it. */
-function takeUp(program: ProgramWork, work: string): Text {
+function cacheShownText(program: ProgramWork, work: string): Text {
   const text = textOf(shownFile(program), work);
-  forgetHalf();
-  texts.delete(heldAs(text));
-  texts.set(heldAs(text), text);
-  for (const [oldest] of texts) if (texts.size > HELD) texts.delete(oldest);
+  forgetHalfTyped();
+  texts.delete(textKey(text));
+  texts.set(textKey(text), text);
+  for (const [oldest] of texts) if (texts.size > CACHED_TEXTS) texts.delete(oldest);
   return text;
 }
 
@@ -179,22 +185,22 @@ export function readWhole(): void {
 
 textKeepers.add((work) =>
   [...texts.values()].flatMap((text) =>
-    text.work === work ? [{ file: text.file, state: writtenState(text.state) }] : [],
+    text.work === work ? [{ file: text.file, state: serializedState(text.state) }] : [],
   ),
 );
 
 /** Restores the texts of a work with their histories and cursors after a reload. */
-function resumeTexts(program: ProgramWork, work: string): void {
+function restoreTexts(program: ProgramWork, work: string): void {
   takeKeptSteps((kept) => {
     for (const { file, state } of kept) {
       const found = fileOf(program, file);
       const text = found && textOf(found, work);
       if (!text) continue;
-      text.state = withHistory(state, text.state, extensionsOf(text.ends));
-      texts.set(heldAs(text), text);
+      text.state = restoredState(state, text.state, extensionsOf(text.ends));
+      texts.set(textKey(text), text);
     }
     return (file) => {
-      const text = texts.get(heldAs({ work, file }));
+      const text = texts.get(textKey({ work, file }));
       return text ? stepOf(text) : null;
     };
   });
@@ -203,8 +209,8 @@ function resumeTexts(program: ProgramWork, work: string): void {
 /** Opens a program in an editor and closes the previous one. */
 export function openSession(program: ProgramWork, work: string): EditorView {
   closeSession();
-  resumeTexts(program, work);
-  open = takeUp(program, work);
+  restoreTexts(program, work);
+  open = cacheShownText(program, work);
   view = createTextView(open.state, onChange);
   show(true);
   readToEnd();
@@ -218,7 +224,7 @@ function putShown(): void {
   const shown = shownFile(program);
   if (fileKey(shown.name) === open.file && shown.text === fileText(open)) return;
   closeStep();
-  open = takeUp(program, open.work);
+  open = cacheShownText(program, open.work);
   view.put(open.state);
   view.get().dispatch({ effects: EditorView.scrollIntoView(open.state.selection.main.head, { y: "center" }) });
   show(true);
@@ -230,7 +236,7 @@ function putShown(): void {
 export function followShown(): () => void {
   const stops = [
     onShown(() => {
-      handOverText();
+      flushText();
       putShown();
     }),
     useEditor.subscribe((now, before) => {
@@ -244,7 +250,7 @@ export function followShown(): () => void {
 
 export function closeSession(): void {
   if (!view) return;
-  handOverText();
+  flushText();
   panels.stop();
   reading.stop();
   view.destroy();
@@ -260,7 +266,7 @@ export const sessionDom = (): HTMLElement | null => view?.dom ?? null;
 /** Changes the text from a dialog. Successive changes at the same place are one step of undo. */
 export function dispatchEdit(spec: TransactionSpec, place: string | null): void {
   if (!view || !open) return;
-  const on = goesOn(place);
+  const on = continuesStep(place);
   view.edit(
     open.state.update({
       ...spec,
@@ -280,10 +286,10 @@ export function editProgram(next: Program, place: string | null, openIndex: numb
 }
 
 /** Changes the shown text while another page replaces its editor, as one step of undo. */
-export function editUnshown(change: (program: Program) => Program): void {
+export function editClosedText(change: (program: Program) => Program): void {
   const { program, work } = useEditor.getState();
   if (view || !program || work === null) return;
-  const text = takeUp(program, work);
+  const text = cacheShownText(program, work);
   while (!isRead(text.state)) text.state = text.state.update(readFurther).state;
   const before = text.state,
     now = before.field(readingField).program;

@@ -1,6 +1,6 @@
 import type { EditorState, Transaction } from "@codemirror/state";
 import { EditorView, type ViewUpdate } from "@codemirror/view";
-import { behindTyping } from "../../base/typing.ts";
+import { deferWhileTyping } from "../../base/typing.ts";
 
 /** A change of a text, whether or not the editor shows it yet. */
 export type TextUpdate = Pick<ViewUpdate, "state" | "startState" | "transactions" | "docChanged" | "selectionSet">;
@@ -44,7 +44,7 @@ export function createTextView(begin: EditorState, onChange: (change: TextUpdate
     },
     dom: view.dom,
     edit(made) {
-      if (behindTyping(catchUp)) behind = [...behind, made];
+      if (deferWhileTyping(catchUp)) behind = [...behind, made];
       else {
         catchUp();
         view.update([made]);

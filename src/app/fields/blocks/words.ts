@@ -1,6 +1,6 @@
 import type { CycleNumber } from "../../../cycles/index.ts";
 import { cycleByNumber } from "../../../cycles/index.ts";
-import { isKept } from "../../../cycles/kept-cycles.ts";
+import { isUnsimulated } from "../../../cycles/unsimulated-cycles.ts";
 import type { Lengths } from "../../../i18n/lengths.ts";
 import { formatFixed } from "../../../i18n/number.ts";
 import type { Texts } from "../../../i18n/index.ts";
@@ -12,7 +12,7 @@ import type { OperationRow } from "./operation-rows.ts";
 export function cycleWords(t: Texts, cycle: number): string {
   const name = cycleByNumber(cycle)
     ? t.cycles.of[cycle as CycleNumber].name
-    : isKept(cycle)
+    : isUnsimulated(cycle)
       ? t.cycles.kept[cycle]
       : "";
   return `${cycle} ${name}`.trim();

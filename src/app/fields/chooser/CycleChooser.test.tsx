@@ -7,8 +7,8 @@ import { menuWords, type MenuWords } from "../../../i18n/menu-words.ts";
 import { changeSettings } from "../../base/settings/settings.ts";
 import { CycleChooser } from "./CycleChooser.tsx";
 import { useRecent } from "./recent.ts";
-import { notHere } from "./menu.ts";
-import { findCycles, findElsewhere } from "./search.ts";
+import { unofferedCycles } from "./menu.ts";
+import { findCycles, findUnoffered } from "./search.ts";
 
 const all = LANGUAGES.map(menuWords);
 const found = (typed: string, words: readonly MenuWords[] = all) => findCycles(menu, typed, words);
@@ -58,7 +58,7 @@ describe("typed text finds", () => {
 
 describe("cycles that cannot be chosen here are found with the reason", () => {
   const beside = (typed: string, inProgram: boolean) =>
-    findElsewhere(notHere(inProgram), typed, all).map(({ number, why }) => `${number} ${why}`);
+    findUnoffered(unofferedCycles(inProgram), typed, all).map(({ number, why }) => `${number} ${why}`);
 
   test.each(acting.map(({ number }) => number))("%i acts in a program, and can be put into one", (number) => {
     expect(beside(String(number), false)).toEqual([`${number} acts`]);

@@ -5,15 +5,15 @@ import { useMedia } from "../../base/use-media.ts";
 import { CycleGroup } from "./CycleGroup.tsx";
 import { CycleRow, type CycleWay } from "./CycleRow.tsx";
 import { onChooserKey } from "./chooser-keys.ts";
-import { notHere, menuGroups, offered } from "./menu.ts";
+import { unofferedCycles, menuGroups, offeredCycles } from "./menu.ts";
 import { noteRecent } from "./recent.ts";
 import { RecentCycles } from "./RecentCycles.tsx";
-import { findCycles, findElsewhere } from "./search.ts";
+import { findCycles, findUnoffered } from "./search.ts";
 import { useMenuWords } from "./use-menu-words.ts";
 import "./chooser.css";
 
 /** Rows besides the catalogue: those that match the search (null: all). `isFirst`: Enter takes the best of them. */
-export type More = (
+export type OtherRows = (
   sought: string | null,
   turn: number | null,
   isFirst: boolean,
@@ -31,7 +31,7 @@ interface Props {
   readonly inProgram?: boolean;
   /** Focuses the search at once. */
   readonly focus?: boolean;
-  readonly more?: More;
+  readonly more?: OtherRows;
   /** Label of a search that finds more than cycles. */
   readonly search?: string;
   readonly found?: (n: number) => string;
@@ -58,13 +58,13 @@ export function CycleChooser({
   const [turn, giveTurn] = useState<number | null>(null);
   const words = useMenuWords(searching);
   const sought = typed.trim();
-  const cycles = useMemo(() => offered(inProgram), [inProgram]);
+  const cycles = useMemo(() => offeredCycles(inProgram), [inProgram]);
   const verified = cycles.filter(({ recalled }) => !recalled).map(({ number }) => number);
   const found = useMemo(() => (sought === "" ? null : findCycles(cycles, sought, words)), [cycles, sought, words]);
   const others = more?.(found && sought, turn, found?.length === 0);
   const count = (found?.length ?? 0) + (others?.count ?? 0);
   const beside = useMemo(
-    () => (found && count === 0 ? findElsewhere(notHere(inProgram), sought, words) : []),
+    () => (found && count === 0 ? findUnoffered(unofferedCycles(inProgram), sought, words) : []),
     [found, count, inProgram, sought, words],
   );
   const box = useRef<HTMLDivElement>(null);

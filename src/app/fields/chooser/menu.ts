@@ -18,7 +18,7 @@ export interface MenuCycle {
 const GROUPS: readonly Group[] = ["special", "longitudinal", "transverse", "recessTurning", "recessing", "thread"];
 
 /** Cycles that can start a work, or be inserted into a program; only the latter include DEF-active cycles. */
-export const offered = (inProgram: boolean): readonly MenuCycle[] => (inProgram ? [...acting, ...menu] : menu);
+export const offeredCycles = (inProgram: boolean): readonly MenuCycle[] => (inProgram ? [...acting, ...menu] : menu);
 
 /** The groups that have a cycle, with their cycles in menu order. */
 export const menuGroups = (cycles: readonly MenuCycle[]): readonly (readonly [Group, readonly MenuCycle[]])[] =>
@@ -27,12 +27,12 @@ export const menuGroups = (cycles: readonly MenuCycle[]): readonly (readonly [Gr
   );
 
 /** A cycle that cannot be chosen here, with the reason: DEF-active, or not simulated. */
-export interface Elsewhere {
+export interface UnofferedCycle {
   readonly number: number;
   readonly why: "acts" | "kept";
 }
 
-export const notHere = (inProgram: boolean): readonly Elsewhere[] => [
+export const unofferedCycles = (inProgram: boolean): readonly UnofferedCycle[] => [
   ...(inProgram ? [] : acting.map(({ number }) => ({ number, why: "acts" as const }))),
   ...kept.map((number) => ({ number, why: "kept" as const })),
 ];

@@ -1,9 +1,9 @@
 import { create } from "zustand";
 import { z } from "zod/mini";
-import { keptData } from "../../base/kept.ts";
+import { storedData } from "../../base/storage.ts";
 
 /** The cycles that were chosen last on this device, newest first. */
-const KEPT = keptData("recent-cycles", z.array(z.number()));
+const KEPT = storedData("recent-cycles", z.array(z.number()));
 const MOST = 5;
 
 export const useRecent = create<{ readonly cycles: readonly number[] }>(() => ({

@@ -1,8 +1,8 @@
 import type { MenuWords } from "../../../i18n/menu-words.ts";
-import type { Elsewhere, MenuCycle } from "./menu.ts";
+import type { UnofferedCycle, MenuCycle } from "./menu.ts";
 
 /** Lower case without accents, since text typed at a machine has neither. */
-export const plain = (text: string): string =>
+export const withoutAccents = (text: string): string =>
   text
     .normalize("NFD")
     .replace(/\p{M}/gu, "")
@@ -19,21 +19,22 @@ const ENOUGH = 3;
 const isCjk = (word: string) => /\p{Script=Han}/u.test(word);
 
 /** The word, and the synonyms of any word that it begins. */
-function meant(word: string, languages: readonly MenuWords[]): readonly string[] {
+function withSynonyms(word: string, languages: readonly MenuWords[]): readonly string[] {
   const enough = isCjk(word) || word.length >= ENOUGH;
-  const same = languages.flatMap(({ shop }) => shop.same.map((words) => words.map(plain)));
+  const same = languages.flatMap(({ shop }) => shop.same.map((words) => words.map(withoutAccents)));
   return [word, ...(enough ? same.filter((words) => words.some((each) => each.startsWith(word))).flat() : [])];
 }
 
 /** A typed word with its synonyms. */
-interface Sought {
+interface SearchWord {
   readonly word: string;
   readonly words: readonly string[];
 }
 
-function rankOf(cycle: MenuCycle, { word, words }: Sought, languages: readonly MenuWords[]): Rank | null {
+function rankOf(cycle: MenuCycle, { word, words }: SearchWord, languages: readonly MenuWords[]): Rank | null {
   if (/^\d+$/.test(word)) return String(cycle.number).startsWith(word) ? 0 : null;
-  const within = (texts: readonly string[]) => texts.some((text) => words.some((each) => plain(text).includes(each)));
+  const within = (texts: readonly string[]) =>
+    texts.some((text) => words.some((each) => withoutAccents(text).includes(each)));
   const of = languages.flatMap((language) => language.of[cycle.number] ?? []);
   if (within(of.map(({ name }) => name))) return 1;
   if (
@@ -51,20 +52,20 @@ function rankOf(cycle: MenuCycle, { word, words }: Sought, languages: readonly M
 
 /** Search words, normalised. A DIN/ISO G number becomes the cycle number. */
 const wordsOf = (typed: string): readonly string[] =>
-  plain(typed)
+  withoutAccents(typed)
     .split(/[\s,;]+/)
     .filter((word) => word !== "")
     .map((word) => word.replace(/^g(?=\d)/, ""));
 
 /** Cycles whose number or name matches all typed words, in any of these languages. */
-export function findElsewhere(
-  cycles: readonly Elsewhere[],
+export function findUnoffered(
+  cycles: readonly UnofferedCycle[],
   typed: string,
   languages: readonly MenuWords[],
-): readonly Elsewhere[] {
+): readonly UnofferedCycle[] {
   const sought = wordsOf(typed);
   return cycles.filter(({ number }) => {
-    const names = languages.map(({ of, kept }) => plain(of[number]?.name ?? kept[number] ?? ""));
+    const names = languages.map(({ of, kept }) => withoutAccents(of[number]?.name ?? kept[number] ?? ""));
     return sought.every((word) =>
       /^\d+$/.test(word) ? String(number).startsWith(word) : names.some((name) => name.includes(word)),
     );
@@ -77,7 +78,7 @@ export function findCycles(
   typed: string,
   languages: readonly MenuWords[],
 ): readonly MenuCycle[] {
-  const sought = wordsOf(typed).map((word) => ({ word, words: meant(word, languages) }));
+  const sought = wordsOf(typed).map((word) => ({ word, words: withSynonyms(word, languages) }));
   const ranked = menu.flatMap((cycle) => {
     const ranks = sought.map((each) => rankOf(cycle, each, languages));
     return ranks.some((rank) => rank === null) ? [] : [{ cycle, rank: Math.max(...ranks.map(Number)) }];

@@ -2,28 +2,28 @@ import { decode } from "../../document/encoding.ts";
 import { LARGEST_PROGRAM } from "../../base/limits.ts";
 import { shownFile } from "../../document/shown-file.ts";
 import { printedText, programName } from "../../document/printed.ts";
-import { asOpened, handedOn, handOver, useEditor, withHandedOn } from "../../document/store.ts";
+import { openedVersion, bundleOf, flushEdits, useEditor, withBundle } from "../../document/store.ts";
 import { shopOf } from "../../document/work-tools.ts";
 import { fileKey } from "../../../program/state/program-files.ts";
-import { broughtBy, filesOf, isProgram, withText, type ProgramWork, type Work } from "../../document/work.ts";
+import { onlyBundle, filesOf, isProgram, withText, type ProgramWork, type Work } from "../../document/work.ts";
 
 /** A work as a program with its tools and settings; a cycle job is printed. */
 export function asProgram(work: Work): ProgramWork {
   if (isProgram(work)) return work;
   const text = printedText(work, shopOf(work).table.tools);
-  return { name: `${programName(text)}.h`, text, encoding: "utf-8", ...broughtBy(work) };
+  return { name: `${programName(text)}.h`, text, encoding: "utf-8", ...onlyBundle(work) };
 }
 
 /** The open work in its current state; null if none is open. */
 export function presentProgram(): ProgramWork | null {
-  handOver();
+  flushEdits();
   const { job, program } = useEditor.getState();
   const open = program ?? job;
   return open && asProgram(open);
 }
 
 /** The other program and its name. A null name means the open work as it was opened. */
-export interface Other {
+export interface ComparedProgram {
   readonly name: string | null;
   readonly program: ProgramWork;
 }
@@ -31,12 +31,12 @@ export interface Other {
 /** The open work as it was opened, with its present tools and control; null if not known. */
 export function openedProgram(): ProgramWork | null {
   const { work } = useEditor.getState();
-  const opened = work === null ? null : asOpened(work);
-  return opened && asProgram(withHandedOn(opened, broughtBy(handedOn(useEditor.getState()))));
+  const opened = work === null ? null : openedVersion(work);
+  return opened && asProgram(withBundle(opened, onlyBundle(bundleOf(useEditor.getState()))));
 }
 
 /** The open work as it was opened, if it has changed since. */
-export function changedSinceOpened(present: ProgramWork): Other | null {
+export function changedSinceOpened(present: ProgramWork): ComparedProgram | null {
   const program = openedProgram();
   return program && (program.text !== present.text || filesOf(program) !== filesOf(present))
     ? { name: null, program }

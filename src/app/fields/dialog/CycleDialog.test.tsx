@@ -14,7 +14,7 @@ import { printedText } from "../../document/printed.ts";
 import { useReading } from "../../document/reading.ts";
 import { changeSettings } from "../../base/settings/settings.ts";
 import { redo, undo } from "../../document/steps.ts";
-import { begin, useEditor } from "../../document/store.ts";
+import { openFirstWork, useEditor } from "../../document/store.ts";
 import { CycleDialog } from "./CycleDialog.tsx";
 
 const cycle = catalogue.find((c) => c.contour === "own" && c.evidence === "A");
@@ -38,7 +38,7 @@ const shows = (q: string) => within(active()).queryByText(q) !== null;
 
 beforeEach(() => {
   changeSettings({ language: "en" });
-  begin(exampleJob(cycle), "work");
+  openFirstWork(exampleJob(cycle), "work");
   goTo(prompts[0] ?? null);
   render(<Page />);
 });

@@ -27,9 +27,9 @@ export function DialogDone({ session, inBlock }: { readonly session: PromptSessi
   const box = useRef<HTMLElement>(null);
   const verdict = useVerdict();
   const errors = entries.filter(isError);
-  const open = [...new Set(errors.flatMap((e) => (fields.some((f) => f.id === e.at && !f.bare) ? [e.at] : [])))];
+  const open = [...new Set(errors.flatMap((e) => (fields.some((f) => f.id === e.at && !f.hasNoValue) ? [e.at] : [])))];
   const noContour = errors.some((e) => e.at === "contour" && e.issue.code === "contourMissing");
-  const first = fields.find((f) => !f.group && !f.bare)?.id ?? null;
+  const first = fields.find((f) => !f.group && !f.hasNoValue)?.id ?? null;
   const suggested = openSuggestions(session);
   const suggestions = Object.keys(suggested).length;
   const wrong = noContour && !inBlock ? "contour" : "faults";

@@ -1,10 +1,10 @@
 import { useMemo } from "react";
 import type { CycleNumber } from "../../../cycles/index.ts";
 import { exampleJob } from "../../../program/job/job.ts";
-import { givenOf } from "../../calculation/given.ts";
+import { cycleGivens } from "../../calculation/cycle-givens.ts";
 import { HelpPicture } from "../../pictures/help/HelpPicture.tsx";
 import type { Numbers } from "../../../view/help/lettering.ts";
-import { useLater } from "../../base/typing.ts";
+import { useDeferredUntilPaint } from "../../base/typing.ts";
 import type { JobReading } from "../../document/reading.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
@@ -32,13 +32,13 @@ export function HelpSlot({
   readonly onPick: (q: string, taken: boolean) => void;
 }) {
   // Deferred: after a keystroke the lathe view is drawn first, and after opening a prompt its field.
-  const late = useLater(typed),
-    lateQ = useLater(q);
+  const late = useDeferredUntilPaint(typed),
+    lateQ = useDeferredUntilPaint(q);
   const [read, active] = late.cycle === typed.cycle ? [late, lateQ] : [typed, q];
   const language = useSettings((s) => s.language);
   const isBorrowed = read.cycle.contour === "free" && read.job.contour.length === 0;
   const given = useMemo(
-    () => givenOf(isBorrowed ? { cycle: read.cycle, job: exampleJob(read.cycle) } : read),
+    () => cycleGivens(isBorrowed ? { cycle: read.cycle, job: exampleJob(read.cycle) } : read),
     [isBorrowed, read],
   );
   const wrong = read.reading.issues.some((found) => found.code !== "missing");

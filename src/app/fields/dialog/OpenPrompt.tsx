@@ -6,7 +6,7 @@ import { useTexts } from "../../base/settings/use-texts.ts";
 import { closeStep } from "../../document/steps.ts";
 import { isSetupPlace } from "./setup-prompts.ts";
 import { KeysButton } from "../keys/KeysButton.tsx";
-import { MoreLater } from "../said/MoreLater.tsx";
+import { LazyPromptMore } from "../said/LazyPromptMore.tsx";
 import { FieldMessage } from "../number/FieldMessage.tsx";
 import { ChoiceInput } from "./ChoiceInput.tsx";
 import { onPromptKey, onPromptTab } from "./prompt-keys.ts";
@@ -31,7 +31,7 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
   const language = useSettings((s) => s.language);
   const { fields, opened } = session;
   const own = session.findings.filter((p) => p.at === prompt.id);
-  const besides = session.besides(prompt.id);
+  const besides = session.otherFindings(prompt.id);
   const reading = session.readings[prompt.id];
   const waits =
     reading?.issue === null &&
@@ -87,11 +87,11 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
         </span>
         <KeysButton place="prompts" />
       </header>
-      {prompt.bare && <p className="bare-value number">{prompt.shown.text}</p>}
+      {prompt.hasNoValue && <p className="bare-value number">{prompt.shown.text}</p>}
       {prompt.choices ? (
         <ChoiceInput session={session} prompt={prompt} choices={prompt.choices} describedBy={`${id}-about`} />
       ) : (
-        !prompt.bare && (
+        !prompt.hasNoValue && (
           <div className="value-row">
             <ValueInput
               session={session}
@@ -142,7 +142,7 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
         </p>
         {prompt.page && (
           <Suspense>
-            <MoreLater page={prompt.page} name={prompt.letter} />
+            <LazyPromptMore page={prompt.page} name={prompt.letter} />
           </Suspense>
         )}
       </div>

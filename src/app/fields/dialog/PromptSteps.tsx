@@ -9,11 +9,11 @@ export function PromptSteps({ session, prompt }: { readonly session: PromptSessi
   const { setup, dialog: t } = useTexts();
   const language = useSettings((s) => s.language);
   const way = useRef<HTMLButtonElement>(null);
-  const { action, suggestion, group, label, bare } = prompt;
+  const { action, suggestion, group, label, hasNoValue } = prompt;
   const isProposed = suggestion?.holds === true && (session.draft[prompt.id] ?? "").trim() === "";
   const { take, finish } = commandsOf(session);
   const opened = useEffectEvent(() => {
-    if (bare && session.mayFocus()) way.current?.focus({ preventScroll: true });
+    if (hasNoValue && session.mayFocus()) way.current?.focus({ preventScroll: true });
   });
   useLayoutEffect(() => opened(), [prompt.id, session.opened.focus]);
   if (!action && !group) return null;

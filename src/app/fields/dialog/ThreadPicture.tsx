@@ -2,7 +2,7 @@ import { useMemo } from "react";
 import { threadProfile } from "../../../view/thread-profile.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
 import type { Operation } from "../../../program/state/run-types.ts";
-import { useShownBeside } from "../../document/shown-file.ts";
+import { useShownOtherFile } from "../../document/shown-file.ts";
 import { isDefinedIn } from "../../document/shown-findings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
@@ -18,7 +18,7 @@ export function ThreadPicture({ line }: { readonly line: number | null }) {
   } = useTexts();
   const shown = useOutcome((s) => s.pictured);
   const dimmed = useOutcome((s) => s.dimmed);
-  const file = useShownBeside();
+  const file = useShownOtherFile();
   const isMeant = (o: Operation) => line === null || (o.definedLine === line && isDefinedIn(o, file));
   const thread = shown?.run.operations.find((o) => o.plan.thread && isMeant(o))?.plan.thread;
   const drawing = useMemo(() => (thread ? threadProfile(thread, SIZE.width, SIZE.height) : null), [thread]);

@@ -8,7 +8,7 @@ import { openPrompt } from "../../place/place.ts";
 import { useReading } from "../../document/reading.ts";
 import { changeSettings } from "../../base/settings/settings.ts";
 import { undo } from "../../document/steps.ts";
-import { begin, useEditor } from "../../document/store.ts";
+import { openFirstWork, useEditor } from "../../document/store.ts";
 import { CycleDialog } from "./CycleDialog.tsx";
 
 const cycle = catalogue.find((c) => c.thread && c.thread.diameters.length === 1);
@@ -29,7 +29,7 @@ const draft = () => draftOf(useEditor.getState().job ?? exampleJob(cycle));
 
 beforeEach(() => {
   changeSettings({ language: "en" });
-  begin(exampleJob(cycle), "work");
+  openFirstWork(exampleJob(cycle), "work");
   openPrompt(pitch, "2");
   render(<Page />);
 });

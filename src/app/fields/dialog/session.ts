@@ -40,7 +40,7 @@ export interface Prompt {
   /** Set-up group, before the prompts of the cycle; a closed group is one row of the list. */
   readonly group?: PromptGroup;
   /** Has no value, only an action. */
-  readonly bare?: true;
+  readonly hasNoValue?: true;
   /** A place outside the dialog that it leads to; `needed`: ENT goes there first. */
   readonly action?: { readonly label: string; readonly run: () => void; readonly needed: boolean };
 }
@@ -111,7 +111,7 @@ export interface PromptSession {
   readonly set: (id: string, text: string) => void;
   readonly findings: readonly FindingEntry[];
   /** Findings of other places that concern a prompt, with the name of their place. */
-  readonly besides: (id: string) => readonly { readonly entry: FindingEntry; readonly place?: string }[];
+  readonly otherFindings: (id: string) => readonly { readonly entry: FindingEntry; readonly place?: string }[];
   readonly picture: ReactNode;
   readonly opened: Opened;
   readonly open: (id: string | null, before: string) => void;

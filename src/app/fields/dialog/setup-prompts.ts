@@ -1,4 +1,4 @@
-import { readText, type Field, type FieldReading, nothing } from "../../../program/values/field.ts";
+import { readText, type Field, type FieldReading, emptyReading } from "../../../program/values/field.ts";
 import { knownParameters } from "../../../program/job/job-parameters.ts";
 import { SETUP_FIELDS } from "../../../program/job/setup-fields.ts";
 import type { SetupPlace } from "../../../program/job/setup.ts";
@@ -104,7 +104,7 @@ export function setupPrompts(read: JobReading, t: Texts, language: Language, too
     const isProposed = setup.proposed.has(id);
     const text = valueAt(read, id);
     draft[id] = isProposed ? "" : text;
-    readings[id] = isProposed ? nothing : readText(field, text, known);
+    readings[id] = isProposed ? emptyReading : readText(field, text, known);
     const unit = unitAt(id, text);
     const inGroup = PLACES.filter((place) => place.group === group);
     const proposes = inGroup.some((place) => setup.proposed.has(place.id));

@@ -1,4 +1,4 @@
-import { saysNothing } from "../../../cycles/effect.ts";
+import { hasNoEffect } from "../../../cycles/effect.ts";
 import { isRecalled, type Param } from "../../../cycles/params.ts";
 import type { ParamTextId } from "../../../cycles/index.ts";
 import { formatNumber } from "../../../i18n/number.ts";
@@ -78,7 +78,7 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
   const asked = ([q, param]: readonly [string, Param]): Prompt => {
     const { prompt, label, explanation, ...words } = t.params[param.text as ParamTextId];
     const meanings: Readonly<Record<number, string>> = "choices" in words ? words.choices : {};
-    const idle = saysNothing(param, reading.partial);
+    const idle = hasNoEffect(param, reading.partial);
     const suggested = param.optional ? null : suggestedValue(cycle, q, context);
     return promptOf(
       { id: q, optional: param.optional, decimals: param.decimals },
@@ -92,8 +92,8 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
           ...(param.incremental ? [t.dialog.incremental] : []),
           ...(param.optional ? [t.dialog.optional] : []),
           ...(param.reserved ? [t.dialog.reserved] : []),
-          ...(idle && param.counts
-            ? [t.dialog.withoutEffect(`${param.counts.q} = ${String(reading.partial[param.counts.q])}`)]
+          ...(idle && param.condition
+            ? [t.dialog.withoutEffect(`${param.condition.q} = ${String(reading.partial[param.condition.q])}`)]
             : []),
         ],
         doubt: doubtOf(param),
@@ -115,7 +115,7 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
         page: ["guide", "contour"],
         name: label,
         shown: { text: has ? elements(job.contour.length) : none, unit: "", soft: !has },
-        bare: true,
+        hasNoValue: true,
         action: { label: has ? change : t.findings.done.toContour, run: () => showSection("contour"), needed: !has },
       },
     );
@@ -160,9 +160,9 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
     setAll: block?.setAll ?? setPrompts,
     idleWith: (id, text) => (other) => {
       const param = cycle.params[other];
-      return param !== undefined && saysNothing(param, { ...reading.partial, [id]: Number(text) });
+      return param !== undefined && hasNoEffect(param, { ...reading.partial, [id]: Number(text) });
     },
-    besides: (id) =>
+    otherFindings: (id) =>
       findings.flatMap((entry) => {
         const concerns =
           entry.at !== null && entry.at !== id && "other" in entry.issue.data && entry.issue.data.other === id;

@@ -4,7 +4,10 @@ import { useFingers } from "../../base/use-media.ts";
 import { showKeys } from "../../place/place.ts";
 import type { KeyPlace } from "../../base/key-list.ts";
 
-/** Opens the sheet of shortcuts at a place; not shown on touch screens. */
+/**
+ * Opens the sheet of shortcuts at a place; not shown on touch screens. Tab passes it by, as the question mark opens the
+ * same sheet.
+ */
 export function KeysButton({ place }: { readonly place: KeyPlace }) {
   const { keys } = useTexts("first").page;
   const fingers = useFingers();
@@ -12,6 +15,7 @@ export function KeysButton({ place }: { readonly place: KeyPlace }) {
   return (
     <button
       type="button"
+      tabIndex={-1}
       className="button icon plain keys-button"
       aria-label={keys}
       title={`${keys} (?)`}

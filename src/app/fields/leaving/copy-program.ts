@@ -1,13 +1,13 @@
 import type { Job } from "../../../program/job/job.ts";
-import { leavingText, printedText } from "../../document/printed.ts";
+import { exportedText, printedText } from "../../document/printed.ts";
 import { copyText } from "../../findings/copy.ts";
-import { mayLeave } from "./leaving.ts";
+import { confirmExport } from "./confirm-export.ts";
 
 /** Copies a program or its selected part; one with faults only after confirmation. */
 export async function copyProgram(program: string, marked = program): Promise<void> {
-  const verdict = await mayLeave("copy", program);
+  const verdict = await confirmExport("copy", program);
   if (verdict) await copyText(marked, verdict);
 }
 
 /** Copies the program of a job as the file that its control loads. */
-export const copyJob = async (job: Job): Promise<void> => copyProgram(printedText(job), await leavingText(job));
+export const copyJob = async (job: Job): Promise<void> => copyProgram(printedText(job), await exportedText(job));

@@ -18,7 +18,7 @@ import {
   type MachineDraft,
   type MachineField,
 } from "./draft.ts";
-import { useTextsSoon } from "../../base/settings/use-texts.ts";
+import { useTextsOrNull } from "../../base/settings/use-texts.ts";
 import "./machine.css";
 
 /** Machine data without the name, to compare with the examples. */
@@ -29,7 +29,7 @@ const exampleOf = (machine: MachineData | null) =>
 
 /** Machine of this device: preset, values, export and import. */
 export function MachineSection() {
-  const t = useTextsSoon("machine");
+  const t = useTextsOrNull("machine");
   return t && <Section t={t} />;
 }
 

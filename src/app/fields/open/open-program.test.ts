@@ -5,14 +5,14 @@ import { shippedTools } from "../../../program/tools/shipped-tools.ts";
 import { engine } from "../../calculation/engine.ts";
 import { forgetOutcome, takeOutcome } from "../../calculation/outcome.ts";
 import { undo, redo } from "../../document/steps.ts";
-import { begin, changeProgram, useEditor } from "../../document/store.ts";
+import { openFirstWork, changeProgram, useEditor } from "../../document/store.ts";
 import { textsOf } from "../../document/work.ts";
-import { endChoice, useChoice } from "../../document/choice.ts";
+import { closeProgramChoice, useProgramChoice } from "../../document/program-choice.ts";
 import { plainFiles } from "../../records/files/file-handle.ts";
 import { LARGEST_PROGRAM } from "../../base/limits.ts";
 import { missingFiles } from "../../calculation/missing-files.ts";
 import { addFiles, openDropped, openFiles } from "./open-program.ts";
-import { shownBeside, shownFile, showFile } from "../../document/shown-file.ts";
+import { shownOtherFile, shownFile, showFile } from "../../document/shown-file.ts";
 
 const pgm = (lines: string) => `0 BEGIN PGM S MM\n${lines}\nEND PGM S MM\n`;
 
@@ -51,11 +51,11 @@ const calculate = () => {
 let version = 0;
 
 beforeEach(() => {
-  begin(null, null);
+  openFirstWork(null, null);
   forgetOutcome();
   showFile(null);
   useNotices.setState({ notices: [] });
-  endChoice();
+  closeProgramChoice();
 });
 
 test("one file is a program alone; several are one work, and the one that no other calls runs", async () => {
@@ -74,7 +74,7 @@ test("with several programs that no other calls, it asks which to open", async (
     "p.tab": "1",
   };
   const choice = () => {
-    const { choice: asked } = useChoice.getState();
+    const { choice: asked } = useProgramChoice.getState();
     if (!asked) throw new Error("nothing is asked");
     return asked;
   };
@@ -167,9 +167,9 @@ test("the main program is shown if the shown file is not part of the work", asyn
   await openFiles(chosen({ "main.h": pgm("CALL PGM CUT"), "cut.h": pgm("L X+1") }));
   expect(shownFile(program()).name).toBe("main.h");
   showFile("CUT.H");
-  expect([shownFile(program()).name, shownBeside()?.name]).toEqual(["cut.h", "cut.h"]);
+  expect([shownFile(program()).name, shownOtherFile()?.name]).toEqual(["cut.h", "cut.h"]);
   changeProgram(({ files: _, ...rest }) => rest);
-  expect([shownFile(program()).name, shownBeside()]).toEqual(["main.h", null]);
+  expect([shownFile(program()).name, shownOtherFile()]).toEqual(["main.h", null]);
   undo();
-  expect(shownBeside()?.name).toBe("cut.h");
+  expect(shownOtherFile()?.name).toBe("cut.h");
 });

@@ -2,16 +2,16 @@ import { decode } from "../../document/encoding.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
 import type { HandedOn } from "../../../program/job/job.ts";
 import { fileKey } from "../../../program/state/program-files.ts";
-import { untilHere } from "../../base/parts.ts";
-import { taughtFilesSlot } from "../slots.ts";
+import { retryImport } from "../../base/parts.ts";
+import { courseFilesSlot } from "../slots.ts";
 import { notice } from "../../base/notices.ts";
 import { startWork } from "../../records/keep.ts";
 import { changeProgram, useEditor } from "../../document/store.ts";
-import { bringIn, isArchiveName } from "../../records/bring-in-place.ts";
-import { broughtBy, textsOf, withFile, type ProgramWork, type WorkFile } from "../../document/work.ts";
+import { readBackup, isArchiveName } from "../../records/pending-restore.ts";
+import { onlyBundle, textsOf, withFile, type ProgramWork, type WorkFile } from "../../document/work.ts";
 import { fileNameOf } from "../../base/file-name.ts";
 import { asKlartext, mayBeIso } from "../../records/files/iso-file.ts";
-import { askWhich, useChoice } from "../../document/choice.ts";
+import { askWhichPrograms, useProgramChoice } from "../../document/program-choice.ts";
 import type { FolderContent } from "../../records/files/folder.ts";
 import { handleOf, plainFiles, type Chosen, type FileHandle } from "../../records/files/file-handle.ts";
 import { LARGEST_PROGRAM } from "../../base/limits.ts";
@@ -21,7 +21,7 @@ import { missingFiles } from "../../calculation/missing-files.ts";
 export const openProgram = (program: ProgramWork): void => startWork(program);
 
 /** Result of opening files. */
-export type Opening = "opened" | "tooLarge" | "unreadable";
+export type OpenResult = "opened" | "tooLarge" | "unreadable";
 
 interface Read {
   readonly files: readonly WorkFile[];
@@ -64,7 +64,7 @@ async function read(chosen: readonly Chosen[]): Promise<Read> {
 async function remember({ handles }: Pick<Read, "handles">): Promise<void> {
   const { work } = useEditor.getState();
   if (work === null || handles.length === 0) return;
-  const { keepHandle } = await untilHere(() => import("../../records/files/kept-handles.ts"));
+  const { keepHandle } = await retryImport(() => import("../../records/files/kept-handles.ts"));
   for (const { name, handle, bytes } of handles) await keepHandle(work, name, handle, bytes);
 }
 
@@ -104,7 +104,7 @@ async function openTogether(found: Read, { skipped, isCut }: Omit<FolderContent,
     if (!sure) notice("mainUnsure");
     return true;
   }
-  askWhich({
+  askWhichPrograms({
     works: free.map(({ index: at, calls }) => workOf(at, calls)),
     skipped,
     isCut,
@@ -118,27 +118,27 @@ async function openTogether(found: Read, { skipped, isCut }: Omit<FolderContent,
 const sizeOf = (chosen: readonly Chosen[]): number => chosen.reduce((sum, { file }) => sum + file.size, 0);
 
 /** Opens files as one work; on failure the previous work stays open. */
-export async function openFiles(chosen: readonly Chosen[]): Promise<Opening> {
+export async function openFiles(chosen: readonly Chosen[]): Promise<OpenResult> {
   const [first] = chosen;
   if (first && isArchiveName(first.file.name)) {
-    await bringIn(first.file);
+    await readBackup(first.file);
     return "opened";
   }
-  if (chosen.some(({ file }) => /\.json$/i.test(file.name)) && (await openTaught(chosen.map(({ file }) => file))))
+  if (chosen.some(({ file }) => /\.json$/i.test(file.name)) && (await openCourseFiles(chosen.map(({ file }) => file))))
     return "opened";
-  return openRest(chosen, { skipped: 0, isCut: false });
+  return openProgramFiles(chosen, { skipped: 0, isCut: false });
 }
 
 /** Opens tasks and results, recognised by file name or content; false for other files. */
-async function openTaught(files: readonly File[]): Promise<boolean> {
-  const { areTaught, openTaughtFiles } = await untilHere(taughtFilesSlot.fetch);
-  if (!files.some(({ name }) => /\.turnwise-(?:task|result)\b.*\.json$/i.test(name)) && !(await areTaught(files)))
+async function openCourseFiles(files: readonly File[]): Promise<boolean> {
+  const { areTaughtFiles, openTaughtFiles } = await retryImport(courseFilesSlot.fetch);
+  if (!files.some(({ name }) => /\.turnwise-(?:task|result)\b.*\.json$/i.test(name)) && !(await areTaughtFiles(files)))
     return false;
   await openTaughtFiles(files);
   return true;
 }
 
-async function openRest(chosen: readonly Chosen[], leftOut: Omit<FolderContent, "files">): Promise<Opening> {
+async function openProgramFiles(chosen: readonly Chosen[], leftOut: Omit<FolderContent, "files">): Promise<OpenResult> {
   try {
     if (sizeOf(chosen) > LARGEST_PROGRAM) return "tooLarge";
     const found = await read(chosen);
@@ -151,9 +151,9 @@ async function openRest(chosen: readonly Chosen[], leftOut: Omit<FolderContent, 
 }
 
 /** Opens the files of a folder, with a notice about skipped ones. */
-export async function openFolder({ files, ...leftOut }: FolderContent): Promise<Opening> {
-  const opening = await openRest(files, leftOut);
-  if (opening === "opened" && (leftOut.skipped > 0 || leftOut.isCut) && !useChoice.getState().choice)
+export async function openFolder({ files, ...leftOut }: FolderContent): Promise<OpenResult> {
+  const opening = await openProgramFiles(files, leftOut);
+  if (opening === "opened" && (leftOut.skipped > 0 || leftOut.isCut) && !useProgramChoice.getState().choice)
     notice("filesLeftOut");
   return opening;
 }
@@ -176,13 +176,13 @@ export async function addFiles(chosen: readonly Chosen[], name: string | null = 
 /** Opens pasted or printed text, with the tools, settings and output format of the work it was printed from. */
 export function openText(text: string, { output, ...brought }: HandedOn & Pick<ProgramWork, "output"> = {}): void {
   const file = { name: fileNameOf(text), text, encoding: "utf-8" } as const;
-  const open = (made: WorkFile) => openProgram({ ...made, ...broughtBy(brought), ...(output && { output }) });
+  const open = (made: WorkFile) => openProgram({ ...made, ...onlyBundle(brought), ...(output && { output }) });
   if (mayBeIso(text)) void asKlartext(file).then(open);
   else open(file);
 }
 
 /** True if the open program is missing all of the dropped files. */
-function areWaitedFor(chosen: readonly Chosen[]): boolean {
+function areMissingFiles(chosen: readonly Chosen[]): boolean {
   const { program } = useEditor.getState();
   const missing = new Set(program ? missingFiles(program, useOutcome.getState().newest).map(fileKey) : []);
   return chosen.every(({ file }) => missing.has(fileKey(file.name)));
@@ -196,12 +196,12 @@ export async function openDropped(data: DataTransfer): Promise<void> {
   const handles = items.map(handleOf);
   const files = [...data.files];
   const text = data.getData("text/plain");
-  const sayNot = (opening: Opening) => {
+  const sayNot = (opening: OpenResult) => {
     if (opening !== "opened") notice(opening === "tooLarge" ? "fileTooLarge" : "fileUnreadable");
   };
   const known = await Promise.all(handles);
   if (entries.some((entry) => entry?.isDirectory) || known.some((handle) => handle && "values" in handle)) {
-    const { filesOfDrop } = await untilHere(() => import("../../records/files/folder.ts"));
+    const { filesOfDrop } = await retryImport(() => import("../../records/files/folder.ts"));
     return sayNot(
       await openFolder(
         await filesOfDrop(items.map((_, i) => ({ handle: known[i] ?? null, entry: entries[i] ?? null }))),
@@ -213,7 +213,7 @@ export async function openDropped(data: DataTransfer): Promise<void> {
       const handle = known[i] ?? null;
       return { ...each, handle: handle && !("values" in handle) ? handle : null };
     });
-    if (areWaitedFor(chosen)) return addFiles(chosen);
+    if (areMissingFiles(chosen)) return addFiles(chosen);
     return sayNot(await openFiles(chosen));
   }
   if (text.trim() !== "") openText(text);

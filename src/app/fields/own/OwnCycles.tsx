@@ -1,7 +1,7 @@
 import { Suspense, useId, useState, type ReactNode } from "react";
-import type { More } from "../chooser/CycleChooser.tsx";
+import type { OtherRows } from "../chooser/CycleChooser.tsx";
 import { Drawing } from "../chooser/Drawing.tsx";
-import { plain } from "../chooser/search.ts";
+import { withoutAccents } from "../chooser/search.ts";
 import type { OwnCycle } from "../../../program/edits/own-cycle.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { useTexts } from "../../base/settings/use-texts.ts";
@@ -92,16 +92,16 @@ function OwnGroup(rows: Rows) {
 }
 
 const fits = ({ number, name }: OwnCycle, sought: string): boolean =>
-  plain(sought)
+  withoutAccents(sought)
     .split(/[\s,;]+/)
     .filter((word) => word !== "")
-    .every((word) => (/^\d+$/.test(word) ? String(number).startsWith(word) : plain(name).includes(word)));
+    .every((word) => (/^\d+$/.test(word) ? String(number).startsWith(word) : withoutAccents(name).includes(word)));
 
 /** Suspends on its own texts, so that its neighbours need not wait. */
 const later = (shown: ReactNode) => <Suspense>{shown}</Suspense>;
 
 /** Own cycles next to the catalogue: as a group, or those that match the search. */
-export function useOwnOffer(way: string, onTake: (cycle: OwnCycle) => void): More {
+export function useOwnOffer(way: string, onTake: (cycle: OwnCycle) => void): OtherRows {
   const {
     page: { start },
   } = useTexts();

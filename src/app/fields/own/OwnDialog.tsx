@@ -65,7 +65,7 @@ function useOwnSession({ block, problems, set }: Props): PromptSession {
     readings,
     findings: problems,
     set,
-    besides: () => [],
+    otherFindings: () => [],
     picture: (
       <div className="own-said">
         <Icon name="warning" /> <p className="small">{editor.ownUnproved}</p>

@@ -7,7 +7,7 @@ import { editProgram, useSession } from "../blocks/session.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
 import { ModalDialog } from "../../base/ModalDialog.tsx";
 import { ClampingFields } from "../setup/ClampingFields.tsx";
-import { useTextsSoon } from "../../base/settings/use-texts.ts";
+import { useTextsOrNull } from "../../base/settings/use-texts.ts";
 import "../setup/clamping.css";
 
 /** Assumed size of an unknown blank, mm. */
@@ -15,7 +15,7 @@ const SOME_BLANK = { left: -80, right: 0, high: 30 };
 
 /** Clamping of the open program, written as a comment after its blank. */
 export function ClampingDialog({ done }: { readonly done: () => void }) {
-  const t = useTextsSoon("clamping");
+  const t = useTextsOrNull("clamping");
   const [draft, keep] = useState(() => clampingIn(useSession.getState().reading.program)?.draft ?? null);
   const run = useOutcome((s) => s.shown?.run),
     inch = run?.program.unit === "inch";

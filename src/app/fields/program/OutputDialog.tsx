@@ -10,7 +10,7 @@ import {
 import { ModalDialog } from "../../base/ModalDialog.tsx";
 import { Message } from "../../base/Message.tsx";
 import { NumberInput } from "../number/NumberInput.tsx";
-import { useTextsSoon } from "../../base/settings/use-texts.ts";
+import { useTextsOrNull } from "../../base/settings/use-texts.ts";
 import { changeSettings, useSettings } from "../../base/settings/settings.ts";
 import { useEditor } from "../../document/store.ts";
 import { setOutput, useOutput } from "../../document/output.ts";
@@ -18,7 +18,7 @@ import "./output.css";
 
 /** Output settings of the open program; each change applies at once and can be undone. */
 export function OutputDialog({ done }: { readonly done: () => void }) {
-  const words = useTextsSoon("output");
+  const words = useTextsOrNull("output");
   return words && <Opened words={words} done={done} />;
 }
 

@@ -1,7 +1,7 @@
 import { useEffect, useState } from "react";
 import { flushSync } from "react-dom";
 import { printedText } from "../../document/printed.ts";
-import { handOver, useEditor } from "../../document/store.ts";
+import { flushEdits, useEditor } from "../../document/store.ts";
 import { useIsoFile } from "../../document/output.ts";
 
 /** Widest picture on paper, CSS px: fits between the margins of A4 and Letter. */
@@ -19,7 +19,7 @@ function fixPictures(): void {
 }
 
 function present(iso: string | null): string {
-  handOver();
+  flushEdits();
   const { job, program } = useEditor.getState();
   if (job) return iso ?? printedText(job);
   return program?.text ?? "";

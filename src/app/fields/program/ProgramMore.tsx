@@ -1,23 +1,23 @@
 import { Suspense, useState, type ReactNode } from "react";
-import { handOver, useEditor } from "../../document/store.ts";
+import { flushEdits, useEditor } from "../../document/store.ts";
 import type { ShownVerdict } from "../../findings/verdict.ts";
 import { showComparison, type ShowBlock, showSheet } from "../../place/place.ts";
 import { Icon } from "../../base/Icon.tsx";
-import { mayLeave } from "../leaving/leaving.ts";
+import { confirmExport } from "../leaving/confirm-export.ts";
 import { lazyPart } from "../../base/parts.ts";
-import { drawingSlot, exportSlot, handOnSlot, teachSlot } from "../slots.ts";
+import { drawingSlot, exportSlot, shareSlot, exerciseSlot } from "../slots.ts";
 import { printedText, programName } from "../../document/printed.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { isProgram, type Work } from "../../document/work.ts";
 
 /** Loaded when first opened. */
-const HandOnDialog = lazyPart(async () => ({ default: await handOnSlot.fetch() }));
+const HandOnDialog = lazyPart(async () => ({ default: await shareSlot.fetch() }));
 const PartExport = lazyPart(async () => ({ default: await exportSlot.fetch() }));
-const TurnRound = lazyPart(async () => ({ default: (await import("./TurnRound.tsx")).TurnRound }));
+const TurnRound = lazyPart(async () => ({ default: (await import("./SecondSideDialog.tsx")).SecondSideDialog }));
 const ProgramDrawing = lazyPart(async () => ({ default: await drawingSlot.fetch() }));
 const ClampingDialog = lazyPart(async () => ({ default: (await import("./ClampingDialog.tsx")).ClampingDialog }));
 const OutputDialog = lazyPart(async () => ({ default: (await import("./OutputDialog.tsx")).OutputDialog }));
-const TeachDialog = lazyPart(async () => ({ default: await teachSlot.fetch() }));
+const TeachDialog = lazyPart(async () => ({ default: await exerciseSlot.fetch() }));
 
 /** A work to share, with its verdict. */
 interface Leaving {
@@ -27,16 +27,16 @@ interface Leaving {
 
 /** The open work with its verdict; null if sharing was cancelled. */
 async function leaving(): Promise<Leaving | null> {
-  handOver();
+  flushEdits();
   const { job, program } = useEditor.getState();
   const open = job ?? program;
-  const verdict = open && (await mayLeave("share", isProgram(open) ? open.text : printedText(open)));
+  const verdict = open && (await confirmExport("share", isProgram(open) ? open.text : printedText(open)));
   return open && verdict && { open, verdict };
 }
 
 /** The text of what is open. */
 function openText(): string {
-  handOver();
+  flushEdits();
   const { job, program } = useEditor.getState();
   if (program) return program.text;
   return job ? printedText(job) : "";
@@ -44,7 +44,7 @@ function openText(): string {
 
 /** Name of the open program without extension, for files made from it. */
 function openStem(): string {
-  handOver();
+  flushEdits();
   const { job, program } = useEditor.getState();
   if (program) return program.name.replace(/\.[^.]*$/, "");
   return job ? programName(printedText(job)) : "";
@@ -69,7 +69,7 @@ export function ProgramMore({ showBlock, children }: { readonly showBlock: ShowB
         type="button"
         className="button plain"
         onClick={() => {
-          handOver();
+          flushEdits();
           showSheet();
         }}
       >

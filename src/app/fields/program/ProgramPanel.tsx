@@ -8,10 +8,10 @@ import { setLayout, setName, setNcLanguage } from "../../document/edits.ts";
 import { openText } from "../open/open-program.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { Message } from "../../base/Message.tsx";
-import { Late } from "../../base/typing.ts";
+import { DeferredUntilPaint } from "../../base/typing.ts";
 import { CopyStatus } from "../leaving/CopyStatus.tsx";
-import { mayLeave } from "../leaving/leaving.ts";
-import { fileOfJob, leavingText, printedText } from "../../document/printed.ts";
+import { confirmExport } from "../leaving/confirm-export.ts";
+import { fileOfJob, exportedText, printedText } from "../../document/printed.ts";
 import type { JobReading } from "../../document/reading.ts";
 import { changeSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
@@ -47,8 +47,8 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
   const running = useRunningBlock();
   const chosen = useChosenLine(read);
   const download = async () => {
-    const leaving = await leavingText(job);
-    if (await mayLeave("download", printedText(job))) downloadText(leaving, file);
+    const leaving = await exportedText(job);
+    if (await confirmExport("download", printedText(job))) downloadText(leaving, file);
   };
 
   return (
@@ -113,9 +113,9 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
         {!hasOwnWords(job.ncLanguage) && <p className="small soft program-note">{t.noChinese}</p>}
       </div>
       {!read.reading.values && <Message tone="warning">{t.incomplete}</Message>}
-      <Late>
+      <DeferredUntilPaint>
         <ProgramText text={text} running={running} chosen={chosen} choose={(line) => void chooseJobLine(read, line)} />
-      </Late>
+      </DeferredUntilPaint>
       <FileNote
         {...(job.layout === "manual"
           ? { text: t.manualView, warns: true, cure: { name: t.showFile, go: () => setLayout("tnc640") } }

@@ -1,4 +1,4 @@
-import { askedByMove } from "../../../cycles/asked-by-move.ts";
+import { decidingParameter } from "../../../cycles/deciding-parameter.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
 import { openPrompt, showPrompt, showSection, usePlace } from "../../place/place.ts";
 import { printedText } from "../../document/printed.ts";
@@ -39,7 +39,7 @@ export function openAsked(read: JobReading, step: number, byKey = false): void {
   if (usePlace.getState().section === "contour") return;
   const { pictured: shown } = useOutcome.getState();
   const { operation = null, move } = shown?.run.steps[step] ?? {};
-  const q = operation === null || !move ? null : askedByMove(read.cycle.params, move);
+  const q = operation === null || !move ? null : decidingParameter(read.cycle.params, move);
   if (q === null) return showSection("prompts");
   const before = read.draft[q] ?? "";
   if (byKey) openPrompt(q, before);

@@ -12,7 +12,7 @@ import { simulate } from "../../../sim/simulate.ts";
 import { forgetOutcome, takeOutcome } from "../../calculation/outcome.ts";
 import { printedText } from "../../document/printed.ts";
 import { changeSettings } from "../../base/settings/settings.ts";
-import { begin } from "../../document/store.ts";
+import { openFirstWork } from "../../document/store.ts";
 import { useOpenCall } from "../../place/open-call.ts";
 import { guideSources } from "../../../features/guide/guide-source.ts";
 import { PromptMore } from "../../../features/guide/PromptMore.tsx";
@@ -36,7 +36,7 @@ beforeEach(() => {
   changeSettings({ language: "en" });
   forgetOutcome();
   useOpenCall.setState({ call: null });
-  begin({ name: "TWO.H", text, encoding: "utf-8" }, "w");
+  openFirstWork({ name: "TWO.H", text, encoding: "utf-8" }, "w");
   takeOutcome({ version: 1, text, run: { ...made, operations: [first, deep] }, simulation: simulate(made) });
 });
 afterEach(cleanup);

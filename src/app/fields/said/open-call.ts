@@ -1,5 +1,5 @@
 import type { Operation } from "../../../program/state/run-types.ts";
-import { shownBeside, useShownBeside } from "../../document/shown-file.ts";
+import { shownOtherFile, useShownOtherFile } from "../../document/shown-file.ts";
 import { isDefinedIn } from "../../document/shown-findings.ts";
 import { useEditor } from "../../document/store.ts";
 import { useOpenCall } from "../../place/open-call.ts";
@@ -10,16 +10,16 @@ type Placed = Pick<Operation, "cycle" | "definedLine" | "definedFile">;
  * Whether a cycle's guide refers to a call: to one of the open block if that is this cycle, else to any. The first
  * match counts.
  */
-export function speaksOf(cycle: number): (each: Placed) => boolean {
+export function isGuidedCall(cycle: number): (each: Placed) => boolean {
   const { call } = useOpenCall.getState();
-  const file = shownBeside()?.name ?? null;
+  const file = shownOtherFile()?.name ?? null;
   if (call?.cycle !== cycle || call.work !== useEditor.getState().work) return (each) => each.cycle === cycle;
   return (each) => each.cycle === cycle && each.definedLine === call.line && isDefinedIn(each, file);
 }
 
 /** The same as a hook. */
-export function useSpeaksOf(cycle: number): (each: Placed) => boolean {
+export function useIsGuidedCall(cycle: number): (each: Placed) => boolean {
   useOpenCall();
-  useShownBeside();
-  return speaksOf(cycle);
+  useShownOtherFile();
+  return isGuidedCall(cycle);
 }

@@ -14,17 +14,17 @@ const namesOf = (name: string) =>
     .split(/\s*[、,/]\s*/u)
     .filter((each) => each !== "");
 
-interface Sought {
+interface TermPattern {
   readonly term: TermId;
   readonly form: RegExp;
   readonly long: number;
 }
 
 /** Patterns of all terms, longest first, so that "nose radius" is not found as "radius". */
-function soughtIn(glossary: GlossaryTexts): readonly Sought[] {
+function termPatterns(glossary: GlossaryTexts): readonly TermPattern[] {
   const { formsOf, capitals, apart } = glossary.words;
   const [before, behind] = apart ? [String.raw`(?<![\p{L}\d-])`, String.raw`(?![\p{L}\d-])`] : ["", ""];
-  const of = (term: TermId): readonly Sought[] => {
+  const of = (term: TermId): readonly TermPattern[] => {
     const { name, also = [], where = "" } = glossary[term];
     return [...namesOf(name), also].flat().map((each) => ({
       term,
@@ -35,9 +35,9 @@ function soughtIn(glossary: GlossaryTexts): readonly Sought[] {
   return TERMS.flatMap(of).toSorted((a, b) => b.long - a.long);
 }
 
-const known = new WeakMap<GlossaryTexts, readonly Sought[]>();
+const known = new WeakMap<GlossaryTexts, readonly TermPattern[]>();
 
-interface Found {
+interface TermMatch {
   readonly from: number;
   readonly to: number;
   readonly term: TermId;
@@ -52,12 +52,12 @@ export function termParts(
   glossary: GlossaryTexts,
   { before = [], but = null }: { readonly before?: readonly string[]; readonly but?: TermId | null } = {},
 ): readonly (readonly TermPart[])[] {
-  const sought = known.get(glossary) ?? soughtIn(glossary);
+  const sought = known.get(glossary) ?? termPatterns(glossary);
   known.set(glossary, sought);
   const used = new Set<TermId>(but === null ? [] : [but]);
   const piecesOf = (text: string): readonly TermPart[] => {
-    const found: Found[] = [],
-      taken: Found[] = [];
+    const found: TermMatch[] = [],
+      taken: TermMatch[] = [];
     for (const { term, form } of sought) {
       for (const match of text.matchAll(form)) {
         const at = { from: match.index, to: match.index + match[0].length, term };

@@ -14,7 +14,7 @@ import {
 import { useOutcome } from "../../calculation/outcome.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useEditor } from "../../document/store.ts";
-import { useSpeaksOf } from "./open-call.ts";
+import { useIsGuidedCall } from "./open-call.ts";
 
 /** The cutting data of this device: the shop's own, or the default ones. */
 export function useCuttingTable(): CuttingTable {
@@ -91,7 +91,7 @@ export function useAdvisedCalls(): readonly AdvisedCall[] {
 
 /** Advice on one parameter of a cycle, for the call that the guide refers to. */
 export function useAdviceOn(cycle: number, q: string): readonly Advice[] {
-  const isMeant = useSpeaksOf(cycle);
+  const isMeant = useIsGuidedCall(cycle);
   return (
     useAdvisedCalls()
       .find(isMeant)

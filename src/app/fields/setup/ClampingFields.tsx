@@ -9,7 +9,7 @@ import {
   type ClampingWord,
 } from "../../../program/clamping/words.ts";
 import { Icon } from "../../base/Icon.tsx";
-import { useTextsSoon } from "../../base/settings/use-texts.ts";
+import { useTextsOrNull } from "../../base/settings/use-texts.ts";
 import { NumberField } from "./NumberField.tsx";
 import "./clamping.css";
 
@@ -31,7 +31,7 @@ const DIAMETERS: ReadonlySet<ClampingWord> = new Set(["D", "SIZE", "QUILL", "LIM
 
 /** Clamping of the workpiece: not stated, or kind and values. */
 export function ClampingFields({ draft, set, propose, inch = false }: Props) {
-  const t = useTextsSoon("clamping");
+  const t = useTextsOrNull("clamping");
   if (!t) return null;
   if (!draft)
     return (

@@ -4,14 +4,14 @@ import { setClamping } from "../../document/edits.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
 import type { JobReading } from "../../document/reading.ts";
 import { ClampingFields } from "./ClampingFields.tsx";
-import { useTextsSoon } from "../../base/settings/use-texts.ts";
+import { useTextsOrNull } from "../../base/settings/use-texts.ts";
 
 /** Assumed size of an unknown blank, mm. */
 const SOME_BLANK = { left: -80, right: 0, high: 30 };
 
 /** Clamping of a job. */
 export function JobClamping({ read: { job } }: { readonly read: JobReading }) {
-  const t = useTextsSoon("clamping");
+  const t = useTextsOrNull("clamping");
   const blank = useOutcome((s) => s.shown?.run.blank);
   return (
     t && (

@@ -7,7 +7,7 @@ import { goToField } from "../../place/place.ts";
 import { useReading } from "../../document/reading.ts";
 import { changeSettings } from "../../base/settings/settings.ts";
 import { undo } from "../../document/steps.ts";
-import { begin, useEditor } from "../../document/store.ts";
+import { openFirstWork, useEditor } from "../../document/store.ts";
 import { SetupPanel } from "./SetupPanel.tsx";
 
 const [cycle] = cuttingCycles;
@@ -22,7 +22,7 @@ const field = (name: string) => screen.getByRole<HTMLInputElement>("textbox", { 
 
 beforeEach(() => {
   changeSettings({ language: "en" });
-  begin(exampleJob(cycle), "work");
+  openFirstWork(exampleJob(cycle), "work");
   render(<Page />);
 });
 afterEach(cleanup);

@@ -5,9 +5,9 @@ import type { SetupPlace } from "../../../program/job/setup.ts";
 import { usedParameters } from "../../../program/job/job-parameters.ts";
 import { parameterField, SETUP_FIELDS as FIELDS } from "../../../program/job/setup-fields.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
-import { useFits } from "../../calculation/fits.ts";
+import { useFits } from "../../calculation/use-tool-fits.ts";
 import { setBlank, setParameter, setPerRevolution, setRapid, setSpindle, setStart } from "../../document/edits.ts";
-import { MoreLater } from "../said/MoreLater.tsx";
+import { LazyPromptMore } from "../said/LazyPromptMore.tsx";
 import { lazyPart } from "../../base/parts.ts";
 import { setupStartSlot } from "../slots.ts";
 import type { JobReading } from "../../document/reading.ts";
@@ -28,7 +28,7 @@ function Legend({ name, page }: { readonly name: string; readonly page: string }
     <>
       <legend>{name}</legend>
       <Suspense>
-        <MoreLater page={["guide", "setup", page]} name={name} />
+        <LazyPromptMore page={["guide", "setup", page]} name={name} />
       </Suspense>
     </>
   );

@@ -3,7 +3,7 @@ import { Icon } from "../../base/Icon.tsx";
 import { Message } from "../../base/Message.tsx";
 
 /** Result of an import or a change: sentences, and whether the table changed. */
-export interface TableSaid {
+export interface TableMessage {
   readonly sentences: readonly string[];
   readonly failed: boolean;
   readonly changed: boolean;
@@ -15,7 +15,7 @@ export function TableStatus({
   undo,
   done,
 }: {
-  readonly said: TableSaid | null;
+  readonly said: TableMessage | null;
   /** Text of the undo button. Its accessible name says what is undone, since the top line has an undo button too. */
   readonly undo: string;
   /** Called after the undo. */

@@ -8,12 +8,12 @@ import { VerdictText } from "../VerdictText.tsx";
 import type { JobReading } from "../../document/reading.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
-import { followComparing } from "./before.ts";
+import { followComparing } from "./compared.ts";
 import { areaDecimals, durationText, type ComparedNumber } from "./changes.ts";
 import { chipArea, cutAtOnce, effectNow } from "./effect.ts";
 import { PinButton } from "./Pinned.tsx";
 import { TimeName } from "./TimeName.tsx";
-import { MoreFaults, useChanges } from "./Was.tsx";
+import { FaultsChange, useChanges } from "./EffectChanges.tsx";
 
 /** Effect of the values while they are typed: passes, actual infeed, time, chip, residual material, and the verdict. */
 export function EffectStrip({ read }: { readonly read: JobReading }) {
@@ -65,7 +65,7 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
         )}
         <div className="effect-cell proof">
           <dt>
-            {words.verdict.title} <MoreFaults />
+            {words.verdict.title} <FaultsChange />
           </dt>
           <dd>
             <VerdictText verdict={verdict} reasons={verdict.state === "faults" ? 0 : 1} />

@@ -2,7 +2,7 @@ import { Suspense } from "react";
 import { useOutcome } from "../../calculation/outcome.ts";
 import { lazyPart } from "../../base/parts.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
-import { pin, useCompared } from "./before.ts";
+import { setPinned, useCompared } from "./compared.ts";
 
 /** Fetched when a setting is pinned. */
 const PinnedValues = lazyPart(async () => ({ default: (await import("./PinnedValues.tsx")).PinnedValues }));
@@ -18,7 +18,7 @@ export function PinButton() {
       className="button small pin"
       aria-pressed={pinned}
       disabled={!pinned && !ready}
-      onClick={() => pin(!pinned)}
+      onClick={() => setPinned(!pinned)}
     >
       {t.make}
     </button>

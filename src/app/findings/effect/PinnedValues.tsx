@@ -6,7 +6,7 @@ import { readJob } from "../../document/reading.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { useEditor, type Editor } from "../../document/store.ts";
-import { pin, settingOf, takeBackPinned, useCompared } from "./before.ts";
+import { setPinned, settingOf, restorePinned, useCompared } from "./compared.ts";
 import { COMPARED, numberText } from "./changes.ts";
 
 interface Row {
@@ -85,10 +85,10 @@ export function PinnedValues() {
             </tbody>
           </table>
           <footer>
-            <button type="button" className="button small" onClick={takeBackPinned}>
+            <button type="button" className="button small" onClick={restorePinned}>
               {words.back}
             </button>
-            <button type="button" className="button small plain" onClick={() => pin(false)}>
+            <button type="button" className="button small plain" onClick={() => setPinned(false)}>
               {words.letGo}
             </button>
           </footer>

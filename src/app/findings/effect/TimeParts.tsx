@@ -6,14 +6,14 @@ import { useOutcome } from "../../calculation/outcome.ts";
 import { ModalDialog } from "../../base/ModalDialog.tsx";
 import { Icon } from "../../base/Icon.tsx";
 import { useSettings } from "../../base/settings/settings.ts";
-import { useTexts, useTextsSoon } from "../../base/settings/use-texts.ts";
+import { useTexts, useTextsOrNull } from "../../base/settings/use-texts.ts";
 import { durationText } from "./changes.ts";
 import { timeCauses, timeContents } from "./time-contents.ts";
 import "./time-parts.css";
 
 /** The button from a machining time to its breakdown. */
 export function TimeParts() {
-  const t = useTextsSoon("machine");
+  const t = useTextsOrNull("machine");
   const run = useOutcome((s) => s.pictured?.run);
   const [isOpen, open] = useState(false);
   if (!t || !run) return null;

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { texts } from "../../../i18n/index.ts";
 import { lengthsOf } from "../../calculation/lengths.ts";
-import type { MeasuredSetting } from "./before.ts";
+import type { MeasuredSetting } from "./compared.ts";
 import { changeText, numberText } from "./changes.ts";
 
 const t = texts("en"),

@@ -2,7 +2,7 @@ import type { Language } from "../../../i18n/languages.ts";
 import type { Lengths } from "../../../i18n/lengths.ts";
 import { formatFixed } from "../../../i18n/number.ts";
 import type { Texts } from "../../../i18n/index.ts";
-import type { MeasuredSetting } from "./before.ts";
+import type { MeasuredSetting } from "./compared.ts";
 
 /** The compared numbers, in display order. */
 export const COMPARED = ["passes", "infeed", "time", "chip", "residual", "faults"] as const;

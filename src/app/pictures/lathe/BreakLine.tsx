@@ -4,7 +4,7 @@ import type { Tool } from "../../../kernel/plan/tool.ts";
 import { breakData, breakOf } from "../../../view/cutting-tool/break-line.ts";
 import { pageUnit } from "../../base/unit.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "./Axes.tsx";
-import type { Carrying } from "./carry.ts";
+import type { MovingAnchor } from "./moving-anchor.ts";
 import type { Viewport } from "./viewport.ts";
 
 /** From the edge of the picture to the break, pixels. */
@@ -18,7 +18,7 @@ export function BreakLine({
 }: {
   readonly viewport: Viewport;
   readonly tool: Tool;
-  readonly carrying: Carrying;
+  readonly carrying: MovingAnchor;
 }) {
   const sheet = useRef<HTMLDivElement>(null);
   useEffect(() => {
@@ -55,7 +55,7 @@ export function BreakLine({
     });
     const look = () => {
       show();
-      gliding.again();
+      gliding.recompute();
     };
     show();
     const ends = [viewport.subscribe(look), carrying.follow(show), gliding.end];

@@ -3,7 +3,7 @@ import { sameChip, type Chip } from "../../../sim/chip/chip.ts";
 import { chipMeasure, drawnChip } from "../../../view/cutting-tool/chip-drawing.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import type { Camera } from "../../../view/camera.ts";
-import type { Moving } from "../../calculation/moving.ts";
+import type { PlayedScene } from "../../calculation/moving.ts";
 import type { Viewport } from "./viewport.ts";
 
 /** Half size of the cross at the theoretical tip, pixels, and the scale from which it is shown, pixels per mm. */
@@ -19,7 +19,7 @@ export function ChipSheet({
   moving: { chipAt, playback },
 }: {
   readonly viewport: Viewport;
-  readonly moving: Moving;
+  readonly moving: PlayedScene;
 }) {
   const sheet = useRef<SVGSVGElement>(null),
     lengths = useLengths();

@@ -1,5 +1,5 @@
 import type { KnownOutline, KnownPosition } from "../../../cycles/known-outline.ts";
-import type { KnownWork } from "../../../program/job/known-work.ts";
+import type { PartialWork } from "../../../program/job/partial-work.ts";
 import type { Lengths } from "../../../i18n/lengths.ts";
 import { axial, diameter, radius, toRadius } from "../../../kernel/units.ts";
 import { toScreen } from "../../../view/camera.ts";
@@ -50,7 +50,7 @@ function spread(places: readonly number[], apart: number): readonly number[] {
  * Line at the position of the open prompt, in a picture that has its path; at all positions while the values make no
  * contour.
  */
-export function AskedMarks({ viewport, known }: { readonly viewport: Viewport; readonly known: KnownWork }) {
+export function AskedMarks({ viewport, known }: { readonly viewport: Viewport; readonly known: PartialWork }) {
   const asked = usePlace((p) => p.prompt),
     { outline, points } = known;
   const positions = outline.whole ? outline.positions.filter(({ q }) => q === asked) : outline.positions;
@@ -72,7 +72,7 @@ export function KnownMarks({
   },
 }: {
   readonly viewport: Viewport;
-  readonly known: KnownWork;
+  readonly known: PartialWork;
 }) {
   const camera = useCamera(viewport),
     { width, height } = viewport.size();

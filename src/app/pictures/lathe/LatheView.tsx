@@ -1,5 +1,5 @@
 import { Suspense, useEffect, useId, useMemo, useState } from "react";
-import type { KnownWork } from "../../../program/job/known-work.ts";
+import type { PartialWork } from "../../../program/job/partial-work.ts";
 import { NO_TIMING } from "../../../program/run/run-times.ts";
 import type { Run } from "../../../program/state/run-types.ts";
 import type { Pt, Ring } from "../../../kernel/geometry/point.ts";
@@ -9,10 +9,10 @@ import { datumAt, datumIndex } from "../../../view/datum.ts";
 import { trackOf } from "../../../view/playback.ts";
 import { sceneOf, type SceneParts } from "../../../view/scene.ts";
 import type { Clock } from "../../base/clock.ts";
-import { Late } from "../../base/typing.ts";
+import { DeferredUntilPaint } from "../../base/typing.ts";
 import { CountedIn, useLengths } from "../../calculation/lengths.ts";
 import { LoadPart } from "../load/LoadParts.tsx";
-import { createPointed } from "../load/pointed.ts";
+import { createPointedPlace } from "../load/pointed-place.ts";
 import { MeasuredInSection, Measurements } from "../measure/Measurements.tsx";
 import { useMeasuring } from "../measure/measuring.ts";
 import { useLatheSource } from "../measure/source.ts";
@@ -29,22 +29,22 @@ import { ChosenPath, HoveredMove } from "./Chosen.tsx";
 import { GlyphButton } from "./GlyphButton.tsx";
 import { pressKey } from "./keys.ts";
 import { AskedMarks, KnownMarks, knownText } from "./KnownMarks.tsx";
-import { HeldNote } from "./HeldNote.tsx";
+import { ClampingNote } from "./ClampingNote.tsx";
 import { Legend } from "./Legend.tsx";
 import { Marks } from "./Marks.tsx";
 import { MoveTable } from "./MoveTable.tsx";
 import { Picture } from "./Picture.tsx";
 import { PlaceButtons, PlaceLines } from "./PlaceButtons.tsx";
-import { seenFlat } from "./seeing.ts";
-import { usePlaces, type LookAt } from "./places.ts";
+import { sectionProjection } from "./place-projection.ts";
+import { usePlaces, type PicturePlace } from "./places.ts";
 import { PlaybackBar } from "./PlaybackBar.tsx";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { Readout, SpokenStatus, statusText } from "./Readout.tsx";
 import { placeText } from "./running.ts";
 import { StepList } from "./StepList.tsx";
-import { useTold } from "./told.ts";
+import { useTaskMarks } from "./task-marks.ts";
 import { Timeline } from "./Timeline.tsx";
-import { lookingAt, useLooking } from "./use-looking.ts";
+import { combineViews, useFindingFocus } from "./use-finding-focus.ts";
 import { stretchesOf, useShownPath } from "./use-paths.ts";
 import { usePicking } from "./use-picking.ts";
 import { usePlayback } from "./use-playback.ts";
@@ -53,7 +53,7 @@ import { useSolid } from "./use-solid.ts";
 import { useStage } from "./use-stage.ts";
 import { chooseMove } from "../selection.ts";
 import { contourAt } from "../../document/region.ts";
-import { ToolAway } from "./ToolAway.tsx";
+import { OffscreenTool } from "./OffscreenTool.tsx";
 import { ViewBar } from "./ViewBar.tsx";
 import { createViewport } from "./viewport.ts";
 import "./lathe.css";
@@ -62,11 +62,11 @@ import { Outdated } from "./Outdated.tsx";
 /** Loaded for a program with approaches. */
 const TurnPoints = lazyPart(async () => ({ default: (await import("../plane/TurnPoints.tsx")).TurnPoints }));
 /** Loaded on demand: paths of other settings, the 3D view. */
-const GhostPaths = lazyPart(async () => ({ default: (await import("./Ghost.tsx")).GhostPaths }));
+const GhostPaths = lazyPart(async () => ({ default: (await import("./GhostPaths.tsx")).GhostPaths }));
 const SolidView = lazyPart(async () => ({ default: (await import("../solid/SolidView.tsx")).SolidView }));
 const WhichCycle = lazyPart(async () => ({ default: await whichSlot.fetch() }));
 
-const NOWHERE: readonly LookAt[] = [];
+const NOWHERE: readonly PicturePlace[] = [];
 const NO_RINGS: readonly Ring[] = [];
 
 const EMPTY_RUN: Run = {
@@ -96,14 +96,14 @@ const partsOf = (run: Run): SceneParts => ({
 });
 
 /** Scene parts known without a run: blank, contour as far as typed, and the start of the tool. */
-function knownParts({ blank, start, tool, outline, points }: KnownWork, run: Run): Partial<SceneParts> {
+function knownParts({ blank, start, tool, outline, points }: PartialWork, run: Run): Partial<SceneParts> {
   const { contour, sketch, positions } = outline;
   const alone = positions.map(({ axis, value }): Pt =>
     axis === "x" ? { z: axial(0), r: toRadius(diameter(value)) } : { z: axial(value), r: radius(0) },
   );
-  const near = [...points, ...alone];
-  const waits = start && run.steps.length === 0 ? { at: start, tool } : null;
-  return { contours: [contour], sketch, near, waits, ...(run.blank.length === 0 && { blank }) };
+  const framedPoints = [...points, ...alone];
+  const parkedTool = start && run.steps.length === 0 ? { at: start, tool } : null;
+  return { contours: [contour], sketch, framedPoints, parkedTool, ...(run.blank.length === 0 && { blank }) };
 }
 /** A move was clicked. `byKey`: chosen by keyboard, so its dialog gets the focus. */
 export type MovePointed = (step: number, byKey?: boolean) => void;
@@ -119,7 +119,7 @@ export function LatheView({
 }: {
   readonly result: LatheResult | null;
   /** Values typed so far: drawn while the result has no contour, then only the position of the open prompt. */
-  readonly known?: KnownWork | null;
+  readonly known?: PartialWork | null;
   /** The picture is older than the typed values. */
   readonly dimmed: boolean;
   readonly playback: PlaybackStore;
@@ -156,7 +156,7 @@ export function LatheView({
   const source = useLatheSource({ run, stockAt: shown?.simulation && moving ? moving.stockAt : null, playback });
   const path = useShownPath(run, passes.stretches, playback);
   const { hover, over, tap } = usePicking({ run, viewport, shown: path.has, onMove });
-  const [pointed] = useState(createPointed);
+  const [pointed] = useState(createPointedPlace);
   const point = (at: Place | null) => {
     over(at);
     pointed.set(at && toPlace(viewport.get(), at));
@@ -205,13 +205,13 @@ export function LatheView({
     const now = typed ? `${rests}. ${knownText(t, lengths, typed.outline)}` : rests;
     return run.datums.length > 0 ? `${now} ${t.countsFrom(x, z)}` : now;
   }, [t, texts, lengths, run, playback, resting, datum, typed]);
-  const { told } = useTold();
+  const { told } = useTaskMarks();
   const found = usePlaces("ZX"),
     places = told?.places ?? (dimmed || !simulation ? NOWHERE : found);
   const leads = useMemo(() => run.approaches.filter((a) => a.plane === "ZX"), [run]);
-  const { chosen, choose } = useLooking(
+  const { chosen, choose } = useFindingFocus(
     places,
-    useMemo(() => lookingAt([viewport, solid.drawn]), [viewport, solid.drawn]),
+    useMemo(() => combineViews([viewport, solid.drawn]), [viewport, solid.drawn]),
     playback,
   );
   const seen = places.filter((each) => ended || told || each.kind === "finding" || each === chosen);
@@ -277,11 +277,11 @@ export function LatheView({
                 name={t.pictures[section](state)}
                 path={path.stretches}
                 ghosts={
-                  <Late>
+                  <DeferredUntilPaint>
                     <Suspense>
                       <GhostPaths scene={scene} clock={clock} />
                     </Suspense>
-                  </Late>
+                  </DeferredUntilPaint>
                 }
                 chosen={[
                   <LoadPart.Lines key="load" run={run} shown={path.has} />,
@@ -289,13 +289,13 @@ export function LatheView({
                 ]}
                 hovered={<HoveredMove run={run} hover={hover} />}
               >
-                {scene.chuck?.unstated && <HeldNote viewport={viewport} plane={scene.chuck.unstated} />}
+                {scene.chuck?.unstated && <ClampingNote viewport={viewport} plane={scene.chuck.unstated} />}
                 <Marks viewport={viewport} starts={starts} datum={datum} />
-                <LoadPart.Mark run={run} seeing={seenFlat(viewport)} />
+                <LoadPart.Mark run={run} seeing={sectionProjection(viewport)} />
                 {typed && <KnownMarks viewport={viewport} known={typed} />}
                 {!typed && known && <AskedMarks viewport={viewport} known={known} />}
                 {run.steps.length > 0 && (
-                  <ToolAway
+                  <OffscreenTool
                     viewport={viewport}
                     playback={playback}
                     run={run}
@@ -309,9 +309,9 @@ export function LatheView({
                     <TurnPoints viewport={viewport} approaches={leads} />
                   </Suspense>
                 )}
-                <PlaceLines seeing={seenFlat(viewport)} places={seen} />
+                <PlaceLines seeing={sectionProjection(viewport)} places={seen} />
               </Picture>
-              <PlaceButtons seeing={seenFlat(viewport)} places={seen} chosen={chosen} choose={choose} />
+              <PlaceButtons seeing={sectionProjection(viewport)} places={seen} chosen={chosen} choose={choose} />
               <Measurements viewport={viewport} measuring={measuring} source={source} />
             </>
           )}
@@ -339,20 +339,20 @@ export function LatheView({
             {t.keys}
           </p>
         </div>
-        <Late>
+        <DeferredUntilPaint>
           <LoadPart.Strip run={run} viewport={viewport} playback={playback} pointed={pointed} shown={path.has} />
           <Readout run={run} playback={playback} chipAt={moving?.chipAt ?? null} />
           <StepList run={run} playback={playback} />
-        </Late>
+        </DeferredUntilPaint>
         <PlaybackBar playback={playback}>
           <span className="lathe-fold">
             <GlyphButton glyph="view" name={t.viewTools} expanded={tools} onPress={() => showTools(!tools)} />
           </span>
         </PlaybackBar>
-        <Late>
+        <DeferredUntilPaint>
           <Timeline run={run} playback={playback} />
           <SpokenStatus run={run} playback={playback} clock={clock} />
-        </Late>
+        </DeferredUntilPaint>
         {asking && (
           <Suspense>
             <WhichCycle region={asking} done={() => ask(null)} />
@@ -360,10 +360,10 @@ export function LatheView({
         )}
         {shown && (
           <div className="lathe-more">
-            <Late>
+            <DeferredUntilPaint>
               <MoveTable run={run} playback={playback} />
               <LoadPart.Table run={run} playback={playback} />
-            </Late>
+            </DeferredUntilPaint>
           </div>
         )}
       </section>

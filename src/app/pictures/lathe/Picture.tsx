@@ -2,15 +2,15 @@ import { memo, useEffect, useId, useMemo, useRef, type CSSProperties } from "rea
 import type { Camera } from "../../../view/camera.ts";
 import type { Ring } from "../../../kernel/geometry/point.ts";
 import type { Run } from "../../../program/state/run-types.ts";
-import { outsideData } from "../../../view/material/outside.ts";
+import { outerOutlineData } from "../../../view/material/outer-outline.ts";
 import { ringData } from "../../../view/path.ts";
 import type { PathStretch } from "../../../view/passes.ts";
 import type { Scene, Shape } from "../../../view/scene.ts";
 import type { SectionView } from "../../base/settings/settings.ts";
-import { NewestContour, NewestPath } from "./Ahead.tsx";
+import { NewestContour, NewestPath } from "./NewestLines.tsx";
 import { LatheAxes } from "./Axes.tsx";
 import { MaterialSheet } from "./MaterialSheet.tsx";
-import type { Moving, Waiting } from "../../calculation/moving.ts";
+import type { PlayedScene, InitialScene } from "../../calculation/moving.ts";
 import { RunningMove } from "./RunningMove.tsx";
 import { RunningTool, WaitingTool } from "./ToolSheet.tsx";
 import type { Viewport } from "./viewport.ts";
@@ -78,9 +78,9 @@ function ResidualHatch({ viewport, id }: { readonly viewport: Viewport; readonly
 const FAR = 100_000;
 
 /** Hides what is behind the outer surface of the finished part; lines along that surface stay. */
-function BeforeSurface({ id, moving }: { readonly id: string; readonly moving: Moving }) {
+function BeforeSurface({ id, moving }: { readonly id: string; readonly moving: PlayedScene }) {
   const { steps, stockAt } = moving;
-  const d = useMemo(() => outsideData(stockAt({ step: steps.length, fraction: 0 })), [steps, stockAt]);
+  const d = useMemo(() => outerOutlineData(stockAt({ step: steps.length, fraction: 0 })), [steps, stockAt]);
   return (
     <mask
       id={id}
@@ -125,9 +125,9 @@ export function Picture({
   readonly of?: Run | null;
   readonly viewport: Viewport;
   readonly scene: Scene;
-  readonly moving: Moving | null;
+  readonly moving: PlayedScene | null;
   /** The blank and the tool at its start, while nothing moves. */
-  readonly waiting: Waiting | null;
+  readonly waiting: InitialScene | null;
   /** Contour damage and residual material, in part space. */
   readonly gouges: readonly Ring[];
   readonly residual: readonly Ring[];

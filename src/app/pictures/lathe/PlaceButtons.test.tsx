@@ -3,11 +3,11 @@ import userEvent from "@testing-library/user-event";
 import { expect, test, vi } from "vitest";
 import { at } from "../../../kernel/geometry/point.ts";
 import { clock } from "../../base/clock.ts";
-import { createEye, seenInSpace } from "../solid/eye.ts";
+import { createEye, spaceProjection } from "../solid/eye.ts";
 import { PlaceButtons } from "./PlaceButtons.tsx";
-import type { LookAt } from "./places.ts";
+import type { PicturePlace } from "./places.ts";
 
-const place: LookAt = {
+const place: PicturePlace = {
   id: "f1",
   kind: "finding",
   mark: "1",
@@ -23,7 +23,7 @@ test("a mark in the 3D view has a name, is chosen by keyboard, and stays at its 
     choose = vi.fn();
   eye.setSize({ width: 640, height: 400 });
   eye.setBounds({ left: -60, right: 2, low: 0, high: 22 });
-  render(<PlaceButtons seeing={seenInSpace(eye, false)} places={[place]} chosen={null} choose={choose} />);
+  render(<PlaceButtons seeing={spaceProjection(eye, false)} places={[place]} chosen={null} choose={choose} />);
   const mark = screen.getByRole("button", { name: "1: 0.7 mm² of the part are cut away. (block 9)" });
   await userEvent.tab();
   expect(document.activeElement).toBe(mark);

@@ -2,8 +2,8 @@ import { badgePlaces } from "../../../view/badge-places.ts";
 import type { Place } from "../../../view/camera.ts";
 import { holds } from "../../base/use-media.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "./Axes.tsx";
-import type { LookAt } from "./places.ts";
-import { useSeeing, type Seeing } from "./seeing.ts";
+import type { PicturePlace } from "./places.ts";
+import { useProjection, type PlaceProjection } from "./place-projection.ts";
 
 /** Most marks in the picture; the list has them all. */
 const MOST = 40;
@@ -13,7 +13,7 @@ const RING = 9;
 export const TOOLS = 56;
 
 interface Badge {
-  readonly place: LookAt;
+  readonly place: PicturePlace;
   /** The place, and the centre of its mark, pixels. */
   readonly at: Place;
   readonly left: number;
@@ -21,7 +21,7 @@ interface Badge {
 }
 
 /** The marks of all visible places. */
-export function badgesOf(places: readonly LookAt[], { at: seenAt, size }: Seeing): readonly Badge[] {
+export function badgesOf(places: readonly PicturePlace[], { at: seenAt, size }: PlaceProjection): readonly Badge[] {
   const { width, height } = size(),
     seen = { left: SCALE_LEFT, right: width, top: 0, bottom: height - SCALE_BELOW };
   const put = places.slice(0, MOST).flatMap((place) => {
@@ -38,7 +38,10 @@ export function badgesOf(places: readonly LookAt[], { at: seenAt, size }: Seeing
 }
 
 /** One badge for those at the same spot, preferring the chosen one, and how many more it stands for. */
-function sharedBadges(badges: readonly Badge[], chosen: LookAt | null): readonly (Badge & { readonly more: number })[] {
+function sharedBadges(
+  badges: readonly Badge[],
+  chosen: PicturePlace | null,
+): readonly (Badge & { readonly more: number })[] {
   const spots = new Map<string, Badge[]>();
   for (const badge of badges) {
     const key = `${badge.left} ${badge.top}`,
@@ -59,14 +62,14 @@ export function PlaceButtons({
   chosen,
   choose,
 }: {
-  readonly seeing: Seeing;
-  readonly places: readonly LookAt[];
-  readonly chosen: LookAt | null;
-  readonly choose: (place: LookAt | null) => void;
+  readonly seeing: PlaceProjection;
+  readonly places: readonly PicturePlace[];
+  readonly chosen: PicturePlace | null;
+  readonly choose: (place: PicturePlace | null) => void;
 }) {
   return (
     <>
-      {sharedBadges(badgesOf(places, useSeeing(seeing)), chosen).map(({ place: each, left, top, more }) => {
+      {sharedBadges(badgesOf(places, useProjection(seeing)), chosen).map(({ place: each, left, top, more }) => {
         const on = chosen?.id === each.id,
           mark = more > 0 ? `${each.mark}+${more}` : each.mark;
         return (
@@ -97,10 +100,16 @@ export function PlaceButtons({
 }
 
 /** The ring around each finding, and the leader from each place to its mark. */
-export function PlaceLines({ seeing, places }: { readonly seeing: Seeing; readonly places: readonly LookAt[] }) {
-  const drawn = badgesOf(places, useSeeing(seeing));
+export function PlaceLines({
+  seeing,
+  places,
+}: {
+  readonly seeing: PlaceProjection;
+  readonly places: readonly PicturePlace[];
+}) {
+  const drawn = badgesOf(places, useProjection(seeing));
   /** From the edge of a ring, or the place itself, to the centre of its mark, which covers the end. */
-  const leaders = (kind: LookAt["kind"], from: number) =>
+  const leaders = (kind: PicturePlace["kind"], from: number) =>
     drawn
       .filter(({ place }) => place.kind === kind)
       .map(({ at: { x, y }, left, top }) => {

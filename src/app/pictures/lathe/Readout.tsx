@@ -4,10 +4,10 @@ import type { Clock } from "../../base/clock.ts";
 import type { Lengths } from "../../../i18n/lengths.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
-import type { Moving } from "../../calculation/moving.ts";
+import type { PlayedScene } from "../../calculation/moving.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { chipText, runningText, type Running } from "./running.ts";
-import { useSaid, useSpoken } from "./use-said.ts";
+import { useMomentTexts, useThrottledStatus } from "./use-moment-texts.ts";
 
 const FIELDS = ["x", "z", "feed", "speed"] as const;
 
@@ -26,7 +26,7 @@ export function Readout({
 }: {
   readonly run: Run;
   readonly playback: PlaybackStore;
-  readonly chipAt: Moving["chipAt"] | null;
+  readonly chipAt: PlayedScene["chipAt"] | null;
 }) {
   const texts = useTexts(),
     t = texts.lathe,
@@ -36,7 +36,7 @@ export function Readout({
       now = runningText(texts, lengths, run, position);
     return now && { ...now, chip: chipText(lengths, chipAt?.(position) ?? null, run.steps[position.step]?.move) };
   }, [texts, lengths, run, playback, chipAt]);
-  const group = useSaid(playback, moment, textOfCell);
+  const group = useMomentTexts(playback, moment, textOfCell);
   const names = { x: t.axisX, z: t.axisZ, feed: t.feedName, speed: t.speedName };
   return (
     <div ref={group} className="lathe-readout" data-counts={lengths.unit} role="group" aria-label={t.now}>
@@ -78,7 +78,7 @@ export function SpokenStatus({
   const texts = useTexts(),
     lengths = useLengths();
   const sentence = useCallback(() => statusText(texts, lengths, run, playback), [texts, lengths, run, playback]);
-  const said = useSpoken(playback, clock, sentence);
+  const said = useThrottledStatus(playback, clock, sentence);
   return (
     <p className="unseen" role="status">
       {said}

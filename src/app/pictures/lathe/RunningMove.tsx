@@ -1,11 +1,11 @@
 import { useCallback, useRef } from "react";
 import type { Step } from "../../../kernel/time/step.ts";
 import { stretchData } from "../../../view/path.ts";
-import { stepIndex, type Moving } from "../../calculation/moving.ts";
+import { stepIndex, type PlayedScene } from "../../calculation/moving.ts";
 import { useEachPicture } from "./use-playback.ts";
 
 /** The running move, highlighted. */
-export function RunningMove({ moving: { steps, playback } }: { readonly moving: Moving }) {
+export function RunningMove({ moving: { steps, playback } }: { readonly moving: PlayedScene }) {
   const running = useRef<SVGPathElement>(null),
     drawn = useRef<Step | null>(null);
   const paint = useCallback(() => {

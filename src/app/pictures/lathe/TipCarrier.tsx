@@ -1,6 +1,6 @@
 import { useEffect, useRef } from "react";
 import { toScreen, type Place } from "../../../view/camera.ts";
-import type { Carrying } from "./carry.ts";
+import type { MovingAnchor } from "./moving-anchor.ts";
 import type { Viewport } from "./viewport.ts";
 
 const CORNER: Place = { x: 0, y: 0 };
@@ -15,7 +15,7 @@ export function TipCarrier({
   children,
 }: {
   readonly viewport: Viewport;
-  readonly carrying: Carrying;
+  readonly carrying: MovingAnchor;
   readonly children: React.ReactNode;
 }) {
   const world = useRef<HTMLDivElement>(null),
@@ -35,7 +35,7 @@ export function TipCarrier({
       drawn = viewport.drawn();
       const grown = scale / drawn.scale;
       around.style.transform = `translate(${zero.x}px, ${zero.y}px)${grown === 1 ? "" : ` scale(${grown})`}`;
-      if (drawn.scale !== before.scale || drawn.xUp !== before.xUp) gliding.again();
+      if (drawn.scale !== before.scale || drawn.xUp !== before.xUp) gliding.recompute();
     };
     look();
     const deaf = viewport.subscribe(look);

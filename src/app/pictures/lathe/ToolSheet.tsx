@@ -10,11 +10,11 @@ import { toolBox } from "../../../view/cutting-tool/drawing.ts";
 import { liesBehind, silhouetteOf, type Silhouette } from "../../../view/cutting-tool/silhouette.ts";
 import type { SectionView } from "../../base/settings/settings.ts";
 import { BreakLine } from "./BreakLine.tsx";
-import { restingTip, runningTip, type Carrying } from "./carry.ts";
+import { restingTip, runningTip, type MovingAnchor } from "./moving-anchor.ts";
 import { TipCarrier } from "./TipCarrier.tsx";
 import { ChipSheet } from "./ChipSheet.tsx";
 import { DrawnTool } from "./DrawnTool.tsx";
-import { stepIndex, type Moving } from "../../calculation/moving.ts";
+import { stepIndex, type PlayedScene } from "../../calculation/moving.ts";
 import { usePlayback } from "./use-playback.ts";
 import type { Viewport } from "./viewport.ts";
 
@@ -36,7 +36,7 @@ function boxesOf(tool: Tool): { readonly insert: Bounds; readonly all: Bounds } 
 interface Standing {
   readonly viewport: Viewport;
   readonly tool: Tool;
-  readonly carrying: Carrying;
+  readonly carrying: MovingAnchor;
 }
 
 /** A tool on a sheet no larger than itself, redrawn for another tool or zoom. */
@@ -152,7 +152,7 @@ export function RunningTool({
   section,
 }: {
   readonly viewport: Viewport;
-  readonly moving: Moving;
+  readonly moving: PlayedScene;
   readonly section: SectionView;
 }) {
   const { steps, playback, stockAt } = moving;

@@ -4,21 +4,21 @@ import { boundsOf } from "../../../view/bounds.ts";
 import type { Camera } from "../../../view/camera.ts";
 import type { ChuckDrawing } from "../../../view/material/chuck.ts";
 import type { Patch } from "../../../view/material/pen.ts";
-import type { MaterialColours } from "../../../view/material/easel.ts";
+import type { MaterialColours } from "../../../view/material/paint-target.ts";
 import {
   farthest,
-  paintShop,
+  paintSurroundings,
   stockPainter,
   untouchedRun,
   type StockLook,
 } from "../../../view/material/stock-painter.ts";
-import { chuckPatch, patchWithin, turnedPatchOf } from "../../../view/material/touched.ts";
+import { chuckPatch, patchWithin, turnedPatchOf } from "../../../view/material/changed-box.ts";
 import type { KnownOutcome } from "../../calculation/load-request.ts";
 import type { StockPictures } from "../../calculation/played.ts";
 import { askWorker } from "../../calculation/worker-life.ts";
 import type { SectionView } from "../../base/settings/settings.ts";
 import { fitCanvas } from "./fit-canvas.ts";
-import type { Moving } from "../../calculation/moving.ts";
+import type { PlayedScene } from "../../calculation/moving.ts";
 import { knownOf, playedLayer, playedSteps } from "./played-layer.ts";
 import { pageColours } from "../../base/use-theme-colours.ts";
 import { drawnRoom, type Viewport } from "./viewport.ts";
@@ -70,7 +70,7 @@ export interface SheetCanvases {
 /** Content of a sheet. */
 export interface SheetScene {
   readonly viewport: Viewport;
-  readonly moving: Moving | null;
+  readonly moving: PlayedScene | null;
   /** The blank before anything moves. */
   readonly blank: readonly Ring[];
   readonly section: SectionView;
@@ -174,7 +174,7 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
     fitCanvas(under, ground, ratio);
     const easel = new OffscreenCanvas(under.width, under.height),
       below = easel.getContext("2d");
-    if (below) paintShop(below, look());
+    if (below) paintSurroundings(below, look());
     shop.transferFromImageBitmap(easel.transferToImageBitmap());
   };
   const paintAll = () => {
@@ -189,7 +189,7 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
     memory.work = looks;
     show("own");
     fitCanvas(over, work, ratio);
-    painter.all(pen, look());
+    painter.paintAll(pen, look());
   };
   /** Shows the worker's picture. */
   const take = ({ work: stock, shop: around }: StockPictures, position: PlayPosition) => {
@@ -206,7 +206,7 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
     if (playback?.shown() !== position) paintMoved();
   };
   /** Has the workpiece painted for the present view; until then the old picture is shifted. */
-  const lookAnew = async (of: KnownOutcome, position: PlayPosition) => {
+  const repaintForCamera = async (of: KnownOutcome, position: PlayPosition) => {
     const next = nextLook();
     awaited = next.camera;
     const made = await stockPictures(of, next, position);
@@ -220,7 +220,7 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
     const now = viewport.drawn();
     if (now === camera && !isOld) awaited = null;
     else if (!of || !playback || (isOld && (playback.get().playing || memory.laid?.style !== style))) paintAll();
-    else if (now !== awaited) void lookAnew(of, playback.shown());
+    else if (now !== awaited) void repaintForCamera(of, playback.shown());
     shift();
   };
   let waits = false;
@@ -237,7 +237,7 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
     waits = !waits && playback.get().playing;
     if (waits || (shows !== "played" && isSamePlace(painter.at(), playback.shown()))) return;
     own();
-    if (painter.follow(pen, look(), playback.shown())) memory.work = [];
+    if (painter.paintChanges(pen, look(), playback.shown())) memory.work = [];
   };
   show(shows);
   follow();

@@ -2,7 +2,7 @@ import { panned, pinched, type Place } from "../../../view/camera.ts";
 import type { Viewport } from "./viewport.ts";
 
 /** Pointer actions of a picture besides panning and zooming. */
-export interface Touches {
+export interface PointerActions {
   /** A click without a drag. */
   readonly tap: (at: Place) => void;
   /** The pointer hovers over the picture. */
@@ -20,7 +20,7 @@ const WHEEL = 0.0015;
 export function listenToGestures(
   element: Element & GlobalEventHandlers,
   viewport: Viewport,
-  touches: Touches,
+  touches: PointerActions,
 ): () => void {
   const down = new Map<number, Place>();
   let begun: Place | null = null;

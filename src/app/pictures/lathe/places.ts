@@ -10,7 +10,7 @@ import { useIssueText } from "../../calculation/issue-text.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
 /** A finding of the list with a place in the picture. */
-export interface LookAt {
+export interface PicturePlace {
   readonly id: string;
   /** "told": predicted by the learner before seeing the result. */
   readonly kind: FindingSpot["kind"] | "told";
@@ -27,12 +27,12 @@ export interface LookAt {
 }
 
 /** A finding as a place of a picture; null if it has none there. `said`: its text. */
-export function lookAtOf(
+export function picturePlaceOf(
   { id, issue, block, spot }: FindingEntry,
   plane: FindingSpot["plane"],
   { inBlock }: Pick<Texts["findings"], "inBlock">,
   said: () => string,
-): LookAt | null {
+): PicturePlace | null {
   if (spot?.plane !== plane) return null;
   const { kind, mark, place, bounds, position } = spot;
   return {
@@ -48,12 +48,12 @@ export function lookAtOf(
 }
 
 /** The findings that one of the two pictures shows, in the order of the list. */
-export function usePlaces(plane: FindingSpot["plane"]): readonly LookAt[] {
+export function usePlaces(plane: FindingSpot["plane"]): readonly PicturePlace[] {
   const entries = useFindings();
   const say = useIssueText();
   const t = useTexts().findings;
   return useMemo(
-    () => entries.flatMap((entry) => lookAtOf(entry, plane, t, () => say(entry.issue)) ?? []),
+    () => entries.flatMap((entry) => picturePlaceOf(entry, plane, t, () => say(entry.issue)) ?? []),
     [entries, plane, say, t],
   );
 }

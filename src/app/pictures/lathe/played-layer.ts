@@ -5,7 +5,7 @@ import { secondsAt, type PlayedTrack } from "../../../view/playback.ts";
 import { dayMoment } from "../../base/clock.ts";
 import type { KnownOutcome } from "../../calculation/load-request.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
-import type { PlayedCourse, PlayedOn } from "../../calculation/played.ts";
+import type { PlayedCourse, PlaybackCanvas } from "../../calculation/played.ts";
 import type { Engine } from "../../calculation/worker.ts";
 import { askWorker } from "../../calculation/worker-life.ts";
 import { counter } from "../../base/once.ts";
@@ -62,7 +62,7 @@ export function knownOf(steps: readonly Step[]): KnownOutcome | null {
 /** Asks the worker to paint the playback for a view. */
 export type PlayedByWorker<Look> = (
   engine: Remote<Engine>,
-  on: PlayedOn,
+  on: PlaybackCanvas,
   look: Look,
   course: PlayedCourse,
 ) => Promise<boolean>;

@@ -5,7 +5,7 @@ import type { Simulation } from "../../../sim/simulation.ts";
 import { chipsOf } from "../../../sim/chip/chips.ts";
 import { blanksOf, playerOf, sameBlank, type Player } from "../../../sim/stock.ts";
 import { UNTOUCHED, type Surfaces } from "../../../view/material/surfaces.ts";
-import { surfacesOfRun, type Moving } from "../../calculation/moving.ts";
+import { surfacesOfRun, type PlayedScene } from "../../calculation/moving.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 
 /** A run with its simulation, or without one while it is only planned. */
@@ -15,13 +15,13 @@ export interface LatheResult {
 }
 
 /** A simulated run: its steps and operations are those of its simulation. */
-export interface ProvedResult {
+export interface SimulatedResult {
   readonly run: Run;
   readonly simulation: Simulation;
 }
 
-interface Held {
-  readonly proved: ProvedResult;
+interface ShownMaterial {
+  readonly proved: SimulatedResult;
   readonly player: Player;
   readonly surfaces: Surfaces;
 }
@@ -33,7 +33,7 @@ const sameRings = (a: readonly Ring[], b: readonly Ring[]): boolean =>
   );
 
 /** The stock of a planned run before its simulation: the previous stock, or the new blank if that changed. */
-interface Uncut {
+interface PlannedStock {
   readonly run: Run;
   readonly stock: readonly Ring[];
 }
@@ -45,9 +45,9 @@ interface Uncut {
 export function useMaterial(
   result: LatheResult | null,
   playback: PlaybackStore,
-): { readonly proved: ProvedResult | null; readonly moving: Moving | null } {
-  const [held, hold] = useState<Held | null>(null);
-  const [waiting, wait] = useState<Uncut | null>(null);
+): { readonly proved: SimulatedResult | null; readonly moving: PlayedScene | null } {
+  const [held, hold] = useState<ShownMaterial | null>(null);
+  const [waiting, wait] = useState<PlannedStock | null>(null);
   function kept({ blank }: Run): readonly Ring[] {
     if (waiting && sameRings(waiting.run.blank, blank)) return waiting.stock;
     return held && sameRings(held.proved.simulation.blank, blank) ? held.player.at(playback.get().position) : blank;
@@ -64,7 +64,7 @@ export function useMaterial(
   if (result && !result.simulation && result.run !== waiting?.run) {
     wait({ run: result.run, stock: kept(result.run) });
   }
-  const moving = useMemo((): Moving | null => {
+  const moving = useMemo((): PlayedScene | null => {
     if (!result) return null;
     const { steps } = result.run;
     const surfaces = held?.surfaces ?? UNTOUCHED;

@@ -3,7 +3,7 @@ import { markedBy, runningPart, type MoveSpan } from "../../../program/run/path-
 import type { Run } from "../../../program/state/run-types.ts";
 import { MOST_STRETCHES, pathStretches, wholePath, type KnownLines, type PathStretch } from "../../../view/passes.ts";
 import type { Shape, TipWays } from "../../../view/scene.ts";
-import { hearsAhead } from "../../calculation/calculation.ts";
+import { plannedAheadListeners } from "../../calculation/calculation.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { usePlayback } from "./use-playback.ts";
@@ -40,7 +40,7 @@ export function stretchesOf(run: Run): Passes {
 }
 
 // The lines of a long work that was planned while idle are ready for its first key.
-hearsAhead.add(stretchesOf);
+plannedAheadListeners.add(stretchesOf);
 
 /**
  * The part of a run that the settings show. `all`: all of its passes. The lines change only where another call, phase

@@ -5,7 +5,7 @@ import { moveAt, positionNear } from "../../../view/pick.ts";
 import { createHover, type Hover } from "./Chosen.tsx";
 import { chooseMove, elementNear } from "../selection.ts";
 import { useEditor } from "../../document/store.ts";
-import { useTold } from "./told.ts";
+import { useTaskMarks } from "./task-marks.ts";
 import type { Viewport } from "./viewport.ts";
 
 /** Distance at which a pointer picks a move, pixels. */
@@ -34,8 +34,8 @@ export function usePicking({
       tap(at) {
         const step = stepAt(at),
           place = toPlace(viewport.get(), at),
-          { told } = useTold.getState();
-        if (told?.take) return told.take(place);
+          { told } = useTaskMarks.getState();
+        if (told?.onPoint) return told.onPoint(place);
         const rows = useEditor.getState().job?.contour;
         const element = rows ? elementNear(rows, place, reach()) : null;
         if (step === null) return;

@@ -3,7 +3,7 @@ import type { Run } from "../../../program/state/run-types.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import type { ShownWork } from "../solid/show.ts";
 import type { Zooming } from "../solid/SolidView.tsx";
-import type { Moving, Waiting } from "../../calculation/moving.ts";
+import type { PlayedScene, InitialScene } from "../../calculation/moving.ts";
 import type { LatheResult } from "./use-material.ts";
 
 /** The 3D view: its content while it is open, and its zoom once drawn. */
@@ -24,8 +24,8 @@ export function useSolid({
 }: {
   readonly run: Run;
   readonly shown: LatheResult | null;
-  readonly moving: Moving | null;
-  readonly waiting: Waiting | null;
+  readonly moving: PlayedScene | null;
+  readonly waiting: InitialScene | null;
   readonly measures: boolean;
 }): SolidPlace {
   const asked = useSettings((s) => s.solid) && !measures;

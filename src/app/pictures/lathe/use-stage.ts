@@ -1,9 +1,9 @@
 import { useEffect, useEffectEvent, useRef, type RefObject } from "react";
-import { listenToGestures, type Touches } from "./gestures.ts";
+import { listenToGestures, type PointerActions } from "./gestures.ts";
 import type { Viewport } from "./viewport.ts";
 
 /** The element of the picture. The viewport gets the size of its left `share`; pointers zoom, pan and measure. */
-export function useStage(viewport: Viewport, touches: Touches, share = 1): RefObject<HTMLDivElement | null> {
+export function useStage(viewport: Viewport, touches: PointerActions, share = 1): RefObject<HTMLDivElement | null> {
   const stage = useRef<HTMLDivElement>(null),
     now = useEffectEvent(() => touches);
   useEffect(() => {

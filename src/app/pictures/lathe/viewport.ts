@@ -65,7 +65,7 @@ export function drawnRoom({ width, height }: Size): Patch {
 }
 
 /** True if a drawing for one camera can still be used for another. */
-function does(drawn: Camera, now: Camera, size: Size): boolean {
+function isStillUsable(drawn: Camera, now: Camera, size: Size): boolean {
   const room = drawnRoom(size),
     { from, to, grown } = seenFrom(drawn, now, size);
   const isInside = from.x >= room.x && from.y >= room.y && to.x <= room.x + room.width && to.y <= room.y + room.height;
@@ -126,7 +126,7 @@ export function createViewport(xUp: boolean): Viewport {
   };
   const setByHand = (next: Camera) => {
     byHand = true;
-    const stays = does(drawn, next, size),
+    const stays = isStillUsable(drawn, next, size),
       middle = { x: size.width / 2, y: size.height / 2 };
     if (!stays) isCoarse = true;
     set(next, stays ? drawn : next.scale < camera.scale ? zoomed(next, 1 / AHEAD, middle) : next);

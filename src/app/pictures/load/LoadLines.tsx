@@ -1,11 +1,11 @@
 import { memo } from "react";
 import type { Run } from "../../../program/state/run-types.ts";
 import { useLoadDrawing } from "./use-drawing.ts";
-import type { Told } from "./use-load.ts";
+import type { LoadQuantity } from "./use-load.ts";
 import "./load.css";
 
 export interface LoadLinesProps {
-  readonly of: Told;
+  readonly of: LoadQuantity;
   readonly run: Run;
   /** The visible moves. */
   readonly shown: (step: number) => boolean;

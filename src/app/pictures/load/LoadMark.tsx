@@ -1,14 +1,14 @@
 import type { Run } from "../../../program/state/run-types.ts";
 import { textWidth } from "../../../view/help/labels.ts";
-import { useSeeing, type Seeing } from "../lathe/seeing.ts";
+import { useProjection, type PlaceProjection } from "../lathe/place-projection.ts";
 import { useLengths } from "../../calculation/lengths.ts";
-import { useGreatest, loadValue, type Told } from "./use-load.ts";
+import { useGreatest, loadValue, type LoadQuantity } from "./use-load.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
 export interface LoadMarkProps {
-  readonly of: Told;
+  readonly of: LoadQuantity;
   readonly run: Run;
-  readonly seeing: Seeing;
+  readonly seeing: PlaceProjection;
 }
 
 /** Mark of the highest value, pixels: its half size, and the distance of its number. */
@@ -21,7 +21,7 @@ const [TEXT, GROUND] = [12, 3];
 export function LoadMark({ of, run, seeing }: LoadMarkProps) {
   const t = useTexts("load"),
     lengths = useLengths();
-  const seen = useSeeing(seeing),
+  const seen = useProjection(seeing),
     { width } = seen.size();
   const { worst } = useGreatest(run, of) ?? {};
   const at = worst && seen.at(worst.place);

@@ -15,14 +15,14 @@ const Strip = lazyPart(async () => ({ default: (await import("./LoadStrip.tsx"))
 const Table = lazyPart(async () => ({ default: (await import("./LoadTable.tsx")).LoadTable }));
 
 /** The quantity of the colour map, or null. */
-function useToldLoad() {
+function useLoadQuantity() {
   const colours = useSettings((s) => s.colours);
   return colours === "none" ? null : colours;
 }
 
 /** Lines in part space, over the path. */
-function ToldLines(props: Omit<LoadLinesProps, "of">) {
-  const of = useToldLoad();
+function LazyLoadLines(props: Omit<LoadLinesProps, "of">) {
+  const of = useLoadQuantity();
   return (
     of && (
       <Suspense>
@@ -33,8 +33,8 @@ function ToldLines(props: Omit<LoadLinesProps, "of">) {
 }
 
 /** The mark of the highest value. */
-function ToldMark(props: Omit<LoadMarkProps, "of">) {
-  const of = useToldLoad();
+function LazyLoadMark(props: Omit<LoadMarkProps, "of">) {
+  const of = useLoadQuantity();
   return (
     of && (
       <Suspense>
@@ -45,8 +45,8 @@ function ToldMark(props: Omit<LoadMarkProps, "of">) {
 }
 
 /** The scale with its numbers. */
-function ToldStrip(props: Omit<LoadStripProps, "of">) {
-  const of = useToldLoad();
+function LazyLoadStrip(props: Omit<LoadStripProps, "of">) {
+  const of = useLoadQuantity();
   return (
     of && (
       <Suspense>
@@ -57,8 +57,8 @@ function ToldStrip(props: Omit<LoadStripProps, "of">) {
 }
 
 /** The table of the highest values. */
-function ToldTable(props: Omit<LoadTableProps, "of">) {
-  const of = useToldLoad();
+function LazyLoadTable(props: Omit<LoadTableProps, "of">) {
+  const of = useLoadQuantity();
   return (
     of && (
       <Suspense>
@@ -68,4 +68,4 @@ function ToldTable(props: Omit<LoadTableProps, "of">) {
   );
 }
 
-export const LoadPart = { Lines: ToldLines, Mark: ToldMark, Strip: ToldStrip, Table: ToldTable };
+export const LoadPart = { Lines: LazyLoadLines, Mark: LazyLoadMark, Strip: LazyLoadStrip, Table: LazyLoadTable };

@@ -2,7 +2,7 @@ import { classesOf, classTone } from "../../../view/load/scale.ts";
 import type { LoadDrawing } from "../../../view/load/lines.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import { toneClass } from "./LoadLines.tsx";
-import { loadNumber, type Told } from "./use-load.ts";
+import { loadNumber, type LoadQuantity } from "./use-load.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
 /** Length of a sample of a line, pixels. */
@@ -17,7 +17,13 @@ function Sample({ tone, limited = false }: { readonly tone: number | null; reado
 }
 
 /** The classes with their numbers, and the other line styles in use. */
-export function LoadScale({ of, drawing: { scale, lines } }: { readonly of: Told; readonly drawing: LoadDrawing }) {
+export function LoadScale({
+  of,
+  drawing: { scale, lines },
+}: {
+  readonly of: LoadQuantity;
+  readonly drawing: LoadDrawing;
+}) {
   const t = useTexts("load"),
     lengths = useLengths(),
     unit = lengths.words(t.units[of]);

@@ -12,10 +12,10 @@ import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { useEachReading } from "../lathe/use-playback.ts";
 import type { Viewport } from "../lathe/viewport.ts";
 import { useLengths } from "../../calculation/lengths.ts";
-import { goToLoad } from "./go.ts";
+import { goToLoad } from "./go-to-load.ts";
 import { LoadScale } from "./LoadScale.tsx";
 import { measureLoad, type MeasuredLoad } from "./load-store.ts";
-import type { Pointed } from "./pointed.ts";
+import type { PointedPlace } from "./pointed-place.ts";
 import { useLoadDrawing } from "./use-drawing.ts";
 import {
   loadPlaceText,
@@ -25,17 +25,17 @@ import {
   useLoadOf,
   useMeasuredRun,
   loadValue,
-  type Told,
+  type LoadQuantity,
 } from "./use-load.ts";
 import "./load.css";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
 export interface LoadStripProps {
-  readonly of: Told;
+  readonly of: LoadQuantity;
   readonly run: Run;
   readonly viewport: Viewport;
   readonly playback: PlaybackStore;
-  readonly pointed: Pointed;
+  readonly pointed: PointedPlace;
   /** The visible moves. */
   readonly shown: (step: number) => boolean;
 }
@@ -48,7 +48,7 @@ const NEAR = 10;
 interface Asked {
   readonly t: LoadTexts;
   readonly lengths: Lengths;
-  readonly of: Told;
+  readonly of: LoadQuantity;
   readonly load: MeasuredLoad;
 }
 

@@ -3,11 +3,11 @@ import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { placeText } from "../lathe/running.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
-import { goToLoad } from "./go.ts";
-import { loadPlaceText, useGreatest, loadValue, type Told } from "./use-load.ts";
+import { goToLoad } from "./go-to-load.ts";
+import { loadPlaceText, useGreatest, loadValue, type LoadQuantity } from "./use-load.ts";
 
 export interface LoadTableProps {
-  readonly of: Told;
+  readonly of: LoadQuantity;
   readonly run: Run;
   readonly playback: PlaybackStore;
 }

@@ -3,7 +3,7 @@ import type { Run } from "../../../program/state/run-types.ts";
 import { drawingAlong, drawingOfSurface, type LoadDrawing } from "../../../view/load/lines.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import { useSettings } from "../../base/settings/settings.ts";
-import { loadSize, useLoadOf, type Told } from "./use-load.ts";
+import { loadSize, useLoadOf, type LoadQuantity } from "./use-load.ts";
 
 const EVERY = () => true;
 
@@ -13,7 +13,7 @@ const EVERY = () => true;
  */
 export function useLoadDrawing(
   run: Run,
-  of: Told | null,
+  of: LoadQuantity | null,
   shown: (step: number) => boolean = EVERY,
 ): LoadDrawing | null {
   const { path, surface } = useLoadOf(run) ?? {};

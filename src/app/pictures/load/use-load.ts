@@ -10,7 +10,7 @@ import { placeText } from "../lathe/running.ts";
 import { useMeasuredLoad, type MeasuredLoad } from "./load-store.ts";
 
 /** A quantity of the colour map. */
-export type Told = AlongPath | "roughness";
+export type LoadQuantity = AlongPath | "roughness";
 
 /** Measured data of this run; null for an older one. */
 export function useLoadOf(run: Run): MeasuredLoad | null {
@@ -27,7 +27,7 @@ export function useMeasuredRun(run: Run): Run {
 /** The places of the highest value of each operation, and of all; null until known. */
 export function useGreatest(
   run: Run,
-  of: Told,
+  of: LoadQuantity,
 ): { readonly each: readonly LoadPlace[]; readonly worst: LoadPlace | null } | null {
   const { path, surface } = useLoadOf(run) ?? {};
   return useMemo(() => {
@@ -44,13 +44,13 @@ const FINE = 10;
 const MICRONS = 1000;
 
 /** Size of the unit of a quantity: µm or µin, mm or inch, mm² or inch², m/min. */
-export function loadSize({ unit, per }: Lengths, of: Told): number {
+export function loadSize({ unit, per }: Lengths, of: LoadQuantity): number {
   if (of === "speed" || unit === "mm") return 1;
   return of === "roughness" ? per / MICRONS : of === "chip" ? per ** 2 : per;
 }
 
 /** A value with the decimals of its quantity. */
-export function loadNumber(lengths: Lengths, of: Told, value: number): string {
+export function loadNumber(lengths: Lengths, of: LoadQuantity, value: number): string {
   const { language } = lengths;
   if (of === "speed") return formatNumber(language, value, DECIMALS.speed);
   if (of === "chip") return lengths.area(value, DECIMALS.chip);
@@ -60,7 +60,7 @@ export function loadNumber(lengths: Lengths, of: Told, value: number): string {
 }
 
 /** A value with its unit. */
-export const loadValue = (t: LoadTexts, lengths: Lengths, of: Told, value: number): string =>
+export const loadValue = (t: LoadTexts, lengths: Lengths, of: LoadQuantity, value: number): string =>
   `${loadNumber(lengths, of, value)} ${lengths.words(t.units[of])}`;
 
 /** Text of a row of the path: the value, and its details. */

@@ -5,7 +5,7 @@ import { part } from "../../../kernel/geometry/point.ts";
 import { toScreen, type Camera } from "../../../view/camera.ts";
 import type { LabelBox } from "../../../view/help/labels.ts";
 import { polyline } from "../../../view/help/marks.ts";
-import { standingMeasurements } from "../../../view/measure/layout.ts";
+import { placedMeasurements } from "../../../view/measure/layout.ts";
 import { onSide, halfOf } from "../../../view/measure/snap.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "../lathe/Axes.tsx";
 import { useCamera } from "../lathe/use-camera.ts";
@@ -13,7 +13,7 @@ import type { Viewport } from "../lathe/viewport.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import { usePageUnit } from "../../base/unit.ts";
 import { useMedia } from "../../base/use-media.ts";
-import { MeasuredLabels, type Moved } from "./MeasuredLabels.tsx";
+import { MeasuredLabels, type DraggedLabel } from "./MeasuredLabels.tsx";
 import { MeasurePanel } from "./MeasurePanel.tsx";
 import { measurementWords } from "./measure-words.ts";
 import { measureHand } from "./hand.ts";
@@ -112,7 +112,7 @@ export function MeasureLayer({
     () => measuring.serve(measureHand(measuring, { viewport, source: () => sourceNow(), texts: () => textsNow() })),
     [measuring, viewport],
   );
-  const [moved, move] = useState<Moved | null>(null),
+  const [moved, move] = useState<DraggedLabel | null>(null),
     [panel, keep] = useState<LabelBox | null>(null);
   const isTurned = source.plane === "ZX";
   const words = useMemo(
@@ -127,7 +127,7 @@ export function MeasureLayer({
       bottom: (SCALE_BELOW + AIR) * unit,
     };
     const paper = { camera, unit, size, edges, kept: panel && state.on ? [panel] : [] };
-    return standingMeasurements(
+    return placedMeasurements(
       paper,
       readings.map(({ measurement: { id, text }, figure }) => {
         const put = moved?.id === id ? moved.to : text,
@@ -143,7 +143,7 @@ export function MeasureLayer({
     );
     return () => measuring.labels.setState([], true);
   }, [measuring, standing]);
-  const old = new Set(readings.flatMap(({ isOld, measurement: { id } }) => (isOld ? [id] : [])));
+  const old = new Set(readings.flatMap(({ isStale, measurement: { id } }) => (isStale ? [id] : [])));
   return (
     <>
       <svg className="sheet measure-sheet" aria-hidden="true">

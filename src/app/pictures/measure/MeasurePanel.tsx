@@ -6,12 +6,12 @@ import type { MeasureTexts } from "../../../i18n/en/measure.ts";
 import type { Lengths } from "../../../i18n/lengths.ts";
 import { formatNumber } from "../../../i18n/number.ts";
 import type { LabelBox } from "../../../view/help/labels.ts";
-import { counted, gaugedFor, measure, measuredFor } from "../../../view/measure/distance.ts";
-import type { MeasurementNow } from "../../../view/measure/reading.ts";
+import { inBlockUnits, fieldValueOf, measure, rulerValueFor } from "../../../view/measure/distance.ts";
+import type { CurrentMeasurement } from "../../../view/measure/reading.ts";
 import { setMeasured } from "../../document/edits.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { useLengths } from "../../calculation/lengths.ts";
-import { MeasuredInto, type MeasuredTarget } from "../../document/measured-into.ts";
+import { MeasuredTargetContext, type MeasuredTarget } from "../../document/measured-target-context.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { useMedia } from "../../base/use-media.ts";
 import { otherText, gaugedText, type MeasurementWords } from "./measure-words.ts";
@@ -99,7 +99,7 @@ function hintOf(t: MeasureTexts, kind: MeasuredKind, { first, said }: MeasureSta
 /** A measured value for the open prompt, in the unit and datum of its block; null if it is of another kind. */
 function offered(target: MeasuredTarget | null, state: MeasureState, value: number | undefined): number | null {
   const found = offeredPlain(target, state, value);
-  return target && found !== null ? counted(target.kind, found, target.counts) : null;
+  return target && found !== null ? inBlockUnits(target.kind, found, target.counts) : null;
 }
 
 /** The same in mm, from the workpiece zero. */
@@ -110,12 +110,12 @@ function offeredPlain(
 ): number | null {
   if (!target) return null;
   if (done && value !== undefined) {
-    const sized = gaugedFor(target.kind, done.kind, value);
+    const sized = fieldValueOf(target.kind, done.kind, value);
     if (sized !== null && done.kind !== "distance") return sized;
   }
   const [from, to] = done ? done.places : [first ?? undefined];
   if (!from || (done && done.kind !== "distance")) return null;
-  return measuredFor(target.kind, (to ?? from).at, to ? measure(from.at, to.at) : null);
+  return rulerValueFor(target.kind, (to ?? from).at, to ? measure(from.at, to.at) : null);
 }
 
 /** Position of the cross, or its distance from the first place. */
@@ -181,7 +181,7 @@ function MeasuredList({
   t,
   say,
 }: {
-  readonly readings: readonly MeasurementNow[];
+  readonly readings: readonly CurrentMeasurement[];
   readonly words: ReadonlyMap<string, MeasurementWords>;
   readonly t: MeasureTexts;
   readonly say: (text: string) => void;
@@ -196,10 +196,10 @@ function MeasuredList({
     <details className="measure-list">
       <summary ref={summary}>{t.count(String(readings.length))}</summary>
       <ul aria-label={t.measured}>
-        {readings.map(({ measurement: { id }, isOld }) => {
+        {readings.map(({ measurement: { id }, isStale }) => {
           const name = words.get(id)?.name ?? "";
           return (
-            <li key={id} className={isOld ? "old" : undefined}>
+            <li key={id} className={isStale ? "old" : undefined}>
               <span className="number">{name}</span>
               <button
                 type="button"
@@ -247,14 +247,14 @@ export function MeasurePanel({
   readonly measuring: Measuring;
   readonly source: MeasureSource;
   readonly state: MeasureState;
-  readonly readings: readonly MeasurementNow[];
+  readonly readings: readonly CurrentMeasurement[];
   readonly words: ReadonlyMap<string, MeasurementWords>;
   readonly kept: (box: LabelBox | null) => void;
 }) {
   const t = useTexts("measure"),
     take = useTexts().lathe.takeInto,
     lengths = useLengths();
-  const target = useContext(MeasuredInto),
+  const target = useContext(MeasuredTargetContext),
     panel = useRef<HTMLDivElement>(null),
     isTurned = source.plane === "ZX";
   const [spoken, speak] = useState({ text: "", after: state }),

@@ -1,14 +1,14 @@
 import { useRef, useState, type KeyboardEvent, type PointerEvent } from "react";
 import type { Pt } from "../../../kernel/geometry/point.ts";
 import { toPlace, type Camera, type Place } from "../../../view/camera.ts";
-import type { StandingMeasurement } from "../../../view/measure/layout.ts";
+import type { PlacedMeasurement } from "../../../view/measure/layout.ts";
 import { setMeasured } from "../../document/edits.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { type MeasurementWords } from "./measure-words.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
 /** A label while it is dragged. */
-export interface Moved {
+export interface DraggedLabel {
   readonly id: string;
   readonly to: Pt;
 }
@@ -23,7 +23,7 @@ const ARROWS: Readonly<Record<string, Place>> = {
   ArrowDown: { x: 0, y: STEP },
 };
 
-const put = ({ id, to }: Moved): void =>
+const put = ({ id, to }: DraggedLabel): void =>
   setMeasured((list) => list.map((each) => (each.id === id ? { ...each, text: to } : each)), `measured ${id}`);
 /** Removes a measurement from the picture. */
 export const removeMeasurement = (id: string): void => setMeasured((list) => list.filter((each) => each.id !== id));
@@ -37,12 +37,12 @@ function MeasuredLabel({
   isMoving,
   move,
 }: {
-  readonly standing: StandingMeasurement;
+  readonly standing: PlacedMeasurement;
   readonly name: string;
   readonly isOld: boolean;
   readonly camera: Camera;
   readonly isMoving: boolean;
-  readonly move: (moved: Moved | null) => void;
+  readonly move: (moved: DraggedLabel | null) => void;
 }) {
   const t = useTexts("measure"),
     [open, show] = useState(false);
@@ -121,12 +121,12 @@ export function MeasuredLabels({
   moved,
   move,
 }: {
-  readonly standing: readonly StandingMeasurement[];
+  readonly standing: readonly PlacedMeasurement[];
   readonly words: ReadonlyMap<string, MeasurementWords>;
   readonly old: ReadonlySet<string>;
   readonly camera: Camera;
-  readonly moved: Moved | null;
-  readonly move: (moved: Moved | null) => void;
+  readonly moved: DraggedLabel | null;
+  readonly move: (moved: DraggedLabel | null) => void;
 }) {
   return (
     <>

@@ -5,14 +5,14 @@ import { at } from "../../../kernel/geometry/point.ts";
 import { exampleJob } from "../../../program/job/job.ts";
 import { setMeasured } from "../../document/edits.ts";
 import { changeSettings } from "../../base/settings/settings.ts";
-import { begin } from "../../document/store.ts";
+import { openFirstWork } from "../../document/store.ts";
 import { MeasuredInSection } from "./Measurements.tsx";
 
 const cycle = catalogue.find(({ number }) => number === 812);
 
 beforeEach(() => {
   if (!cycle) throw new Error("no cycle 812");
-  begin(exampleJob(cycle), "work");
+  openFirstWork(exampleJob(cycle), "work");
   render(<MeasuredInSection />);
 });
 afterEach(cleanup);

@@ -4,10 +4,10 @@ import { measure as texts } from "../../../i18n/en/measure.ts";
 import { at, type Pt, type Segment } from "../../../kernel/geometry/point.ts";
 import { exampleJob } from "../../../program/job/job.ts";
 import { toScreen } from "../../../view/camera.ts";
-import { gauged } from "../../../view/measure/figure.ts";
+import { measuredFigure } from "../../../view/measure/figure.ts";
 import { measuredIn } from "../../document/edits.ts";
 import { createViewport } from "../lathe/viewport.ts";
-import { begin, useEditor } from "../../document/store.ts";
+import { openFirstWork, useEditor } from "../../document/store.ts";
 import { measureHand } from "./hand.ts";
 import { createMeasuring } from "./measuring.ts";
 import type { MeasureSource } from "./source.ts";
@@ -28,7 +28,7 @@ const sourceOf = (contour: readonly Segment[]): MeasureSource => ({
   path: () => [],
   moment: () => null,
   stock: () => [],
-  printOf: () => "",
+  fingerprintOf: () => "",
 });
 
 function measuringShaft({ served = true } = {}) {
@@ -52,12 +52,12 @@ function measuringShaft({ served = true } = {}) {
 }
 const measured = () =>
   measuredIn(useEditor.getState()).map(
-    ({ kind, places }) => `${kind} ${gauged(kind, places, true)?.value.toFixed(3) ?? "none"}`,
+    ({ kind, places }) => `${kind} ${measuredFigure(kind, places, true)?.value.toFixed(3) ?? "none"}`,
   );
 
 const [cycle] = cuttingCycles;
 if (!cycle) throw new Error("the catalogue is empty");
-beforeEach(() => begin(exampleJob(cycle), "work"));
+beforeEach(() => openFirstWork(exampleJob(cycle), "work"));
 
 test("inputs faster than the screen: nothing is drawn between tool, edges and pick", () => {
   const { press } = measuringShaft();

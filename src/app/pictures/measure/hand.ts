@@ -4,8 +4,16 @@ import { part } from "../../../kernel/geometry/point.ts";
 import { toPlace, type Place } from "../../../view/camera.ts";
 import { nudged } from "../../../view/measure/distance.ts";
 import { chainOfRing } from "../../../view/measure/edges.ts";
-import { gauged } from "../../../view/measure/figure.ts";
-import { gripOf, nextStop, snapAt, snappingOf, stopsOf, type Grip, type Snapping } from "../../../view/measure/snap.ts";
+import { measuredFigure } from "../../../view/measure/figure.ts";
+import {
+  snapTargetOf,
+  nextStop,
+  snapAt,
+  snappingOf,
+  stopsOf,
+  type SnapTarget,
+  type Snapping,
+} from "../../../view/measure/snap.ts";
 import { pickedWith } from "../../../view/measure/tool.ts";
 import { measuredIn, setMeasured } from "../../document/edits.ts";
 import type { Viewport } from "../lathe/viewport.ts";
@@ -46,9 +54,9 @@ function snappingIn(sourceNow: () => MeasureSource): () => Snapped {
   let kept: { readonly source: MeasureSource; readonly key: string; readonly made: Snapped } | null = null;
   return () => {
     const source = sourceNow(),
-      { plane, contours, blank, printOf } = source,
+      { plane, contours, blank, fingerprintOf } = source,
       now = source.moment(),
-      print = now && printOf(now);
+      print = now && fingerprintOf(now);
     const key = `${now?.step ?? "none"} ${now?.fraction ?? ""}`,
       known = kept?.source === source ? kept : null;
     if (known?.key === key) return known.made;
@@ -91,7 +99,7 @@ export function measureHand(
   const snapped = snappingIn(source),
     get = state.getState;
   const put = (next: Partial<MeasureState>) => state.setState(next);
-  const gripNow = (): Grip => gripOf(get().kind, { isTurned: source().plane === "ZX" });
+  const gripNow = (): SnapTarget => snapTargetOf(get().kind, { isTurned: source().plane === "ZX" });
   const held = (at: Place, reach: number): MeasuredPlace => {
     const camera = viewport.get();
     return snapAt(snapped().snapping, toPlace(camera, at), (reach * pageUnit()) / camera.scale, gripNow());
@@ -105,7 +113,7 @@ export function measureHand(
     if (picked === "level" || picked === "parallel") return put({ ...none, said: texts().none[picked] });
     if ("waits" in picked) return put({ cross: place, first: picked.waits, done: null, said: "" });
     const places = picked.measured;
-    if (!gauged(kind, places, snapping.drawing.isTurned)) return put(none);
+    if (!measuredFigure(kind, places, snapping.drawing.isTurned)) return put(none);
     const ofStock = moment !== null && places.some(({ edge }) => edge?.of === "stock");
     const made = { kind, plane: source().plane, places, ...(ofStock && { moment }) };
     const again = measuredIn(useEditor.getState()).find((each) => isSame(each, made));

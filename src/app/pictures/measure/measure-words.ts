@@ -3,7 +3,7 @@ import type { Lengths } from "../../../i18n/lengths.ts";
 import { formatFixed } from "../../../i18n/number.ts";
 import type { MeasuredKind, MeasuredMoment } from "../../../kernel/plan/measured.ts";
 import { INCH } from "../../../kernel/units.ts";
-import type { MeasurementNow } from "../../../view/measure/reading.ts";
+import type { CurrentMeasurement } from "../../../view/measure/reading.ts";
 
 /** A measured value as the control writes numbers: ⌀42.000, 35.000, R1.500, 30.000°. */
 export function gaugedText(lengths: Lengths, kind: MeasuredKind, value: number): string {
@@ -36,16 +36,16 @@ export interface MeasurementWords {
 export function measurementWords(
   t: MeasureTexts,
   lengths: Lengths,
-  { measurement: { kind, moment, places }, value, isOld }: MeasurementNow,
+  { measurement: { kind, moment, places }, value, isStale }: CurrentMeasurement,
 ): MeasurementWords {
   const text = gaugedText(lengths, kind, value);
   const when = moment ? stockMomentText(t, moment) : "";
   const owners = [...new Set(places.flatMap(({ edge }) => (edge && edge.of !== "stock" ? [t.owners[edge.of]] : [])))];
-  const caption = isOld ? t.old : moment?.block === undefined ? "" : when;
+  const caption = isStale ? t.old : moment?.block === undefined ? "" : when;
   return {
     text,
     caption,
-    name: [`${t.kinds[kind]} ${text}`, ...owners, when, ...(isOld ? [t.old] : [])]
+    name: [`${t.kinds[kind]} ${text}`, ...owners, when, ...(isStale ? [t.old] : [])]
       .filter((each) => each !== "")
       .join(", "),
   };

@@ -2,7 +2,7 @@ import { useMemo, useState } from "react";
 import { createStore, useStore, type StoreApi } from "zustand";
 import type { MeasuredKind, MeasuredPlace } from "../../../kernel/plan/measured.ts";
 import type { LabelBox } from "../../../view/help/labels.ts";
-import type { Touches } from "../lathe/gestures.ts";
+import type { PointerActions } from "../lathe/gestures.ts";
 
 /** State of measuring. */
 export interface MeasureState {
@@ -32,8 +32,8 @@ const OTHER_KEYS: readonly string[] = ["n", "p", "enter", "arrowleft", "arrowrig
 const KEYS: ReadonlySet<string> = new Set([...Object.values(TOOL_KEYS), ...OTHER_KEYS]);
 
 /** Pointer and key handlers while measuring. They come with the measuring tools, which are loaded on demand. */
-export interface MeasureHand extends Touches {
-  readonly drag: NonNullable<Touches["drag"]>;
+export interface MeasureHand extends PointerActions {
+  readonly drag: NonNullable<PointerActions["drag"]>;
   /** True if the key was for measuring. */
   readonly key: (name: string) => boolean;
 }

@@ -4,7 +4,7 @@ import type { Pt, Ring } from "../../../kernel/geometry/point.ts";
 import type { Run } from "../../../program/state/run-types.ts";
 import type { PlayPosition } from "../../../sim/simulation.ts";
 import type { Chain } from "../../../view/measure/edges.ts";
-import { printsOf } from "../../../view/measure/print.ts";
+import { stockFingerprints } from "../../../view/measure/stock-fingerprint.ts";
 import type { MeasuredWork } from "../../../view/measure/reading.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 
@@ -23,11 +23,11 @@ export interface MeasureSource {
   readonly moment: () => Omit<MeasuredMoment, "print"> | null;
   /** The stock of that moment. */
   readonly stock: () => readonly Ring[];
-  readonly printOf: MeasuredWork["printOf"];
+  readonly fingerprintOf: MeasuredWork["fingerprintOf"];
 }
 
 /** Measurable content of a run in one plane, without the stock of a moment. */
-export type MeasurableRun = Pick<MeasureSource, "plane" | "contours" | "blank" | "path" | "printOf">;
+export type MeasurableRun = Pick<MeasureSource, "plane" | "contours" | "blank" | "path" | "fingerprintOf">;
 
 /** The lathe's half plane of a run: contours, and the ends of its motions. */
 export const measurableRun = (run: Run): MeasurableRun => ({
@@ -35,7 +35,7 @@ export const measurableRun = (run: Run): MeasurableRun => ({
   contours: run.operations.map(({ plan }) => plan.contour),
   blank: run.blank,
   path: () => run.steps.flatMap(({ from, move }, i) => (i === 0 ? [from, move.to] : [move.to])),
-  printOf: printsOf(run),
+  fingerprintOf: stockFingerprints(run),
 });
 
 /** Measurable content of the lathe. */

@@ -2,7 +2,7 @@ import { useEffect, useMemo, useRef } from "react";
 import type { PlaneStep } from "../../../program/tools/plane-types.ts";
 import type { PlayPosition } from "../../../sim/simulation.ts";
 import { depthStrip, stripAt } from "../../../view/approach/depth.ts";
-import { bendsBetween } from "../../../view/bends.ts";
+import { directionChanges } from "../../../view/direction-changes.ts";
 import { glide, type GlideWay } from "../../calculation/glide.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { JERKS } from "../lathe/Timeline.tsx";
@@ -24,7 +24,7 @@ export function DepthPicture({
   useEffect(() => {
     if (!strip || !head.current) return undefined;
     const at = ({ step, fraction }: PlayPosition) => `translateX(${stripAt(strip, step, fraction) * 100}%)`;
-    const bends: GlideWay["bends"] = (track, between, fine) => bendsBetween(track, between, fine, () => false);
+    const bends: GlideWay["bends"] = (track, between, fine) => directionChanges(track, between, fine, () => false);
     return glide(head.current, playback, { at, bends, jerks: JERKS }).end;
   }, [strip, playback]);
   if (!strip) return null;

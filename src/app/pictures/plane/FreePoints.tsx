@@ -1,6 +1,6 @@
 import { partPoint } from "../../../kernel/plane/plane.ts";
 import { toScreen } from "../../../view/camera.ts";
-import type { ApproachSpeech } from "../../../view/approach/speech.ts";
+import type { ApproachWords } from "../../../view/approach/words.ts";
 import { px } from "../../../view/help/marks.ts";
 import { useCamera } from "../lathe/use-camera.ts";
 import type { Viewport } from "../lathe/viewport.ts";
@@ -15,7 +15,7 @@ export function FreePoints({
 }: {
   readonly viewport: Viewport;
   readonly places: readonly CutPlace[];
-  readonly speech: ApproachSpeech;
+  readonly speech: ApproachWords;
 }) {
   const t = useTexts().approach,
     camera = useCamera(viewport);

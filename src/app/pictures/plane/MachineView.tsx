@@ -1,11 +1,11 @@
 import { Suspense, useEffect, type ComponentProps } from "react";
 import type { Run } from "../../../program/state/run-types.ts";
-import { useChosen } from "../../document/chosen.ts";
+import { useChosenFinding } from "../../document/chosen-finding.ts";
 import { useFindings } from "../../findings/use-findings.ts";
 import { LatheView } from "../lathe/LatheView.tsx";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { lazyPart } from "../../base/parts.ts";
-import { fetchAtRest } from "../../base/rest.ts";
+import { prefetchIdle } from "../../base/idle.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { followProgramSides, showSide, showsPlane, switchSide, useAskedView } from "./shown-view.ts";
 import "./approach.css";
@@ -16,7 +16,7 @@ const PlaneView = lazyPart(fetchPlane);
 
 /** Switches the picture with the chosen finding and with playback. */
 function useSides(run: Run | null, playback: PlaybackStore): void {
-  const { id, count, shown } = useChosen(),
+  const { id, count, shown } = useChosenFinding(),
     entries = useFindings();
   const plane = count > shown ? entries.find((entry) => entry.id === id)?.spot?.plane : undefined;
   useEffect(() => {
@@ -38,7 +38,7 @@ export function MachineView(props: ComponentProps<typeof LatheView>) {
   const plane = result !== null && showsPlane(result.run, asked);
   const both = run !== undefined && run.plane.length > 0 && run.steps.length > 0;
   // Playback switches to it unasked, so it is loaded early: otherwise the milling would be over before it is here.
-  useEffect(() => (both ? fetchAtRest(fetchPlane) : undefined), [both]);
+  useEffect(() => (both ? prefetchIdle(fetchPlane) : undefined), [both]);
   return (
     <div className="machine-view">
       {both && (

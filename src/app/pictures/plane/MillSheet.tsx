@@ -3,7 +3,7 @@ import { partPoint } from "../../../kernel/plane/plane.ts";
 import type { PlaneStep } from "../../../program/tools/plane-types.ts";
 import { planeMotionData } from "../../../view/approach/motion-data.ts";
 import { spotAt } from "../../../view/approach/plane-scene.ts";
-import { movingTip } from "../lathe/carry.ts";
+import { movingTip } from "../lathe/moving-anchor.ts";
 import { TipCarrier } from "../lathe/TipCarrier.tsx";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { useEachReading, usePlayback } from "../lathe/use-playback.ts";

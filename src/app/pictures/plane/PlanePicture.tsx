@@ -3,7 +3,7 @@ import type { Run } from "../../../program/state/run-types.ts";
 import type { RapidThrough } from "../../../sim/plane/milled.ts";
 import type { PlaneRole } from "../../../view/approach/plane-scene.ts";
 import { ringData } from "../../../view/path.ts";
-import { useAhead } from "../lathe/Ahead.tsx";
+import { useNewerRun } from "../lathe/NewestLines.tsx";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import type { Viewport } from "../lathe/viewport.ts";
 import { World } from "../lathe/World.tsx";
@@ -21,7 +21,7 @@ const EDGED: readonly PlaneRole[] = ["rapid", "feed", "lead"];
 const NewestLines = memo(function NewestLines({ of }: { readonly of: Run }) {
   const {
     scene: { shapes },
-  } = planeOfRun(useAhead(of) ?? of);
+  } = planeOfRun(useNewerRun(of) ?? of);
   return (
     <>
       <path className="plane-under" d={shapes.flatMap(({ role, d }) => (EDGED.includes(role) ? [d] : [])).join("")} />

@@ -3,7 +3,7 @@ import type { ApproachRun } from "../../../program/tools/plane-types.ts";
 import { onScreen } from "../../../view/approach/frame.ts";
 import { planeNames } from "../../../view/approach/plane-names.ts";
 import type { Camera } from "../../../view/camera.ts";
-import type { ApproachSpeech } from "../../../view/approach/speech.ts";
+import type { ApproachWords } from "../../../view/approach/words.ts";
 import { px, type Mark } from "../../../view/help/marks.ts";
 import { HelpMarks } from "../help/HelpMarks.tsx";
 import { useCamera } from "../lathe/use-camera.ts";
@@ -41,7 +41,7 @@ export function PlanePoints({
 }: {
   readonly viewport: Viewport;
   readonly approaches: readonly ApproachRun[];
-  readonly speech: ApproachSpeech;
+  readonly speech: ApproachWords;
   readonly id: string;
   /** Leaves out some for a view. */
   readonly choose?: (approaches: readonly ApproachRun[], camera: Camera) => readonly ApproachRun[];

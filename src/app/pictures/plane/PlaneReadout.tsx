@@ -7,7 +7,7 @@ import { spotAt } from "../../../view/approach/plane-scene.ts";
 import { isRapid } from "../../../kernel/plane/mill-motion.ts";
 import type { Clock } from "../../base/clock.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
-import { useSaid, useSpoken } from "../lathe/use-said.ts";
+import { useMomentTexts, useThrottledStatus } from "../lathe/use-moment-texts.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
@@ -67,7 +67,7 @@ export function PlaneReadout({
     () => momentText(t, lengths, steps, approaches, playback.shown()),
     [t, lengths, steps, approaches, playback],
   );
-  const group = useSaid(playback, moment, textOfCell);
+  const group = useMomentTexts(playback, moment, textOfCell);
   const cells = [
     ["x", "X"],
     ["y", "Y"],
@@ -118,7 +118,7 @@ export function SpokenMoment({
     () => momentSentence(t, lengths, steps, approaches, playback.shown()),
     [t, lengths, steps, approaches, playback],
   );
-  const said = useSpoken(playback, clock, sentence);
+  const said = useThrottledStatus(playback, clock, sentence);
   return (
     <p className="unseen" role="status">
       {said}

@@ -4,18 +4,18 @@ import { PLANE_ROLES } from "../../../view/approach/plane-scene.ts";
 import { joined } from "../../../view/bounds.ts";
 import { trackOf } from "../../../view/playback.ts";
 import type { Clock } from "../../base/clock.ts";
-import { Late } from "../../base/typing.ts";
+import { DeferredUntilPaint } from "../../base/typing.ts";
 import type { MovePointed } from "../lathe/LatheView.tsx";
 import type { LatheResult } from "../lathe/use-material.ts";
 import { GlyphButton } from "../lathe/GlyphButton.tsx";
 import { pressKey } from "../lathe/keys.ts";
 import { PlaceButtons, PlaceLines } from "../lathe/PlaceButtons.tsx";
-import { seenFlat } from "../lathe/seeing.ts";
+import { sectionProjection } from "../lathe/place-projection.ts";
 import { usePlaces } from "../lathe/places.ts";
 import { PlaybackBar } from "../lathe/PlaybackBar.tsx";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { Timeline } from "../lathe/Timeline.tsx";
-import { useLooking } from "../lathe/use-looking.ts";
+import { useFindingFocus } from "../lathe/use-finding-focus.ts";
 import { useStage } from "../lathe/use-stage.ts";
 import { usePlayback } from "../lathe/use-playback.ts";
 import { createViewport } from "../lathe/viewport.ts";
@@ -126,7 +126,7 @@ export function PlaneView({
   );
   const found = usePlaces("XY");
   const places = useMemo(() => (dimmed ? [] : found.map(cutPlace)), [dimmed, found]);
-  const { chosen, choose } = useLooking(places, viewport, playback);
+  const { chosen, choose } = useFindingFocus(places, viewport, playback);
   const lines = {
     contour: texts.contour.title,
     rapid: t.rapid,
@@ -192,33 +192,33 @@ export function PlaneView({
         >
           <PlanePoints viewport={viewport} approaches={approaches} speech={speech} id={id} />
           <FreePoints viewport={viewport} places={places} speech={speech} />
-          <PlaceLines seeing={seenFlat(viewport)} places={places} />
+          <PlaceLines seeing={sectionProjection(viewport)} places={places} />
         </PlanePicture>
         <MilledLegend milled={milled} />
-        <PlaceButtons seeing={seenFlat(viewport)} places={places} chosen={chosen} choose={choose} />
+        <PlaceButtons seeing={sectionProjection(viewport)} places={places} chosen={chosen} choose={choose} />
         <Measurements viewport={viewport} measuring={measuring} source={source} />
         {dimmed && <Outdated />}
         <p id={`${id}keys`} className="unseen">
           {t.keys}
         </p>
       </div>
-      <Late>
+      <DeferredUntilPaint>
         <DepthPicture steps={steps} playback={playback} />
         <PlaneReadout steps={steps} approaches={approaches} playback={playback} />
-      </Late>
+      </DeferredUntilPaint>
       <PlaybackBar playback={playback}>
         <span className="lathe-fold">
           <GlyphButton glyph="view" name={t.viewTools} expanded={tools} onPress={() => showTools(!tools)} />
         </span>
       </PlaybackBar>
-      <Late>
+      <DeferredUntilPaint>
         <Timeline run={timed} playback={playback} />
         <SpokenMoment steps={steps} approaches={approaches} playback={playback} clock={clock} />
         <div className="lathe-more">
           {typeof milled !== "string" && <MilledNotes run={run} rapids={rapids} />}
           <PointTable approaches={approaches} speech={speech} />
         </div>
-      </Late>
+      </DeferredUntilPaint>
     </section>
   );
 }

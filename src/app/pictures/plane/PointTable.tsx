@@ -1,5 +1,5 @@
 import type { ApproachRun } from "../../../program/tools/plane-types.ts";
-import type { ApproachSpeech } from "../../../view/approach/speech.ts";
+import type { ApproachWords } from "../../../view/approach/words.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
 /** All named points of approaches and departures in words. */
@@ -8,7 +8,7 @@ export function PointTable({
   speech,
 }: {
   readonly approaches: readonly ApproachRun[];
-  readonly speech: ApproachSpeech;
+  readonly speech: ApproachWords;
 }) {
   const t = useTexts().approach;
   if (approaches.length === 0) return null;

@@ -1,6 +1,6 @@
 import { useId, useMemo } from "react";
 import type { ApproachRun } from "../../../program/tools/plane-types.ts";
-import { withRoom } from "../../../view/approach/room.ts";
+import { withLegiblePoints } from "../../../view/approach/legible-points.ts";
 import type { Viewport } from "../lathe/viewport.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import { PlanePoints } from "./PlanePoints.tsx";
@@ -25,5 +25,5 @@ export function TurnPoints({
   const id = useId(),
     lengths = useLengths();
   const speech = useMemo(() => approachSpeech(lengths, "ZX", NO_TIP), [lengths]);
-  return <PlanePoints viewport={viewport} approaches={approaches} speech={speech} id={id} choose={withRoom} />;
+  return <PlanePoints viewport={viewport} approaches={approaches} speech={speech} id={id} choose={withLegiblePoints} />;
 }

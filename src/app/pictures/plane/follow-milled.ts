@@ -4,7 +4,7 @@ import type { Camera } from "../../../view/camera.ts";
 import { toneOfDepth, type MilledColours } from "../../../view/approach/milled-paint.ts";
 import { milledPainter, type MilledLook } from "../../../view/approach/milled-painter.ts";
 import type { Patch } from "../../../view/material/pen.ts";
-import { patchOf, patchWithin } from "../../../view/material/touched.ts";
+import { patchOf, patchWithin } from "../../../view/material/changed-box.ts";
 import type { KnownMilling } from "../../calculation/load-request.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
 import { askWorker } from "../../calculation/worker-life.ts";
@@ -145,7 +145,7 @@ export function followMilled(
     painter.goTo(playback.shown());
     turn();
     fitCanvas(over, origin, ratio);
-    painter.all(pen, look());
+    painter.paintAll(pen, look());
     show("own");
     shift();
   };
@@ -162,7 +162,7 @@ export function followMilled(
     if (playback.shown() !== position) paintMoved();
   };
   /** Has the stock painted for the present view; until then the old picture is shifted. */
-  const lookAnew = async (of: KnownMilling, position: PlayPosition) => {
+  const repaintForCamera = async (of: KnownMilling, position: PlayPosition) => {
     const next = nextLook();
     awaited = next.camera;
     const made = await milledPicture(of, next, position);
@@ -175,7 +175,7 @@ export function followMilled(
       now = viewport.drawn();
     if (now === camera) awaited = null;
     else if (!of) paintAll();
-    else if (now !== awaited) void lookAnew(of, playback.shown());
+    else if (now !== awaited) void repaintForCamera(of, playback.shown());
     shift();
   };
   let waits = false;
@@ -189,7 +189,7 @@ export function followMilled(
     waits = !waits && playback.get().playing;
     if (waits || (shows !== "played" && step === at.step && fraction === at.fraction)) return;
     own();
-    painter.follow(pen, look(), at);
+    painter.paintChanges(pen, look(), at);
     reached = stock.reached();
   };
   const paintGrown = () => {

@@ -4,7 +4,7 @@ import type { Ring } from "../../../kernel/geometry/point.ts";
 import type { Run } from "../../../program/state/run-types.ts";
 import { standingAbove } from "../../../sim/plane/body.ts";
 import { areasAt, type MilledStock } from "../../../sim/plane/milled.ts";
-import { printsOfMilled } from "../../../view/measure/print.ts";
+import { milledFingerprints } from "../../../view/measure/stock-fingerprint.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import type { MeasurableRun, MeasureSource } from "../measure/source.ts";
 
@@ -21,7 +21,7 @@ export const measurablePlane = (run: Run): MeasurableRun => ({
   contours: run.approaches.filter((each) => each.plane === "XY").map(({ contour }) => contour.map(partSegment)),
   blank: groundOf(run),
   path: () => run.plane.map(({ to }) => partPoint(to)),
-  printOf: printsOfMilled([...run.blank, ...groundOf(run)], run.plane, run),
+  fingerprintOf: milledFingerprints([...run.blank, ...groundOf(run)], run.plane, run),
 });
 
 /** Measurable content of the working plane: contours, the outline of the blank, milled edges, ends of motions. */

@@ -2,7 +2,7 @@ import type { Lengths } from "../../../i18n/lengths.ts";
 import { plane, type PlanePoint } from "../../../kernel/plane/plane.ts";
 import { radius, toDiameter } from "../../../kernel/units.ts";
 import type { WorkingPlane } from "../../../program/motion/approach-fields.ts";
-import type { ApproachSpeech } from "../../../view/approach/speech.ts";
+import type { ApproachWords } from "../../../view/approach/words.ts";
 
 const { sum } = plane;
 
@@ -10,7 +10,7 @@ const { sum } = plane;
  * Number texts of a plane's picture: X and Y of a mill; X as diameter and Z in turning. `tip`: offset of the programmed
  * point.
  */
-export function approachSpeech(lengths: Lengths, plane: WorkingPlane, tip: PlanePoint): ApproachSpeech {
+export function approachSpeech(lengths: Lengths, plane: WorkingPlane, tip: PlanePoint): ApproachWords {
   const signed = (n: number) => lengths.signed(n).replace("-", "−");
   return {
     number: (n) => lengths.number(n).replace("-", "−"),

@@ -2,11 +2,11 @@ import { useEffect, useId, useMemo, useRef, useState } from "react";
 import type { Run } from "../../../program/state/run-types.ts";
 import type { SolidTexts } from "../../../i18n/en/solid.ts";
 import { pathInSpace, segmentsInSpace } from "../../../view/solid/path-lines.ts";
-import type { SolidTold } from "../../../view/solid/shown-bodies.ts";
+import type { SolidNotes } from "../../../view/solid/shown-bodies.ts";
 import { NAMED_VIEWS } from "../../../view/solid/orbit.ts";
 import { tonedSides, type TonedSide } from "../../../view/solid/tones.ts";
 import type { Clock } from "../../base/clock.ts";
-import type { LookAt } from "../lathe/places.ts";
+import type { PicturePlace } from "../lathe/places.ts";
 import { PlaceButtons, PlaceLines } from "../lathe/PlaceButtons.tsx";
 import { pageColours, useTheme } from "../../base/use-theme-colours.ts";
 import type { Viewport } from "../lathe/viewport.ts";
@@ -16,7 +16,7 @@ import { useLoadOf } from "../load/use-load.ts";
 import { reducedMotion } from "../../base/settings/appearance.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { changeSettings, useSettings } from "../../base/settings/settings.ts";
-import { createEye, seenInSpace, type Eye } from "./eye.ts";
+import { createEye, spaceProjection, type Eye } from "./eye.ts";
 import { listenToHands } from "./hands.ts";
 import { createShow, NOTHING_TOLD, type Show, type ShownWork } from "./show.ts";
 import type { StageLines } from "./path-stage.ts";
@@ -35,9 +35,9 @@ interface Props {
   readonly state: string;
   readonly clock: Clock;
   /** Findings and residual material, as marks over the body, and the chosen one. */
-  readonly places: readonly LookAt[];
-  readonly chosen: LookAt | null;
-  readonly choose: (place: LookAt | null) => void;
+  readonly places: readonly PicturePlace[];
+  readonly chosen: PicturePlace | null;
+  readonly choose: (place: PicturePlace | null) => void;
   /** Called with the zoom of the view once it is drawn, and with null if the section has to replace it. */
   readonly onDrawn: (drawn: Zooming | null) => void;
 }
@@ -46,7 +46,7 @@ interface Props {
 export function SolidView(props: Props) {
   const t = useTexts("solid"),
     [tries, tryAgain] = useState(0);
-  return <Tried key={tries} {...props} t={t} again={() => tryAgain(tries + 1)} />;
+  return <SolidPicture key={tries} {...props} t={t} again={() => tryAgain(tries + 1)} />;
 }
 
 type Trouble = "missing" | "lost" | null;
@@ -110,7 +110,7 @@ const NO_TONES: readonly TonedSide[] = [];
  * Path and colour map as lines in space; with a colour map the path is faint. Values of surfaces colour the surfaces
  * too.
  */
-function useTold(
+function useColouredLines(
   run: Run,
   shown: (step: number) => boolean,
 ): { readonly lines: readonly StageLines[]; readonly tones: readonly TonedSide[] } {
@@ -138,29 +138,29 @@ function useTold(
 
 /** Notes on the picture: the meaning of its surfaces, and deviations from the shop. */
 function Notes({
-  told: { textures, marked, rings, leftHanded },
+  told: { textures, highlighted, hasRings, leftHanded },
   milled,
   noBlank,
   t,
 }: {
-  readonly told: SolidTold;
+  readonly told: SolidNotes;
   readonly milled: boolean;
   readonly noBlank: boolean;
   readonly t: SolidTexts;
 }) {
-  const said = [noBlank && t.noBlank, milled && t.milled, rings && t.threads, leftHanded && t.left].filter(
+  const said = [noBlank && t.noBlank, milled && t.milled, hasRings && t.threads, leftHanded && t.left].filter(
     (each) => each !== false,
   );
   return (
     <div className="solid-notes small soft">
-      {textures.length + marked.length > 1 && (
+      {textures.length + highlighted.length > 1 && (
         <ul className="solid-surfaces" aria-label={t.surfaces}>
           {textures.map((texture) => (
             <li key={texture} className={`solid-${texture}`}>
               {t.textures[texture]}
             </li>
           ))}
-          {marked.map((mark) => (
+          {highlighted.map((mark) => (
             <li key={mark} className={`solid-${mark}`}>
               {t.marked[mark]}
             </li>
@@ -174,7 +174,7 @@ function Notes({
   );
 }
 
-function Tried({
+function SolidPicture({
   work,
   run,
   lines: shown,
@@ -195,7 +195,7 @@ function Tried({
   useEffect(() => running?.stage.setColours(pageColours(STAGE_COLOURS)), [running, theme]);
   useEffect(() => running?.show.setLook({ quarterCut, xDown }), [running, quarterCut, xDown, theme]);
   useEffect(() => running?.show.setWork(work), [running, work]);
-  const { lines, tones } = useTold(run, shown);
+  const { lines, tones } = useColouredLines(run, shown);
   useEffect(() => running?.show.setLines(lines), [running, lines]);
   useEffect(() => running?.show.setTones(tones), [running, tones]);
   useEffect(() => {
@@ -204,7 +204,7 @@ function Tried({
     onDrawn({ zoom: (factor) => zoom(factor), fit, show: (bounds) => show(bounds, xDown) });
     return () => onDrawn(null);
   }, [running, trouble, xDown, onDrawn]);
-  const seeing = useMemo(() => running && seenInSpace(running.eye, xDown), [running, xDown]);
+  const seeing = useMemo(() => running && spaceProjection(running.eye, xDown), [running, xDown]);
   return (
     <>
       <div

@@ -1,4 +1,4 @@
-import type { ShownBodies, SolidTold } from "../../../view/solid/shown-bodies.ts";
+import type { ShownBodies, SolidNotes } from "../../../view/solid/shown-bodies.ts";
 import type { BodiesWanted } from "../../calculation/bodies.ts";
 import type { KnownOutcome } from "../../calculation/load-request.ts";
 import { askWorker } from "../../calculation/worker-life.ts";
@@ -42,8 +42,8 @@ export function bodySource(): BodySource {
   };
 }
 
-export const isSameTold = (a: SolidTold, b: SolidTold): boolean =>
-  a.rings === b.rings &&
+export const isSameNotes = (a: SolidNotes, b: SolidNotes): boolean =>
+  a.hasRings === b.hasRings &&
   a.leftHanded === b.leftHanded &&
   a.textures.join() === b.textures.join() &&
-  a.marked.join() === b.marked.join();
+  a.highlighted.join() === b.highlighted.join();

@@ -1,6 +1,6 @@
 import type { Bounds, Size } from "../../../view/camera.ts";
 import {
-  approached,
+  zoomedOrbit,
   namedView,
   nearTo,
   orbited,
@@ -11,7 +11,7 @@ import {
   type Orbit,
 } from "../../../view/solid/orbit.ts";
 import type { Clock } from "../../base/clock.ts";
-import type { Seeing } from "../lathe/seeing.ts";
+import type { PlaceProjection } from "../lathe/place-projection.ts";
 
 /** The viewpoint, followed by what draws the body. */
 export interface Eye {
@@ -99,7 +99,7 @@ export function createEye(clock: Clock, still: () => boolean): Eye {
     },
     turn: (turn, rise) => look((from) => orbited(from, turn, rise)),
     slide: (dx, dy) => look((from) => slid(from, dx, dy, size)),
-    zoom: (factor) => look((from) => approached(from, factor)),
+    zoom: (factor) => look((from) => zoomedOrbit(from, factor)),
     go(view) {
       name = view;
       fly();
@@ -121,7 +121,7 @@ export function createEye(clock: Clock, still: () => boolean): Eye {
 }
 
 /** Maps places of the section to the view of an eye, in the plane of the tool. `down`: X grows downwards. */
-export const seenInSpace = ({ get, subscribe, size }: Eye, down: boolean): Seeing => ({
+export const spaceProjection = ({ get, subscribe, size }: Eye, down: boolean): PlaceProjection => ({
   get,
   subscribe,
   size,

@@ -1,5 +1,5 @@
 import { Color, MeshPhongMaterial } from "three";
-import { LOOKS } from "../../../view/solid/finish.ts";
+import { TEXTURE_CODES } from "../../../view/solid/finish.ts";
 import { SCALE_TONES } from "../../../view/load/scale.ts";
 import { FEED_LINES } from "../../../view/material/lines.ts";
 import { TONED } from "./tone.ts";
@@ -11,7 +11,7 @@ interface Gloss {
 }
 
 /** As in the section: a finished surface is light and shiny, a rough one dull, a milled one duller. */
-const GLOSS: Readonly<Record<`${(typeof LOOKS)[number]}`, Gloss>> = {
+const GLOSS: Readonly<Record<`${(typeof TEXTURE_CODES)[number]}`, Gloss>> = {
   null: { ground: 0, shine: 1 },
   raw: { ground: -0.34, shine: 0.1 },
   rough: { ground: -0.08, shine: 0.5 },
@@ -31,12 +31,12 @@ export interface SteelColours {
 }
 
 /** The colour of a surface in white light. */
-export function groundOf(texture: `${(typeof LOOKS)[number]}`, { steel, dark, light }: SteelColours): Color {
+export function groundOf(texture: `${(typeof TEXTURE_CODES)[number]}`, { steel, dark, light }: SteelColours): Color {
   const { ground } = GLOSS[texture];
   return new Color(steel).lerp(new Color(ground < 0 ? dark : light), Math.abs(ground));
 }
 
-const list = (of: (gloss: Gloss) => number) => LOOKS.map((name) => of(GLOSS[`${name}`]).toFixed(3)).join(", ");
+const list = (of: (gloss: Gloss) => number) => TEXTURE_CODES.map((name) => of(GLOSS[`${name}`]).toFixed(3)).join(", ");
 
 /** Steel as it was made: raw, rough with the marks of its feed at their pitch, threaded, or finished. */
 export interface FinishedSteel {
@@ -78,11 +78,11 @@ export function finishedSteel(): FinishedSteel {
       uniform vec3 light;
       uniform vec3 tones[${SCALE_TONES}];
       varying vec2 look;
-      const float GROUND[${LOOKS.length}] = float[](${list(({ ground }) => ground)});
-      const float SHINE[${LOOKS.length}] = float[](${list(({ shine }) => shine)});
+      const float GROUND[${TEXTURE_CODES.length}] = float[](${list(({ ground }) => ground)});
+      const float SHINE[${TEXTURE_CODES.length}] = float[](${list(({ shine }) => shine)});
       void main() {
-        int made = int(look.x + 0.5) % ${LOOKS.length};
-        int told = int(look.x + 0.5) / ${LOOKS.length};`,
+        int made = int(look.x + 0.5) % ${TEXTURE_CODES.length};
+        int told = int(look.x + 0.5) / ${TEXTURE_CODES.length};`,
       )
       .replace(
         "#include <color_fragment>",

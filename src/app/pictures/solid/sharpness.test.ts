@@ -7,7 +7,7 @@ function shares(took: (share: number) => number, pictures: number): number[] {
     out: number[] = [];
   let share = 1;
   for (let i = 0; i < pictures; i += 1) {
-    share = sharpness.took(took(share));
+    share = sharpness.noteFrame(took(share));
     if (out.at(-1) !== share) out.push(share);
   }
   return out;
@@ -27,16 +27,18 @@ test("if something else is slow the resolution is restored and kept", () => {
 
 test("fast frames restore the resolution, and late ones lower it again", () => {
   const sharpness = createSharpness();
-  for (let i = 0; i < 6; i += 1) sharpness.took(55);
-  expect(sharpness.took(11)).toBe(0.7);
-  for (let i = 0; i < 200; i += 1) sharpness.took(11);
-  expect(sharpness.took(11)).toBe(1);
-  for (let i = 0; i < 6; i += 1) sharpness.took(55);
-  expect(sharpness.took(11)).toBe(0.7);
+  for (let i = 0; i < 6; i += 1) sharpness.noteFrame(55);
+  expect(sharpness.noteFrame(11)).toBe(0.7);
+  for (let i = 0; i < 200; i += 1) sharpness.noteFrame(11);
+  expect(sharpness.noteFrame(11)).toBe(1);
+  for (let i = 0; i < 6; i += 1) sharpness.noteFrame(55);
+  expect(sharpness.noteFrame(11)).toBe(0.7);
 });
 
 test("a single late frame, and one that waited for other work, change nothing", () => {
   expect(shares((share) => (share === 1 ? 16.7 : 0), 300)).toEqual([1]);
   const sharpness = createSharpness();
-  expect([sharpness.took(97), sharpness.took(12), sharpness.took(97), sharpness.took(12)]).toEqual([1, 1, 1, 1]);
+  expect([sharpness.noteFrame(97), sharpness.noteFrame(12), sharpness.noteFrame(97), sharpness.noteFrame(12)]).toEqual([
+    1, 1, 1, 1,
+  ]);
 });

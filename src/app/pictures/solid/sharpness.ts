@@ -10,7 +10,7 @@ const WORTH = 0.85;
 /** The resolution of frames while something moves. */
 export interface Sharpness {
   /** Records the time of a frame, ms; returns the share of pixels along each side, 0 … 1, for the next one. */
-  readonly took: (ms: number) => number;
+  readonly noteFrame: (ms: number) => number;
 }
 
 /** Adapts from frame to frame. */
@@ -24,7 +24,7 @@ export function createSharpness(): Sharpness {
     return share;
   };
   return {
-    took(ms) {
+    noteFrame(ms) {
       soon = ms < SOON.ms ? soon + 1 : 0;
       if (soon >= SOON.pictures) {
         [soon, before, isWorth] = [0, null, true];

@@ -7,18 +7,23 @@ import type { PlayPosition, Simulation } from "../../../sim/simulation.ts";
 import { boundsOf, joined } from "../../../view/bounds.ts";
 import type { Bounds, Size } from "../../../view/camera.ts";
 import { statedSteps } from "../../../view/solid/bodies.ts";
-import { chuckParts, toolParts } from "../../../view/solid/furniture.ts";
+import { chuckParts, toolParts } from "../../../view/solid/machine-parts.ts";
 import { chordsFor } from "../../../view/solid/revolve.ts";
-import { shownBodies, type BodiesAsked, type ShownBodies, type SolidTold } from "../../../view/solid/shown-bodies.ts";
+import {
+  shownBodies,
+  type BodiesRequest,
+  type ShownBodies,
+  type SolidNotes,
+} from "../../../view/solid/shown-bodies.ts";
 import { THREAD_FINENESS } from "../../../view/solid/threaded.ts";
 import { runThreads, type RunThreads } from "../../../view/solid/thread-cuts.ts";
 import type { TonedSide } from "../../../view/solid/tones.ts";
 import { UNTOUCHED } from "../../../view/material/surfaces.ts";
 import { tipAt } from "../../../view/tip.ts";
 import { stopwatch, type Clock } from "../../base/clock.ts";
-import { stepIndex, type Moving, type Waiting } from "../../calculation/moving.ts";
+import { stepIndex, type PlayedScene, type InitialScene } from "../../calculation/moving.ts";
 import { knownOf } from "../lathe/played-layer.ts";
-import { bodySource, isSameTold } from "./body-source.ts";
+import { bodySource, isSameNotes } from "./body-source.ts";
 import type { Eye } from "./eye.ts";
 import type { StageLines } from "./path-stage.ts";
 import { createSharpness } from "./sharpness.ts";
@@ -26,10 +31,10 @@ import type { SolidStage } from "./stage.ts";
 
 /** Content of the view. */
 export interface ShownWork {
-  readonly moving: Moving | null;
+  readonly moving: PlayedScene | null;
   readonly simulation: Simulation | null;
   /** The blank and the tool at its start, while nothing moves. */
-  readonly waiting: Waiting | null;
+  readonly waiting: InitialScene | null;
   readonly blank: readonly Ring[];
   /** Its clamping; null if not stated. */
   readonly clamping: Clamped | null;
@@ -38,7 +43,7 @@ export interface ShownWork {
   readonly contours: readonly (readonly Segment[])[];
 }
 
-export const NOTHING_TOLD: SolidTold = { rings: false, leftHanded: false, textures: [], marked: [] };
+export const NOTHING_TOLD: SolidNotes = { hasRings: false, leftHanded: false, textures: [], highlighted: [] };
 
 /** Connects work and eye to a stage, and draws only after changes. */
 export interface Show {
@@ -68,7 +73,7 @@ const REST = { ms: 160, times: 3 } as const;
 const nothingMoves = (): readonly Ring[] => [];
 
 /** `tell` is called with the notes on the picture whenever they change. */
-export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (told: SolidTold) => void): Show {
+export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (told: SolidNotes) => void): Show {
   let work: ShownWork | null = null;
   let threads: RunThreads | null = null;
   let [quarterCut, xDown] = [true, false];
@@ -77,7 +82,7 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
   let [box, seen]: [Bounds | null, Bounds | null] = [null, null];
   let [drawnRings, drawnKey, drawnTool]: [readonly Ring[], string, Tool | null] = [[], "", null];
   /** The moment of the shown stock, and its look. */
-  let seenAt: { readonly moving: Moving; readonly position: PlayPosition; readonly look: string } | null = null;
+  let seenAt: { readonly moving: PlayedScene; readonly position: PlayPosition; readonly look: string } | null = null;
   const source = bodySource();
   let [builtAt, cost] = [-Infinity, 0];
   let canvas: { readonly size: Size; readonly below: number } = { size: eye.size(), below: 0 };
@@ -93,11 +98,11 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
   const sharpRatio = ({ width, height }: Size) =>
     Math.min(devicePixelRatio, PIXELS.ratio, Math.sqrt(PIXELS.most / Math.max(1, width * height)));
 
-  const atOf = (moving: Moving | null): PlayPosition => moving?.playback.shown() ?? { step: 0, fraction: 0 };
+  const atOf = (moving: PlayedScene | null): PlayPosition => moving?.playback.shown() ?? { step: 0, fraction: 0 };
 
-  function draw({ bodies, told: now }: ShownBodies): void {
+  function draw({ bodies, notes: now }: ShownBodies): void {
     stage.setBodies(bodies);
-    if (!isSameTold(now, told)) tell((told = now));
+    if (!isSameNotes(now, told)) tell((told = now));
   }
 
   /** The view of a moment; `look` names all of it except the stock. With X downwards the picture is mirrored. */
@@ -110,7 +115,7 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
         .length ?? 0;
     const look = [chords, quarterCut, xDown, toneTurn].join(),
       moment = [faults, position.step >= steps.length, playing() || position.step].join();
-    const asked: BodiesAsked = {
+    const asked: BodiesRequest = {
       position,
       size: box ? Math.max(box.right - box.left, box.high) : 1,
       turning: {
@@ -183,11 +188,11 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
   }
 
   /** Lowers the resolution if frames are late; returns the time of this frame. */
-  function mind(now: number): number {
+  function adaptSharpness(now: number): number {
     const took = now - Math.max(lastPicture, askedAt),
       goesOn = playing() || askedAt - lastPicture < REST.ms;
     lastPicture = now;
-    if (goesOn) learned = sharpness.took(took);
+    if (goesOn) learned = sharpness.noteFrame(took);
     if (goesOn) setCoarse(learned);
     return took;
   }
@@ -195,7 +200,7 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
   function picture(): void {
     asked = null;
     const begun = stopwatch();
-    const took = mind(begun);
+    const took = adaptSharpness(begun);
     if (changed && !source.isAsked() && (!playing() || begun - builtAt > PAUSE * cost)) {
       build();
       builtAt = stopwatch();

@@ -17,7 +17,7 @@ import {
 } from "three";
 import type { Chip } from "../../../sim/chip/chip.ts";
 import type { Size } from "../../../view/camera.ts";
-import type { DrawnPart } from "../../../view/solid/furniture.ts";
+import type { DrawnPart } from "../../../view/solid/machine-parts.ts";
 import type { Mesh } from "../../../view/solid/mesh.ts";
 import { eyeOf, FIELD, pixelAt, type Orbit } from "../../../view/solid/orbit.ts";
 import type { MomentBody } from "../../../view/solid/moment.ts";

@@ -1,7 +1,7 @@
 import { courseIndexOf } from "virtual:course-index";
 import { lessonSchema, type Lesson } from "../../../course/lesson.ts";
 import { taskSchema, type Task } from "../../../course/task.ts";
-import { untilHere } from "../../base/parts.ts";
+import { retryImport } from "../../base/parts.ts";
 import { byLanguage } from "../../base/settings/loaded-texts.ts";
 import { useByLanguage } from "../../base/settings/use-texts.ts";
 
@@ -53,11 +53,11 @@ export const fromOutside = (task: Task): Task =>
 /** A lesson of the course; null where there is none of this id. */
 export async function fetchLesson(id: string): Promise<Lesson | null> {
   const fetch = found(lessons, (name) => name.replace(/^\d\d-/, "") === id);
-  return fetch ? lessonSchema.parse(await untilHere(fetch)) : null;
+  return fetch ? lessonSchema.parse(await retryImport(fetch)) : null;
 }
 
 /** A task of the course; null where there is none of this id. */
 export async function fetchTask(id: string): Promise<Task | null> {
   const fetch = found(tasks, (name) => name === id);
-  return fetch ? taskSchema.parse(await untilHere(fetch)) : null;
+  return fetch ? taskSchema.parse(await retryImport(fetch)) : null;
 }

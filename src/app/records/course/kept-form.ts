@@ -1,11 +1,11 @@
 import { z } from "zod/mini";
-import { formShape, type MadeTask } from "../../../course/made/made-form.ts";
+import { formShape, type TaskForm } from "../../../course/made/task-form.ts";
 import { time } from "../../base/clock.ts";
 import { record } from "../../base/record.ts";
 
 /** A form as it was left, the fingerprint of its program, and when, ms since 1970. */
 export interface KeptForm {
-  readonly form: MadeTask;
+  readonly form: TaskForm;
   readonly print: string;
   readonly at: number;
 }
@@ -45,7 +45,7 @@ const newest = (list: KeptForms): KeptForms =>
   );
 
 /** Saves the current state of a form. */
-export const keepForm = (key: string, form: MadeTask, print: string): void =>
+export const keepForm = (key: string, form: TaskForm, print: string): void =>
   formRecord.put(newest({ ...formRecord.now(), [key]: { form, print, at: time() } }));
 
 /** Deletes a form that is done. */

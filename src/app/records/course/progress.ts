@@ -45,4 +45,4 @@ export const notePass = (task: string, worth: Omit<PassedAnswer, "when"> = {}): 
 export const noteLessonPage = (at: CourseMark): void => change((now) => withPlace(now, at));
 
 /** Restarts the course, as one step of undo. */
-export const beginCourseAnew = (): void => editRecord(progressRecord, () => NO_PROGRESS);
+export const restartCourse = (): void => editRecord(progressRecord, () => NO_PROGRESS);

@@ -1,13 +1,13 @@
 import { expect, test } from "vitest";
 import type { HandedResult, TaskResult } from "../../../course/made/result.ts";
 import {
-  isAmong,
+  hasResult,
   learnerCount,
   resultsCsv,
   resultRows,
   sheetCell,
   sortedRows,
-  type Again,
+  type RerunOutcome,
   type LearnerFile,
 } from "./result-rows.ts";
 
@@ -45,7 +45,7 @@ const compare = (a: string, b: string) => a.localeCompare(b, "en");
 
 test("rows of several learners are sorted by any column, or in order of arrival", () => {
   const rows = resultRows(inFiles(zoe, none, ada));
-  const again = new Map<string, Again>([
+  const again = new Map<string, RerunOutcome>([
     ["0 pin", "fails"],
     ["2 disc", "passes"],
   ]);
@@ -81,8 +81,8 @@ test("if a learner handed a task in twice the newest counts and the others stay;
 });
 
 test("the same file is recognised", () => {
-  expect(isAmong(inFiles(ada, zoe), { ...zoe })).toBe(true);
-  expect(isAmong(inFiles(ada), { ...ada, made: ada.made + 1 })).toBe(false);
+  expect(hasResult(inFiles(ada, zoe), { ...zoe })).toBe(true);
+  expect(hasResult(inFiles(ada), { ...ada, made: ada.made + 1 })).toBe(false);
 });
 
 test.each([

@@ -5,7 +5,7 @@ import { stateOfTask, type TaskState } from "../../../course/progress.ts";
  * Result of running a program here; "unknown": this device does not have its task, "foretold": the task has no program,
  * "stopped": the run did not finish.
  */
-export type Again = "passes" | "fails" | "unknown" | "foretold" | "none" | "stopped";
+export type RerunOutcome = "passes" | "fails" | "unknown" | "foretold" | "none" | "stopped";
 
 /** Results of one learner; without a file name if they came by a link. */
 export interface LearnerFile {
@@ -60,7 +60,7 @@ export function resultRows(all: readonly LearnerFile[]): readonly ResultRow[] {
 }
 
 /** True if these results are already in the list. */
-export const isAmong = (all: readonly LearnerFile[], one: HandedResult): boolean =>
+export const hasResult = (all: readonly LearnerFile[], one: HandedResult): boolean =>
   all.some(({ result }) => JSON.stringify(result) === JSON.stringify(one));
 
 /** Sortable columns, in the order of the table. */
@@ -84,12 +84,16 @@ export type ResultColumn = (typeof RESULT_COLUMNS)[number];
 export const NUMBERS: readonly ResultColumn[] = ["tries", "hints", "time", "steps", "machining", "score"];
 
 const STATES: readonly TaskState[] = ["alone", "hints", "solution", "tried", "new"];
-const AGAIN: readonly Again[] = ["passes", "fails", "foretold", "none", "unknown", "stopped"];
+const RERUN_ORDER: readonly RerunOutcome[] = ["passes", "fails", "foretold", "none", "unknown", "stopped"];
 
 type Sorted = string | number;
 
 /** Sort value of a row; missing values come last. */
-function sortedBy({ name, made, state, result }: ResultRow, column: ResultColumn, again: Again | undefined): Sorted {
+function sortedBy(
+  { name, made, state, result }: ResultRow,
+  column: ResultColumn,
+  again: RerunOutcome | undefined,
+): Sorted {
   switch (column) {
     case "name":
       return name;
@@ -100,7 +104,7 @@ function sortedBy({ name, made, state, result }: ResultRow, column: ResultColumn
     case "state":
       return STATES.indexOf(state);
     case "again":
-      return again ? AGAIN.indexOf(again) : AGAIN.length;
+      return again ? RERUN_ORDER.indexOf(again) : RERUN_ORDER.length;
     case "tries":
       return result.tries;
     case "hints":
@@ -119,8 +123,8 @@ function sortedBy({ name, made, state, result }: ResultRow, column: ResultColumn
 }
 
 /** Sort options: the rerun result of each row, and the text order of the language. */
-export interface SortedHow {
-  readonly again: ReadonlyMap<string, Again>;
+export interface SortOptions {
+  readonly again: ReadonlyMap<string, RerunOutcome>;
   readonly compare: (a: string, b: string) => number;
 }
 
@@ -129,7 +133,7 @@ export function sortedRows(
   rows: readonly ResultRow[],
   column: ResultColumn | null,
   down: boolean,
-  { again, compare }: SortedHow,
+  { again, compare }: SortOptions,
 ): readonly ResultRow[] {
   if (!column) return rows;
   const value = (row: ResultRow) => sortedBy(row, column, again.get(row.key));
@@ -142,7 +146,7 @@ export function sortedRows(
 const BOM = "\uFEFF";
 
 /** Format of CSV cells. */
-interface SheetHow {
+interface CsvFormat {
   readonly separator: string;
   readonly decimal: string;
 }
@@ -151,7 +155,7 @@ interface SheetHow {
  * One cell of a CSV file. Text that a spreadsheet would run as a formula gets an apostrophe in front, which marks it as
  * text; numbers stay numbers.
  */
-export function sheetCell(value: string | number | null, { separator, decimal }: SheetHow): string {
+export function sheetCell(value: string | number | null, { separator, decimal }: CsvFormat): string {
   if (value === null) return "";
   if (typeof value === "number") return String(value).replace(".", decimal);
   const plain = value.replace(/[\r\n\t]+/g, " ");

@@ -1,12 +1,12 @@
 import { beforeEach, expect, test, vi } from "vitest";
 import { countWork, workedIn, workedRecord } from "./working-time.ts";
-import { begin } from "../../document/store.ts";
+import { openFirstWork } from "../../document/store.ts";
 
 const now = vi.hoisted(() => ({ ms: 1000, visible: "visible" }));
 vi.mock("../../base/clock.ts", async (real) => ({ ...(await real<object>()), time: () => now.ms }));
 
 const open = (task: string | null) =>
-  begin(task === null ? null : { name: "A.h", text: "", encoding: "utf-8", task: { id: task } }, task);
+  openFirstWork(task === null ? null : { name: "A.h", text: "", encoding: "utf-8", task: { id: task } }, task);
 const pass = (ms: number) => {
   now.ms += ms;
   countWork();

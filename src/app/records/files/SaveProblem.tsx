@@ -1,7 +1,7 @@
 import { useRef } from "react";
 import { Icon } from "../../base/Icon.tsx";
 import type { SaveBack, SaveHow } from "./save-back.ts";
-import { useTextsSoon } from "../../base/settings/use-texts.ts";
+import { useTextsOrNull } from "../../base/settings/use-texts.ts";
 import { ModalDialog } from "../../base/ModalDialog.tsx";
 
 /** Why saving failed. */
@@ -20,7 +20,7 @@ interface Props {
 
 /** Says why a file was not written, and offers what can be done. Closing it changes nothing. */
 export function SaveProblem({ file, obstacle, canSave, onSave, onDownload, onCompare, done }: Props) {
-  const t = useTextsSoon("files");
+  const t = useTextsOrNull("files");
   const dialog = useRef<HTMLDialogElement>(null);
   const leave = (way: () => void) => () => {
     dialog.current?.close();

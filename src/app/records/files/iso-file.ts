@@ -1,5 +1,5 @@
 import { ncLanguageOf } from "../../../i18n/languages.ts";
-import { untilHere } from "../../base/parts.ts";
+import { retryImport } from "../../base/parts.ts";
 import { notice } from "../../base/notices.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import type { WorkFile } from "../../document/work.ts";
@@ -11,7 +11,7 @@ export const mayBeIso = (text: string): boolean =>
 /** A text file as Klartext. DIN/ISO is converted under the same name, with a notice. */
 export async function asKlartext(file: WorkFile): Promise<WorkFile> {
   if (!mayBeIso(file.text)) return file;
-  const [{ isIsoText }, { klartextOfIso }, { isoNames }, { ncLabels }, { LAYOUTS }] = await untilHere(() =>
+  const [{ isIsoText }, { klartextOfIso }, { isoNames }, { ncLabels }, { LAYOUTS }] = await retryImport(() =>
     Promise.all([
       import("../../../nc/iso/lines.ts"),
       import("../../../nc/iso/read-iso.ts"),

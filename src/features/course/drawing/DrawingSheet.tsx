@@ -1,6 +1,6 @@
 import { useId, useMemo, useRef, type CSSProperties } from "react";
 import { createPortal } from "react-dom";
-import type { DrawnTask } from "../../../course/printed-part.ts";
+import type { DrawnTask } from "../../../course/drawn-task.ts";
 import type { CourseDrawingTexts } from "../../../i18n/en/course-drawing.ts";
 import type { PrintWords } from "../../../view/drawing/print-sizes.ts";
 import { drawingOnSheet } from "../../../view/drawing/workshop-drawing.ts";

@@ -1,7 +1,7 @@
-import { madeOf } from "../../../sim/made.ts";
+import { producedParts } from "../../../sim/produced-parts.ts";
 import { useMemo, useRef } from "react";
 import { createPortal } from "react-dom";
-import { drawnProgram } from "../../../course/printed-program.ts";
+import { drawnProgram } from "../../../course/drawn-program.ts";
 import type { Task } from "../../../course/task.ts";
 import { finishedBody, isBody } from "../../../view/solid/bodies.ts";
 import { useOutcome, type Outcome } from "../../../app/calculation/outcome.ts";
@@ -21,7 +21,7 @@ import "./drawing.css";
 function drawnOf(outcome: Outcome, known: Task | null) {
   const { run, simulation } = outcome;
   const wanted = finishedBody(simulation, run.operations);
-  return drawnProgram(outcome, isBody(wanted) ? wanted : madeOf(simulation), known);
+  return drawnProgram(outcome, isBody(wanted) ? wanted : producedParts(simulation), known);
 }
 
 /** The reason, in place of a missing drawing. */

@@ -1,5 +1,5 @@
 import { useId, useMemo, useRef, useState } from "react";
-import { drawnTask } from "../../../course/printed-part.ts";
+import { drawnTask } from "../../../course/drawn-task.ts";
 import { shownId, type Task } from "../../../course/task.ts";
 import type { Language } from "../../../i18n/languages.ts";
 import { usualTable } from "../../../program/tools/cutting-table.ts";

@@ -1,4 +1,4 @@
-import type { DrawnTask } from "../../../course/printed-part.ts";
+import type { DrawnTask } from "../../../course/drawn-task.ts";
 import type { CourseDrawingTexts } from "../../../i18n/en/course-drawing.ts";
 import { radius, toDiameter } from "../../../kernel/units.ts";
 import { boundsOf } from "../../../view/bounds.ts";
@@ -55,7 +55,7 @@ export function sheetTitleOf(source: TitleSource): SheetTitle {
     notes: [
       t.tolerancesHint,
       ...(print.list.some(({ kind }) => kind === "blank") ? [t.brackets] : []),
-      ...(print.left > 0 ? [t.leftOut(print.left)] : []),
+      ...(print.omitted > 0 ? [t.leftOut(print.omitted)] : []),
       ...(titled.notes ?? []),
     ],
   };

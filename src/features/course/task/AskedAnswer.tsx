@@ -1,6 +1,6 @@
 import { useId } from "react";
 import type { Prediction } from "../../../course/task.ts";
-import { answerKindOf } from "../../../course/told.ts";
+import { answerKindOf } from "../../../course/predicted-answers.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import { NumberInput } from "../../../app/fields/number/NumberInput.tsx";
 
@@ -55,21 +55,21 @@ export function AskedAnswer({ prediction, put, text, choices, t, labelled }: Ask
     const [x = "", z = ""] = text.split(" ");
     return (
       <div className="task-fields">
-        <span className="small">{t.foretell.place}</span>
-        {field(t.foretell.x, "⌀", x, (next) => put(`${bare(next)} ${z}`))}
-        {field(t.foretell.z, "Z", z, (next) => put(`${x} ${bare(next)}`))}
+        <span className="small">{t.predict.place}</span>
+        {field(t.predict.x, "⌀", x, (next) => put(`${bare(next)} ${z}`))}
+        {field(t.predict.z, "Z", z, (next) => put(`${x} ${bare(next)}`))}
       </div>
     );
   }
   if (kind === "block") {
     return (
       <div className="task-fields">
-        <span className="soft small">{t.foretell.tapBlock}</span>
-        {field(t.foretell.block, "", text, put)}
+        <span className="soft small">{t.predict.tapBlock}</span>
+        {field(t.predict.block, "", text, put)}
       </div>
     );
   }
   const { ask } = prediction;
-  const unit = ask in t.foretell.units ? t.foretell.units[ask as keyof typeof t.foretell.units] : "";
-  return <div className="task-fields">{field(t.foretell.answer, "", text, put, unit)}</div>;
+  const unit = ask in t.predict.units ? t.predict.units[ask as keyof typeof t.predict.units] : "";
+  return <div className="task-fields">{field(t.predict.answer, "", text, put, unit)}</div>;
 }

@@ -2,7 +2,7 @@ import { useEffect, useEffectEvent } from "react";
 import type { TaskMark } from "../../../course/judge/judgement.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import type { Run } from "../../../program/state/run-types.ts";
-import { useChosen } from "../../../app/document/chosen.ts";
+import { useChosenFinding } from "../../../app/document/chosen-finding.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { markId, showMark } from "./show-mark.ts";
 import { useTaskView } from "./task-view.ts";
@@ -23,7 +23,7 @@ export function MarkLine({
   readonly t: CourseTaskTexts;
 }) {
   const place = useTaskView((v) => v.place);
-  const chosen = useChosen((c) => c.id);
+  const chosen = useChosenFinding((c) => c.id);
   const mark = marks[Math.min(place, marks.length - 1)];
   const go = (index: number) => {
     const next = marks[index];

@@ -18,7 +18,7 @@ export function TaskBar({ work }: { readonly work: string }) {
   if (task !== "none") return <TaskPanel task={task} t={t} />;
   return (
     <p className="task-panel task-gone">
-      <Icon name="info" /> {t.gone}
+      <Icon name="info" /> {t.fileMissing}
     </p>
   );
 }

@@ -1,5 +1,5 @@
 import type { ReactNode } from "react";
-import { gathered, goalsOf, isMet, type DrawnGoal, type TaskGoal } from "../../../course/goals.ts";
+import { groupGoals, goalsOf, isMet, type DrawnGoal, type TaskGoal } from "../../../course/goals.ts";
 import type { Task, TaskWords } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import { formatNumber } from "../../../i18n/number.ts";
@@ -9,7 +9,7 @@ import { useEditor } from "../../../app/document/store.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { WorkshopDrawing } from "../drawing/WorkshopDrawing.tsx";
 import { Paragraphs } from "../Paragraphs.tsx";
-import { ForetoldResult } from "./ForetoldResult.tsx";
+import { PredictionResult } from "./PredictionResult.tsx";
 import { goalText } from "./goal-words.ts";
 import { placedText } from "./mark-words.ts";
 import { TaskHelp } from "./TaskHelp.tsx";
@@ -88,13 +88,13 @@ function DrawnSizes({
 /** The goals of the task, ticked after the first check. The sizes on a drawing are one goal. */
 function Goals({ task, t, hasDrawing }: Omit<Props, "words"> & { readonly hasDrawing: boolean }) {
   const language = useSettings((s) => s.language);
-  const { live, foretold } = useTaskView();
-  const rights = (foretold ?? []).map(({ right }) => right);
+  const { live, comparedAnswers } = useTaskView();
+  const rights = (comparedAnswers ?? []).map(({ right }) => right);
   const all = goalsOf(task),
-    groups = gathered(all, live);
+    groups = groupGoals(all, live);
   const isGathered = hasDrawing && groups.drawn.length > 1;
   const row = (goal: TaskGoal, i: number) => {
-    const known = goal.kind === "foretold" ? foretold !== null : live !== null;
+    const known = goal.kind === "foretold" ? comparedAnswers !== null : live !== null;
     const met = known ? isMet(goal, live, rights) : undefined;
     return (
       <li key={`${goal.kind} ${i}`} data-met={met}>
@@ -165,7 +165,7 @@ export function TaskBody({ task, t, words }: Props) {
       <div className="task-beside">
         <Goals task={task} t={t} hasDrawing={hasDrawing} />
         <Scored t={t} />
-        {!veiled && <ForetoldResult t={t} words={words} />}
+        {!veiled && <PredictionResult t={t} words={words} />}
       </div>
       <div className="task-beside">
         <TaskHelp task={task} t={t} words={words} />

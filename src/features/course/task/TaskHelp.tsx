@@ -1,19 +1,19 @@
 import { useState } from "react";
-import { programOfLines } from "../../../course/start-of.ts";
+import { programOfLines } from "../../../course/task-start.ts";
 import { shownId, type Task, type TaskWords } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import { showComparison } from "../../../app/place/place.ts";
 import { startWork } from "../../../app/records/keep.ts";
-import { handedOn, useEditor } from "../../../app/document/store.ts";
-import { broughtBy } from "../../../app/document/work.ts";
+import { bundleOf, useEditor } from "../../../app/document/store.ts";
+import { onlyBundle } from "../../../app/document/work.ts";
 import { Paragraphs } from "../Paragraphs.tsx";
 import { noteHint, noteSolution, useTaskProgress } from "../../../app/records/course/progress.ts";
 
 /** Opens a block of the current program; a job of prompts has no blocks to open. */
 async function showBlock(_file: string | null, _index: number, number: number): Promise<void> {
   if (!useEditor.getState().program) return;
-  const { openNumbered } = await import("./open-numbered.ts");
-  openNumbered(number, null);
+  const { openBlockByNumber } = await import("./block-by-number.ts");
+  openBlockByNumber(number, null);
 }
 
 /**
@@ -78,7 +78,7 @@ export function TaskHelp({
       )}
       {sure && (
         <div className="task-sure" role="group" aria-label={t.showSolution}>
-          <p>{t.sure}</p>
+          <p>{t.confirmSolution}</p>
           <div className="task-ways">
             <button
               type="button"
@@ -89,10 +89,10 @@ export function TaskHelp({
                 setOpen(true);
               }}
             >
-              {t.yesShow}
+              {t.confirmShow}
             </button>
             <button type="button" className="button" autoFocus onClick={() => ask(false)}>
-              {t.notYet}
+              {t.cancelShow}
             </button>
           </div>
         </div>
@@ -120,7 +120,7 @@ export function TaskHelp({
                   name: `${shownId(task)}_solution.h`,
                   text,
                   encoding: "utf-8",
-                  ...broughtBy(handedOn(useEditor.getState())),
+                  ...onlyBundle(bundleOf(useEditor.getState())),
                 })
               }
             >

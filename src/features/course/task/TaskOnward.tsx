@@ -4,16 +4,16 @@ import { Icon } from "../../../app/base/Icon.tsx";
 import { fetchTask, useCourseIndex, type LessonEntry, type TaskEntry } from "../../../app/records/course/content.ts";
 import { courseHref } from "../../../app/place/course-links.ts";
 import { useTaskProgress } from "../../../app/records/course/progress.ts";
-import { beginTask, beginTaskAnew } from "./begin.ts";
+import { resumeOrStartTask, startTask } from "./begin.ts";
 import { useTaskView } from "./task-view.ts";
 
-interface Around {
+interface LessonAndNextTask {
   readonly lesson: LessonEntry | null;
   readonly next: TaskEntry | null;
 }
 
 /** The lesson of a task, and the next task: in its lesson, or the first of a later one. */
-export function aroundTask(lessons: readonly LessonEntry[], id: string): Around {
+export function lessonAndNextTask(lessons: readonly LessonEntry[], id: string): LessonAndNextTask {
   const all = lessons.flatMap((lesson) => lesson.tasks.map((task) => ({ lesson, task })));
   const index = all.findIndex(({ task }) => task.id === id);
   return { lesson: all[index]?.lesson ?? null, next: index < 0 ? null : (all[index + 1]?.task ?? null) };
@@ -22,7 +22,7 @@ export function aroundTask(lessons: readonly LessonEntry[], id: string): Around 
 /** Begins a task of the course. */
 async function begin(id: string): Promise<void> {
   const task = await fetchTask(id);
-  if (task) await beginTask(task);
+  if (task) await resumeOrStartTask(task);
 }
 
 /** Starts the next task; nothing if there is none. */
@@ -49,7 +49,7 @@ export function PassedLine({
   const { lessons } = useCourseIndex();
   return (
     <div className="task-now task-ways">
-      <NextTask next={aroundTask(lessons, task.id).next} t={t} />
+      <NextTask next={lessonAndNextTask(lessons, task.id).next} t={t} />
       {words.learned !== undefined && (
         <button type="button" className="button" onClick={() => useTaskView.setState({ open: true })}>
           <Icon name="down" /> {t.learned}
@@ -71,7 +71,7 @@ export function TaskOnward({
 }) {
   const { lessons } = useCourseIndex();
   const { passed } = useTaskProgress(task.id);
-  const { lesson, next } = aroundTask(lessons, task.id);
+  const { lesson, next } = lessonAndNextTask(lessons, task.id);
   return (
     <section className="task-part task-onward">
       {passed && words.learned !== undefined && (
@@ -87,8 +87,8 @@ export function TaskOnward({
         <a className="button" href={courseHref(lesson?.id ?? null, "tasks")}>
           {lesson ? t.toLesson : t.toCourse}
         </a>
-        <button type="button" className="button" onClick={() => beginTaskAnew(task, !lesson)}>
-          {t.anew}
+        <button type="button" className="button" onClick={() => startTask(task, !lesson)}>
+          {t.startOver}
         </button>
       </div>
     </section>

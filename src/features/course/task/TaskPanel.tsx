@@ -10,9 +10,9 @@ import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { useEditor } from "../../../app/document/store.ts";
 import { useMedia } from "../../../app/base/use-media.ts";
 import { inScreenLanguage } from "../../../course/words.ts";
-import { checkTask, compareForetold, isOfWork, judgeQuietly, lookAgain } from "./check.ts";
-import { ForetellForm } from "./ForetellForm.tsx";
-import { ForetoldResult } from "./ForetoldResult.tsx";
+import { checkTask, comparePredictions, isOfWork, judgeQuietly, clearResolvedNotReady } from "./check.ts";
+import { PredictForm } from "./PredictForm.tsx";
+import { PredictionResult } from "./PredictionResult.tsx";
 import { MarkLine } from "./MarkLine.tsx";
 import { markText } from "./mark-words.ts";
 import { TaskBody } from "./TaskBody.tsx";
@@ -26,7 +26,7 @@ import { taskOfWork } from "../../../app/document/work-task.ts";
 const QUIET = 400;
 
 /** After the first check the goals update in the background; marks of a stale check are removed from the picture. */
-function useFollowing(task: Task): void {
+function useLiveJudgement(task: Task): void {
   const newest = useOutcome((s) => s.newest);
   const job = useEditor((s) => s.job);
   const program = useEditor((s) => s.program);
@@ -34,7 +34,7 @@ function useFollowing(task: Task): void {
   const section = usePlace((p) => p.section);
   const prompt = usePlace((p) => p.prompt);
   // Not while a value is typed: targets must not move away.
-  useEffect(lookAgain, [section, prompt]);
+  useEffect(clearResolvedNotReady, [section, prompt]);
   useEffect(() => {
     if (!checked) return undefined;
     const stale = !isOfWork(checked.answer as NonNullable<typeof newest>);
@@ -53,20 +53,20 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
   const body = useId();
   const words = inScreenLanguage(task.words, language);
   const veiled = useEditor((s) => taskOfWork(s)?.veiled ?? false);
-  const { open, checking, checked, foretold, stale } = useTaskView();
+  const { open, checking, checked, comparedAnswers, stale } = useTaskView();
   const marks = useMemo(() => checked?.judgement.marks.filter((mark) => !mark.passed) ?? null, [checked]);
   const say = useCallback(
     (mark: TaskMark) => (checked ? markText(mark, { t, texts, language, task, answer: checked.answer }) : ""),
     [checked, t, texts, language, task],
   );
   const passed = usePassedNow(task);
-  useFollowing(task);
+  useLiveJudgement(task);
   useTaskPicture(task, t, language, marks, say);
   /** With little room, the assignment replaces the work. */
   const alone = useMedia("narrow") && open;
   const asks = task.predict !== undefined && task.predict.length > 0;
   useEffect(() => {
-    if (asks && !veiled) void compareForetold(task);
+    if (asks && !veiled) void comparePredictions(task);
   }, [task, asks, veiled]);
   if (!words) return null;
   const makes = task.kind !== "predict";
@@ -98,7 +98,9 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
           <Icon name={open ? "up" : "down"} /> <span>{open ? t.fold : t.unfold}</span>
         </button>
       </div>
-      {!open && !veiled && foretold && !marks?.length && !(passed && makes) && <ForetoldResult t={t} words={words} />}
+      {!open && !veiled && comparedAnswers && !marks?.length && !(passed && makes) && (
+        <PredictionResult t={t} words={words} />
+      )}
       {!open && checked && marks && marks.length > 0 && !stale && (
         <MarkLine marks={marks} say={say} run={checked.answer.run} t={t} />
       )}
@@ -114,7 +116,7 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
           </Suspense>
         )}
       </div>
-      {veiled && <ForetellForm task={task} t={t} words={words} />}
+      {veiled && <PredictForm task={task} t={t} words={words} />}
     </section>
   );
 }

@@ -16,7 +16,7 @@ import { useTaskView, type NotReady } from "./task-view.ts";
 const NAMED = 3;
 
 /** Opens the first empty prompt. */
-function goToLacking(lacks: NotReady): void {
+function openFirstMissing(lacks: NotReady): void {
   const { job } = useEditor.getState();
   if (lacks.why === "noContour") return showSection("contour");
   const q = lacks.why === "empty" ? lacks.at[0] : undefined;
@@ -39,7 +39,7 @@ function Lacking({ lacks, t }: { readonly lacks: NotReady; readonly t: CourseTas
   return (
     <>
       <span>{lacks.why === "empty" ? t.empty(names) : t.noContour}</span>
-      <button type="button" className="button plain" onClick={() => goToLacking(lacks)}>
+      <button type="button" className="button plain" onClick={() => openFirstMissing(lacks)}>
         {t.goTo(lacks.why === "empty" ? (lacks.at[0] ?? "") : texts.page.contour)}
       </button>
     </>
@@ -48,19 +48,22 @@ function Lacking({ lacks, t }: { readonly lacks: NotReady; readonly t: CourseTas
 
 /** Whether the last check, or the run after the predictions, passed the current work. */
 export function usePassedNow({ kind }: Task): boolean {
-  const { checked, stale, foretold } = useTaskView();
+  const { checked, stale, comparedAnswers } = useTaskView();
   if (stale) return false;
   return checked
     ? checked.passed
-    : kind === "predict" && foretold !== null && foretold.length > 0 && foretold.every(({ right }) => right);
+    : kind === "predict" &&
+        comparedAnswers !== null &&
+        comparedAnswers.length > 0 &&
+        comparedAnswers.every(({ right }) => right);
 }
 
 /** The status in one line: not ready, number of open goals, or passed. Announced after a check, not while editing. */
 export function TaskStatus({ task, t }: { readonly task: Task; readonly t: CourseTaskTexts }) {
   const language = useSettings((s) => s.language);
-  const { checking, notReady, checked, stale, foretold } = useTaskView();
+  const { checking, notReady, checked, stale, comparedAnswers } = useTaskView();
   const { passed, tries } = useTaskProgress(task.id);
-  const rights = (foretold ?? []).map(({ right }) => right);
+  const rights = (comparedAnswers ?? []).map(({ right }) => right);
   const isPassed = usePassedNow(task);
   const say = () => {
     if (checking) return <span>{t.checking} …</span>;

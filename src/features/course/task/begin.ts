@@ -1,11 +1,11 @@
 import { ncLanguageOf } from "../../../i18n/languages.ts";
 import { cycleByNumber } from "../../../cycles/index.ts";
 import type { Job } from "../../../program/job/job.ts";
-import { startOfTask, toolsOfTask } from "../../../course/start-of.ts";
+import { startOfTask, toolsOfTask } from "../../../course/task-start.ts";
 import type { Task } from "../../../course/task.ts";
 import { draftOf } from "../../../app/document/edits.ts";
 import { toFirstPrompt, usePlace } from "../../../app/place/place.ts";
-import { openWork, refreshWorks, startWork, useKeeping } from "../../../app/records/keep.ts";
+import { openWork, refreshWorks, startWork, useSavedWorks } from "../../../app/records/keep.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { isProgram, type Work } from "../../../app/document/work.ts";
 import { unfoldNext } from "./task-view.ts";
@@ -29,31 +29,31 @@ export function workOfTask(task: Task, fromOutside = false): Work {
 }
 
 /** The newest stored work of a task; undefined if there is none on this device. */
-export const keptOfTask = (id: string): string | undefined =>
-  useKeeping.getState().works.find(({ task }) => task === id)?.work;
+export const newestWorkOfTask = (id: string): string | undefined =>
+  useSavedWorks.getState().works.find(({ task }) => task === id)?.work;
 
 /** The first prompt without a value; if all have one, the first prompt. */
-function firstToAnswer(job: Job): string | null {
+function firstOpenPrompt(job: Job): string | null {
   const asked = Object.keys(cycleByNumber(job.cycle)?.params ?? {}),
     draft = draftOf(job);
   return asked.find((q) => !draft[q]) ?? asked[0] ?? null;
 }
 
 /** Starts a task with a new work. */
-export function beginTaskAnew(task: Task, fromOutside = false): void {
+export function startTask(task: Task, fromOutside = false): void {
   unfoldNext();
   const work = workOfTask(task, fromOutside);
   startWork(work);
   if (isProgram(work)) return;
-  const prompt = firstToAnswer(work);
+  const prompt = firstOpenPrompt(work);
   usePlace.setState({ section: "prompts", prompt, before: draftOf(work)[prompt ?? ""] ?? "", field: null });
 }
 
 /** Resumes the newest stored work of a task, or starts the task. */
-export async function beginTask(task: Task, fromOutside = false): Promise<void> {
+export async function resumeOrStartTask(task: Task, fromOutside = false): Promise<void> {
   await refreshWorks();
   unfoldNext();
   toFirstPrompt();
-  const kept = keptOfTask(task.id);
-  if (kept === undefined || !(await openWork(kept))) beginTaskAnew(task, fromOutside);
+  const kept = newestWorkOfTask(task.id);
+  if (kept === undefined || !(await openWork(kept))) startTask(task, fromOutside);
 }

@@ -1,17 +1,17 @@
 import { judge } from "../../../course/judge/judge.ts";
 import type { Answer } from "../../../course/judge/judgement.ts";
 import type { Task } from "../../../course/task.ts";
-import { compareTold, type ComparedAnswer } from "../../../course/told.ts";
+import { comparePredictedAnswers, type ComparedAnswer } from "../../../course/predicted-answers.ts";
 import { asProgram } from "../../../app/fields/compare/sides.ts";
-import { compareFromHere } from "../../../app/findings/effect/before.ts";
-import { outcomeBeside } from "../../../app/calculation/beside.ts";
+import { restartComparison } from "../../../app/findings/effect/compared.ts";
+import { outcomeOfOther } from "../../../app/calculation/other-outcome.ts";
 import { calculation } from "../../../app/calculation/calculation.ts";
 import { isMadeFrom, useOutcome, type Outcome } from "../../../app/calculation/outcome.ts";
 import { isOpen } from "../../../app/findings/entry.ts";
-import { chooseFinding } from "../../../app/document/chosen.ts";
+import { chooseFinding } from "../../../app/document/chosen-finding.ts";
 import { printedText } from "../../../app/document/printed.ts";
 import { readJob } from "../../../app/document/reading.ts";
-import { handOver, useEditor } from "../../../app/document/store.ts";
+import { flushEdits, useEditor } from "../../../app/document/store.ts";
 import { notePass, noteTry } from "../../../app/records/course/progress.ts";
 import { workOfTask } from "./begin.ts";
 import { useTaskView, type NotReady } from "./task-view.ts";
@@ -25,7 +25,7 @@ export function isOfWork(outcome: Outcome | null): outcome is Outcome {
 }
 
 /** Waits for the result of the current state of the open work; null if it fails or another work is opened. */
-function presentAnswer(): Promise<Outcome | null> {
+function awaitOutcome(): Promise<Outcome | null> {
   const { work } = useEditor.getState();
   return new Promise((done) => {
     const look = () => {
@@ -44,7 +44,7 @@ function presentAnswer(): Promise<Outcome | null> {
 }
 
 /** What the open work needs before it can be judged; null if nothing. */
-function lacking(): NotReady | null {
+function notReadyReason(): NotReady | null {
   const { job } = useEditor.getState();
   const read = job && readJob(job);
   if (!read) return null;
@@ -55,10 +55,10 @@ function lacking(): NotReady | null {
 }
 
 /** Clears the note of a missing value once it is there. */
-export function lookAgain(): void {
+export function clearResolvedNotReady(): void {
   const { notReady } = useTaskView.getState();
   if (notReady?.why !== "empty" && notReady?.why !== "noContour") return;
-  const lacks = lacking();
+  const lacks = notReadyReason();
   const isSame =
     lacks?.why === "empty" && notReady.why === "empty" ? lacks.at[0] === notReady.at[0] : lacks?.why === notReady.why;
   if (!isSame) useTaskView.setState({ notReady: null });
@@ -70,23 +70,23 @@ const areRight = (answers: readonly ComparedAnswer[] | null, task: Task): boolea
   (task.predict ?? []).every((_, i) => answers?.[i]?.right === true);
 
 /** Waits for a paint, so that a long check shows its progress text. */
-const painted = (): Promise<void> => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+const afterPaint = (): Promise<void> => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
 
 /** Judges the current state of the open work, and counts it as a try. */
 export async function checkTask(task: Task): Promise<void> {
   const { work } = useEditor.getState();
-  handOver();
-  const lacks = lacking();
+  flushEdits();
+  const lacks = notReadyReason();
   chooseFinding(null);
   if (lacks) return useTaskView.setState({ notReady: lacks });
   useTaskView.setState({ checking: true, notReady: null });
-  const answer = await presentAnswer();
-  await painted();
+  const answer = await awaitOutcome();
+  await afterPaint();
   if (useTaskView.getState().work !== work) return;
   if (!answer || !cuts(answer))
     return useTaskView.setState({ checking: false, notReady: { why: answer ? "noRun" : "notRun" } });
   const judgement = judge(task, answer);
-  const passed = judgement.passed && areRight(useTaskView.getState().foretold, task);
+  const passed = judgement.passed && areRight(useTaskView.getState().comparedAnswers, task);
   const { score } = judgement;
   noteTry(task.id);
   if (passed) notePass(task.id, { seconds: answer.simulation.totalSeconds, ...(score && { score: score.total }) });
@@ -107,26 +107,26 @@ export function judgeQuietly(task: Task): void {
   useTaskView.setState({ live: judge(task, newest) });
 }
 
-const begun = new WeakMap<Task, Answer>();
+const cachedStartOutcomes = new WeakMap<Task, Answer>();
 
 /** The result of the program that the task starts with. */
 async function answerAtStart(task: Task): Promise<Answer | null> {
-  const known = begun.get(task);
+  const known = cachedStartOutcomes.get(task);
   if (known) return known;
-  const made = await outcomeBeside(asProgram(workOfTask(task)));
-  if (made) begun.set(task, made);
+  const made = await outcomeOfOther(asProgram(workOfTask(task)));
+  if (made) cachedStartOutcomes.set(task, made);
   return made;
 }
 
 /** Compares the predictions with the actual run; null if that is not available. */
-export async function compareForetold(task: Task): Promise<readonly ComparedAnswer[] | null> {
+export async function comparePredictions(task: Task): Promise<readonly ComparedAnswer[] | null> {
   const { work } = useEditor.getState();
   const truth = await answerAtStart(task);
   const now = useEditor.getState();
   const { told = [], veiled = false } = taskOfWork(now) ?? {};
   if (!truth || now.work !== work || veiled) return null;
-  const answers = compareTold(task, told, truth);
-  useTaskView.setState({ foretold: answers });
+  const answers = comparePredictedAnswers(task, told, truth);
+  useTaskView.setState({ comparedAnswers: answers });
   return answers;
 }
 
@@ -136,24 +136,24 @@ export async function showRun(task: Task): Promise<void> {
   // The cached result belongs to the hidden run.
   calculation.recalculate();
   // Showing the run is not a change of values.
-  void presentAnswer().then(compareFromHere);
-  const answers = await compareForetold(task);
+  void awaitOutcome().then(restartComparison);
+  const answers = await comparePredictions(task);
   if (!answers || task.kind !== "predict") return;
   noteTry(task.id);
   if (areRight(answers, task)) notePass(task.id);
 }
 
 /** Asks the wrong predictions again, with the run hidden. */
-export function foretellAgain(): void {
-  const { foretold } = useTaskView.getState();
-  const isRight = (i: number) => foretold?.[i]?.right === true;
+export function retryPredictions(): void {
+  const { comparedAnswers } = useTaskView.getState();
+  const isRight = (i: number) => comparedAnswers?.[i]?.right === true;
   changeTask(({ id, file, told = [] }) => ({
     id,
     ...(file !== undefined && { file }),
     veiled: true,
     told: told.map((text, i) => (isRight(i) ? text : "")),
   }));
-  const question = Math.max(0, foretold?.findIndex(({ right }) => !right) ?? 0);
-  useTaskView.setState({ foretold: null, checked: null, live: null, question });
+  const question = Math.max(0, comparedAnswers?.findIndex(({ right }) => !right) ?? 0);
+  useTaskView.setState({ comparedAnswers: null, checked: null, live: null, question });
   calculation.recalculate();
 }

@@ -55,7 +55,7 @@ export function goalText(t: CourseTaskTexts, language: Language, goal: TaskGoal)
   const { is } = t;
   switch (goal.kind) {
     case "foretold":
-      return is.foretold(goal.entry + 1, goal.of);
+      return is.answered(goal.entry + 1, goal.of);
     case "part":
       return goal.residue === null ? is.part : is.partLeaving(writer(language).area(goal.residue));
     case "size":

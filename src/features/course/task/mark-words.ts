@@ -1,4 +1,4 @@
-import { askedWay } from "../../../course/judge/asked-way.ts";
+import { wrongSideOf } from "../../../course/judge/wrong-side.ts";
 import type { Answer, TaskMark } from "../../../course/judge/judgement.ts";
 import type { Task } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
@@ -75,8 +75,8 @@ function what(mark: TaskMark, { t, texts, language, task, answer }: MarkWording)
     case "errors":
     case "clean": {
       const cycle = mark.operation === undefined ? null : (answer.run.operations[mark.operation]?.cycle ?? null);
-      const way = mark.issue && askedWay(mark.issue);
-      if (way) return wrong.turnedRound[way];
+      const way = mark.issue && wrongSideOf(mark.issue);
+      if (way) return wrong.wrongSide[way];
       return mark.issue ? issueText(texts, language, mark.issue, cycle).replace(/[.。]$/, "") : wrong.gouge;
     }
     case "unproved":

@@ -3,7 +3,7 @@ import type { Run } from "../../../program/state/run-types.ts";
 import { choiceOf } from "../../../program/run/path-index.ts";
 import type { PlayPosition } from "../../../sim/simulation.ts";
 import { draftOf } from "../../../app/document/edits.ts";
-import { chooseFinding } from "../../../app/document/chosen.ts";
+import { chooseFinding } from "../../../app/document/chosen-finding.ts";
 import { showPrompt, usePlace } from "../../../app/place/place.ts";
 import { playback } from "../../../app/calculation/playback.ts";
 import { readJob } from "../../../app/document/reading.ts";
@@ -27,9 +27,9 @@ export async function showMark(mark: TaskMark, index: number, run: Run): Promise
   const { job, program, work } = useEditor.getState();
   const choice = mark.step === undefined ? null : choiceOf(run, mark.step);
   if (program && mark.block !== undefined) {
-    const { openNumbered } = await import("./open-numbered.ts");
+    const { openBlockByNumber } = await import("./block-by-number.ts");
     if (useEditor.getState().work !== work) return;
-    openNumbered(mark.block, mark.q ?? null);
+    openBlockByNumber(mark.block, mark.q ?? null);
   }
   const read = job && readJob(job);
   if (read && mark.q !== undefined && read.cycle.params[mark.q]) showPrompt(mark.q, draftOf(read.job)[mark.q] ?? "");

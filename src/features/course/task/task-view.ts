@@ -1,6 +1,6 @@
 import { create } from "zustand";
 import type { Answer, TaskJudgement } from "../../../course/judge/judgement.ts";
-import type { ComparedAnswer } from "../../../course/told.ts";
+import type { ComparedAnswer } from "../../../course/predicted-answers.ts";
 
 /** The result of a check. */
 export interface CheckedAnswer {
@@ -30,7 +30,7 @@ export interface TaskView {
   /** The goals of the current work, after the first check. */
   readonly live: TaskJudgement | null;
   /** The predictions and the actual results, once the run is shown. */
-  readonly foretold: readonly ComparedAnswer[] | null;
+  readonly comparedAnswers: readonly ComparedAnswer[] | null;
   /** The shown mark, from 0, and the current question, from 0. */
   readonly place: number;
   readonly question: number;
@@ -44,7 +44,7 @@ const NOTHING: TaskView = {
   checked: null,
   stale: false,
   live: null,
-  foretold: null,
+  comparedAnswers: null,
   place: 0,
   question: 0,
 };

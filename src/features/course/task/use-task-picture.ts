@@ -1,7 +1,7 @@
 import { useEffect, useMemo } from "react";
 import type { Answer, TaskMark } from "../../../course/judge/judgement.ts";
 import type { Task } from "../../../course/task.ts";
-import { answerKindOf, typedPlace, type ComparedAnswer } from "../../../course/told.ts";
+import { answerKindOf, typedPlace, type ComparedAnswer } from "../../../course/predicted-answers.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import type { Language } from "../../../i18n/languages.ts";
 import { formatFixed } from "../../../i18n/number.ts";
@@ -9,28 +9,28 @@ import { at, type Pt, type Ring } from "../../../kernel/geometry/point.ts";
 import { axial, radius, toDiameter } from "../../../kernel/units.ts";
 import { useOutcome } from "../../../app/calculation/outcome.ts";
 import { boundsRound } from "../../../app/findings/spots.ts";
-import type { LookAt } from "../../../app/pictures/lathe/places.ts";
-import { useTold, type ToldPicture } from "../../../app/pictures/lathe/told.ts";
+import type { PicturePlace } from "../../../app/pictures/lathe/places.ts";
+import { useTaskMarks, type TaskMarks } from "../../../app/pictures/lathe/task-marks.ts";
 import { useEditor } from "../../../app/document/store.ts";
 import { placeWords } from "./mark-words.ts";
 import { markId, momentOf } from "./show-mark.ts";
 import { useTaskView } from "./task-view.ts";
-import { setTold, taskOfWork } from "../../../app/document/work-task.ts";
+import { setPrediction, taskOfWork } from "../../../app/document/work-task.ts";
 
 /** Decimals of a pointed place, mm. */
 const POINTED = 1;
 const NO_RINGS: readonly Ring[] = [];
 const NO_TEXTS: readonly string[] = [];
 
-type Shown = Omit<LookAt, "issue">;
-const lookAt = (shown: Shown): LookAt => ({ ...shown, issue: null });
+type Shown = Omit<PicturePlace, "issue">;
+const lookAt = (shown: Shown): PicturePlace => ({ ...shown, issue: null });
 
 /** The places of the marks, with the numbers of the list. */
 export function markPlaces(
   marks: readonly TaskMark[],
   { run }: Answer,
   say: (mark: TaskMark) => string,
-): readonly LookAt[] {
+): readonly PicturePlace[] {
   return marks.flatMap((mark, i) =>
     mark.place
       ? [
@@ -51,7 +51,7 @@ export function markPlaces(
 const START = { step: 0, fraction: 0 } as const;
 
 /** A predicted place as a mark in the picture. */
-const toldPlace = (place: Pt, question: number, line: string): LookAt =>
+const predictedPlace = (place: Pt, question: number, line: string): PicturePlace =>
   lookAt({
     id: `told ${question}`,
     kind: "told",
@@ -63,11 +63,12 @@ const toldPlace = (place: Pt, question: number, line: string): LookAt =>
   });
 
 /** Predicted and actual places. */
-function comparedPlaces(compared: readonly ComparedAnswer[], t: CourseTaskTexts): Omit<ToldPicture, "take"> {
+function comparedPlaces(compared: readonly ComparedAnswer[], t: CourseTaskTexts): Omit<TaskMarks, "onPoint"> {
   const { shown } = useOutcome.getState();
-  const places = compared.flatMap(({ prediction, told, truth }, i): readonly LookAt[] => {
+  const places = compared.flatMap(({ prediction, predicted, truth }, i): readonly PicturePlace[] => {
     if (truth.kind !== "place") return [];
-    const said = told !== null && typeof told === "object" ? [toldPlace(told, i, t.foretell.yours)] : [];
+    const said =
+      predicted !== null && typeof predicted === "object" ? [predictedPlace(predicted, i, t.predict.yours)] : [];
     if (!truth.place) return said;
     const stays = prediction.ask === "residuePlace";
     const found = shown?.simulation.findings.find(
@@ -82,7 +83,7 @@ function comparedPlaces(compared: readonly ComparedAnswer[], t: CourseTaskTexts)
         mark: stays ? "A" : "1",
         place: truth.place,
         bounds: boundsRound(truth.rings, truth.place),
-        line: t.foretell.truth,
+        line: t.predict.truth,
         position: position ?? { step: shown?.run.steps.length ?? 0, fraction: 0 },
       }),
     ];
@@ -104,39 +105,44 @@ export function useTaskPicture(
 ): void {
   const veiled = useEditor((s) => taskOfWork(s)?.veiled ?? false);
   const told = useEditor((s) => taskOfWork(s)?.told ?? NO_TEXTS);
-  const { checked, stale, foretold, question } = useTaskView();
-  const picture = useMemo((): ToldPicture | null => {
+  const { checked, stale, comparedAnswers, question } = useTaskView();
+  const picture = useMemo((): TaskMarks | null => {
     const predict = task.predict ?? [];
     if (veiled) {
       const asked = predict[question];
       const take = (place: Pt) =>
-        setTold(
+        setPrediction(
           question,
           `${formatFixed(language, toDiameter(radius(Math.abs(place.r))), POINTED)} ${formatFixed(language, place.z, POINTED)}`,
         );
       const places = predict.flatMap((prediction, i) => {
         const place = answerKindOf(prediction) === "place" ? typedPlace(told[i] ?? "") : null;
-        return place ? [toldPlace(place, i, t.where.at(t.foretell.yours, ...placeWords(language, place)))] : [];
+        return place ? [predictedPlace(place, i, t.where.at(t.predict.yours, ...placeWords(language, place)))] : [];
       });
       const asks = asked !== undefined && answerKindOf(asked) === "place";
       return {
         places,
         missing: NO_RINGS,
         left: NO_RINGS,
-        take: asks ? ({ z, r }) => take(at(axial(z), radius(r))) : null,
+        onPoint: asks ? ({ z, r }) => take(at(axial(z), radius(r))) : null,
       };
     }
     if (marks && checked && !stale) {
       const rings = (stays: boolean) =>
         marks.flatMap(({ rule, rings: all = [] }) => ((rule === "residue") === stays ? [...all] : []));
-      return { places: markPlaces(marks, checked.answer, say), missing: rings(false), left: rings(true), take: null };
+      return {
+        places: markPlaces(marks, checked.answer, say),
+        missing: rings(false),
+        left: rings(true),
+        onPoint: null,
+      };
     }
-    if (foretold?.some(({ truth }) => truth.kind === "place") && !checked)
-      return { ...comparedPlaces(foretold, t), take: null };
+    if (comparedAnswers?.some(({ truth }) => truth.kind === "place") && !checked)
+      return { ...comparedPlaces(comparedAnswers, t), onPoint: null };
     return null;
-  }, [task, t, language, marks, say, veiled, told, question, checked, stale, foretold]);
+  }, [task, t, language, marks, say, veiled, told, question, checked, stale, comparedAnswers]);
   useEffect(() => {
-    useTold.setState({ told: picture });
-    return () => useTold.setState({ told: null });
+    useTaskMarks.setState({ told: picture });
+    return () => useTaskMarks.setState({ told: null });
   }, [picture]);
 }

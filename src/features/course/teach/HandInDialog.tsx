@@ -9,16 +9,16 @@ import { useSettings } from "../../../app/base/settings/settings.ts";
 import { inScreenLanguage } from "../../../course/words.ts";
 import { useCourseIndex } from "../../../app/records/course/content.ts";
 import { useLearning } from "../../../app/records/course/progress.ts";
-import { handedResult } from "./hand-in.ts";
+import { resultsToHandIn } from "./hand-in.ts";
 import { LinkBox, pageAddress } from "./LinkBox.tsx";
 import { resultLink, taughtFile } from "./taught-files.ts";
-import { useTaught } from "../../../app/records/course/taught.ts";
+import { useSavedTasks } from "../../../app/records/course/saved-tasks.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { TeachText } from "./WordFields.tsx";
 import "./teach.css";
 
 /** A name, made safe for a file name. */
-const inFile = (name: string): string =>
+const fileNamePart = (name: string): string =>
   name
     .trim()
     .replace(/[^\p{L}\p{N}]+/gu, "-")
@@ -30,7 +30,7 @@ export function HandInDialog({ done }: { readonly done: () => void }) {
   const t = useTexts("course-teach");
   const language = useSettings((s) => s.language);
   const progress = useLearning((s) => s.list);
-  const own = useTaught((s) => s.list);
+  const own = useSavedTasks((s) => s.list);
   const { lessons } = useCourseIndex();
   const named = [
     ...own.map(({ id, words }) => ({ id, title: inScreenLanguage(words, language)?.title ?? id })),
@@ -44,7 +44,7 @@ export function HandInDialog({ done }: { readonly done: () => void }) {
     key = ids.join(" ");
   useEffect(() => {
     let gone = false;
-    void handedResult(
+    void resultsToHandIn(
       key.split(" ").filter((id) => id !== ""),
       "",
       progress,
@@ -89,7 +89,7 @@ export function HandInDialog({ done }: { readonly done: () => void }) {
                 <button
                   type="button"
                   className="button primary"
-                  onClick={() => downloadText(taughtFile(result), `${inFile(name)}.turnwise-result.json`)}
+                  onClick={() => downloadText(taughtFile(result), `${fileNamePart(name)}.turnwise-result.json`)}
                 >
                   <Icon name="download" /> {t.hand.save}
                 </button>

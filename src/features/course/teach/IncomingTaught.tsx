@@ -1,12 +1,12 @@
 import { Suspense } from "react";
 import { lazyPart } from "../../../app/base/parts.ts";
-import { useTaughtShown } from "../../../app/records/course/taught-shown.ts";
+import { useOpenedCourseFile } from "../../../app/records/course/opened-course-file.ts";
 
 const TaughtDialog = lazyPart(async () => ({ default: (await import("./TaughtDialog.tsx")).TaughtDialog }));
 
 /** A received task or results, until the dialog is closed. */
 export function IncomingTaught() {
-  const waits = useTaughtShown((s) => s.shown !== null);
+  const waits = useOpenedCourseFile((s) => s.shown !== null);
   return (
     waits && (
       <Suspense>

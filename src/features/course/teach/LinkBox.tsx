@@ -1,6 +1,6 @@
 import { formatNumber } from "../../../i18n/number.ts";
 import { LONGEST_LINK, SAFE_LINK } from "../../../app/base/limits.ts";
-import { isHereOnly } from "../../../app/records/reach.ts";
+import { isLocalAddress } from "../../../app/records/local-address.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { Message } from "../../../app/base/Message.tsx";
 import { copyText, useCopying } from "../../../app/findings/copy.ts";
@@ -16,7 +16,7 @@ export function LinkBox({ link, copies }: { readonly link: string; readonly copi
   const t = useTexts("course-teach");
   const language = useSettings((s) => s.language);
   const copied = useCopying((c) => c.state === "copied" && c.text === link);
-  const isHere = isHereOnly(pageAddress()),
+  const isHere = isLocalAddress(pageAddress()),
     isLong = link.length > SAFE_LINK;
   if (link.length > LONGEST_LINK) return <Message tone="warning">{t.linkLong}</Message>;
   return (

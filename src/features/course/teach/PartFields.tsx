@@ -1,7 +1,7 @@
-import { outlinesFrom, PART_SOURCES, partOfMade } from "../../../course/made/made-task.ts";
+import { outlinesFrom, PART_SOURCES, targetPartOfForm } from "../../../course/made/task-from-form.ts";
 import type { Answer } from "../../../course/judge/judgement.ts";
 import { isSameSize } from "../../../course/made/form-of-task.ts";
-import { wantedPart } from "../../../course/wanted-part.ts";
+import { targetPart } from "../../../course/target-part.ts";
 import { usualTable } from "../../../program/tools/cutting-table.ts";
 import { sizeChoices } from "./size-choices.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
@@ -13,7 +13,7 @@ export function PartFields({ made, change, answer }: FormPart & { readonly answe
   const { blank, outside, bore, threads } = made;
   // A selection is kept as long as the part still has it.
   const put = (part: Partial<Pick<typeof made, "blank" | "outside" | "bore">>, isStep = false) => {
-    const offered = sizeChoices(wantedPart(partOfMade({ blank, outside, bore, threads, ...part })));
+    const offered = sizeChoices(targetPart(targetPartOfForm({ blank, outside, bore, threads, ...part })));
     change(
       { ...part, sizes: offered.map((size) => made.sizes.find((each) => isSameSize(each, size)) ?? size) },
       isStep,

@@ -5,11 +5,11 @@ import {
   hasAt,
   hasOperation,
   hasWithin,
-  isThere,
+  hasAnswerInRun,
   proposedQuestion,
 } from "../../../course/made/made-questions.ts";
 import { ASKED_KINDS, type AskedKind, type QuestionDraft } from "../../../course/made/question-draft.ts";
-import { withSign } from "../../../course/made/made-form.ts";
+import { withSign } from "../../../course/made/task-form.ts";
 import { decimalSign, formatNumber } from "../../../i18n/number.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { Message } from "../../../app/base/Message.tsx";
@@ -19,7 +19,7 @@ import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { TeachText, type FormPart } from "./WordFields.tsx";
 
 /** Proposed kinds of a new question, unless already asked. */
-const OFFERED: readonly AskedKind[] = ["passes", "infeed", "choice", "seconds"];
+const PROPOSED_KINDS: readonly AskedKind[] = ["passes", "infeed", "choice", "seconds"];
 
 interface QuestionsProps extends FormPart {
   /** The run of the start program; null without one. */
@@ -77,7 +77,8 @@ export function QuestionFields({ made, change, begun, solution, truths }: Questi
           disabled={!begun}
           onClick={() => {
             const fresh =
-              ASKED_KINDS.find((each) => OFFERED.includes(each) && !questions.some((q) => q.ask === each)) ?? "choice";
+              ASKED_KINDS.find((each) => PROPOSED_KINDS.includes(each) && !questions.some((q) => q.ask === each)) ??
+              "choice";
             const made = proposed(fresh);
             if (made) change({ questions: [...questions, made] });
           }}
@@ -184,7 +185,7 @@ function OneQuestion({ index, draft, truth, begun, put, ask, remove }: OneProps)
           </label>
         </>
       )}
-      {truth && begun && <TruthTold truth={truth} begun={begun} />}
+      {truth && begun && <CorrectAnswer truth={truth} begun={begun} />}
     </section>
   );
 }
@@ -193,10 +194,10 @@ function OneQuestion({ index, draft, truth, begun, put, ask, remove }: OneProps)
 const DECIMALS = 2;
 
 /** The correct answer from the run; for a choice and a block the instructor enters it. */
-function TruthTold({ truth, begun }: { readonly truth: Truth; readonly begun: Answer }) {
+function CorrectAnswer({ truth, begun }: { readonly truth: Truth; readonly begun: Answer }) {
   const t = useTexts("course-teach");
   const language = useSettings((s) => s.language);
-  if (!isThere(truth, begun)) {
+  if (!hasAnswerInRun(truth, begun)) {
     return <Message tone="warning">{t.noTruth}</Message>;
   }
   if (truth.kind === "number")

@@ -3,7 +3,7 @@ import type { Answer } from "../../../course/judge/judgement.ts";
 import { isRight, type Truth } from "../../../course/judge/predicting.ts";
 import { choicesOf, predictionOf } from "../../../course/made/made-questions.ts";
 import type { QuestionDraft } from "../../../course/made/question-draft.ts";
-import { answerKindOf, toldBy } from "../../../course/told.ts";
+import { answerKindOf, parsePredictedAnswer } from "../../../course/predicted-answers.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import { formatFixed, formatNumber } from "../../../i18n/number.ts";
 import { radius, toDiameter } from "../../../kernel/units.ts";
@@ -74,7 +74,7 @@ function Asked({
   const [text, say] = useState("");
   const prediction = predictionOf(draft);
   if (!prediction) return null;
-  const said = toldBy(prediction, text),
+  const said = parsePredictedAnswer(prediction, text),
     right = said !== null && truth !== null && isRight(prediction, truth, said);
   const place = answerKindOf(prediction) === "place";
   const within = "within" in prediction ? (prediction.within ?? 0) : 0;
@@ -117,7 +117,7 @@ function Asked({
 /** Decimals of results of the run. */
 const DECIMALS = 2;
 
-const unitOf = ({ foretell: { units } }: CourseTaskTexts, ask: string): string =>
+const unitOf = ({ predict: { units } }: CourseTaskTexts, ask: string): string =>
   ask in units ? units[ask as keyof typeof units] : "";
 
 /** The correct answer, in words. */

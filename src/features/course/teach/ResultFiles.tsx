@@ -2,10 +2,10 @@ import { useState } from "react";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { Message } from "../../../app/base/Message.tsx";
 import { undo, useSteps } from "../../../app/document/steps.ts";
-import { dropGathered } from "../../../app/records/course/gathered.ts";
+import { removeResults } from "../../../app/records/course/collected-results.ts";
 import { useProblemWords } from "./problem-words.ts";
 import { plainName, type LearnerFile, type ResultRow } from "../../../app/records/course/result-rows.ts";
-import type { FileLeftOut } from "../../../app/records/course/taught-shown.ts";
+import type { FileLeftOut } from "../../../app/records/course/opened-course-file.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
 /** Files without a result, each with its reason. */
@@ -41,7 +41,7 @@ export function ResultFiles({ files, rows, day }: FilesProps) {
   const [gone, say] = useState<{ readonly file: string; readonly step: object | undefined } | null>(null);
   const last = useSteps((s) => s.past.at(-1));
   const drop = (each: LearnerFile | null) => {
-    dropGathered(each);
+    removeResults(each);
     say({ file: each ? nameOf(each) : "", step: useSteps.getState().past.at(-1) });
   };
   const nameOf = ({ file }: LearnerFile) => (file === "" ? words.aLink : file);

@@ -1,7 +1,7 @@
 import { openText } from "../../../app/fields/open/open-program.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { NUMBERS, type ResultColumn, type ResultRow } from "../../../app/records/course/result-rows.ts";
-import { leaveTaught } from "../../../app/records/course/taught-shown.ts";
+import { closeCourseFile } from "../../../app/records/course/opened-course-file.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
 /** One task of one learner, with a button for its program. `waits`: its run is pending. */
@@ -44,7 +44,7 @@ export function ResultLine({
             className="button"
             aria-label={words.open(result.title)}
             onClick={() => {
-              leaveTaught();
+              closeCourseFile();
               openText(program);
             }}
           >

@@ -5,7 +5,7 @@ import { Icon } from "../../../app/base/Icon.tsx";
 import { Message } from "../../../app/base/Message.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { ModalDialog } from "../../../app/base/ModalDialog.tsx";
-import { useGathered } from "../../../app/records/course/gathered.ts";
+import { useCollectedResults } from "../../../app/records/course/collected-results.ts";
 import { addResults } from "./open-taught.ts";
 import {
   learnerCount,
@@ -18,8 +18,8 @@ import {
 } from "../../../app/records/course/result-rows.ts";
 import { LeftOut, ResultFiles } from "./ResultFiles.tsx";
 import { ResultTable, type ResultSort } from "./ResultTable.tsx";
-import { leaveTaught, type FileLeftOut } from "../../../app/records/course/taught-shown.ts";
-import { useAgain } from "./use-again.ts";
+import { closeCourseFile, type FileLeftOut } from "../../../app/records/course/opened-course-file.ts";
+import { useReruns } from "./use-reruns.ts";
 import { useResultCells } from "./use-result-cells.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
@@ -31,10 +31,10 @@ export function ResultView({ leftOut }: { readonly leftOut: readonly FileLeftOut
   const t = useTexts("course-teach"),
     { results: words } = t;
   const language = useSettings((s) => s.language);
-  const { list: files, trouble } = useGathered();
+  const { list: files, trouble } = useCollectedResults();
   const file = useRef<HTMLInputElement>(null);
   const all = useMemo(() => resultRows(files), [files]);
-  const again = useAgain(all);
+  const again = useReruns(all);
   const [sort, sortBy] = useState<ResultSort | null>(null);
   const [showsEarlier, showEarlier] = useState(false);
   const { day, heads, text, plain } = useResultCells(again);
@@ -68,7 +68,7 @@ export function ResultView({ leftOut }: { readonly leftOut: readonly FileLeftOut
     downloadText(csv, `${title}.csv`.replace(/[\\/:*?"<>|]+/g, "-"));
   };
   return (
-    <ModalDialog className="modal taught-wide" title={title} done={leaveTaught}>
+    <ModalDialog className="modal taught-wide" title={title} done={closeCourseFile}>
       <p>{isOne && only ? words.lead(day(only.result.made)) : words.several}</p>
       {trouble === "notKept" && <Message tone="warning">{words.notKept}</Message>}
       <LeftOut leftOut={leftOut} />

@@ -4,7 +4,7 @@ import {
   type ListRule,
   type NumberRule,
   type RuleDraft,
-} from "../../../course/made/made-form.ts";
+} from "../../../course/made/task-form.ts";
 import { NumberInput } from "../../../app/fields/number/NumberInput.tsx";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import type { FormPart } from "./WordFields.tsx";

@@ -1,5 +1,5 @@
 import { formatNumber } from "../../../i18n/number.ts";
-import type { SizeDraft } from "../../../course/made/made-form.ts";
+import type { SizeDraft } from "../../../course/made/task-form.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { NumberInput } from "../../../app/fields/number/NumberInput.tsx";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";

@@ -1,7 +1,7 @@
 import { useId } from "react";
 import type { Answer } from "../../../course/judge/judgement.ts";
 import { possibleFaults } from "../../../course/made/faults.ts";
-import { linesOfText, programOfMade, promptsOf } from "../../../course/made/made-task.ts";
+import { linesOfText, learnerProgramOfForm, promptsOf } from "../../../course/made/task-from-form.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { TeachText, type FormPart } from "./WordFields.tsx";
 
@@ -81,7 +81,7 @@ export function StartFields({ made, change, answer }: FormPart & { readonly answ
             label={t.program}
             isNc
             rows={12}
-            value={made.program ?? programOfMade(made, answer).join("\n")}
+            value={made.program ?? learnerProgramOfForm(made, answer).join("\n")}
             change={(program) => change({ program })}
           />
         </>

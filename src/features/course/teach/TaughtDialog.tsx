@@ -1,5 +1,5 @@
 import { formatNumber } from "../../../i18n/number.ts";
-import { blankOfLines } from "../../../course/wanted-part.ts";
+import { blankOfLines } from "../../../course/target-part.ts";
 import { boxAround } from "../../../kernel/area/box.ts";
 import { toDiameter, radius } from "../../../kernel/units.ts";
 import { ModalDialog } from "../../../app/base/ModalDialog.tsx";
@@ -7,22 +7,22 @@ import { Message } from "../../../app/base/Message.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { inScreenLanguage } from "../../../course/words.ts";
 import { WorkshopDrawing } from "../drawing/WorkshopDrawing.tsx";
-import { beginTask } from "../task/begin.ts";
+import { resumeOrStartTask } from "../task/begin.ts";
 import { ResultView } from "./ResultView.tsx";
-import { keepTask, useTaught } from "../../../app/records/course/taught.ts";
+import { keepTask, useSavedTasks } from "../../../app/records/course/saved-tasks.ts";
 import { taughtFile } from "./taught-files.ts";
 import { TaughtProblemView } from "./TaughtProblemView.tsx";
-import { leaveTaught, useTaughtShown } from "../../../app/records/course/taught-shown.ts";
+import { closeCourseFile, useOpenedCourseFile } from "../../../app/records/course/opened-course-file.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import type { Task } from "../../../course/task.ts";
 import "./teach.css";
 
 /** Most fields named at once. */
-const MOST_LEFT = 12;
+const MAX_UNKNOWN_FIELDS = 12;
 
 /** A received task, before it is kept or started; or received results of a learner. */
 export function TaughtDialog() {
-  const shown = useTaughtShown((s) => s.shown);
+  const shown = useOpenedCourseFile((s) => s.shown);
   switch (shown?.kind) {
     case "task":
       return <IncomingTask task={shown.task} left={shown.left} />;
@@ -38,7 +38,7 @@ export function TaughtDialog() {
 function IncomingTask({ task, left }: { readonly task: Task; readonly left: readonly string[] }) {
   const t = useTexts("course-teach");
   const language = useSettings((s) => s.language);
-  const isHere = useTaught((s) => s.list.some((each) => JSON.stringify(each) === JSON.stringify(task)));
+  const isHere = useSavedTasks((s) => s.list.some((each) => JSON.stringify(each) === JSON.stringify(task)));
   const words = inScreenLanguage(task.words, language);
   const number = (value: number) => formatNumber(language, value);
   const blank = task.part && boxAround([...blankOfLines(task.part.blank).rings]);
@@ -52,14 +52,16 @@ function IncomingTask({ task, left }: { readonly task: Task; readonly left: read
   ];
   const take = async () => {
     keepTask(task);
-    leaveTaught();
-    await beginTask(task, true);
+    closeCourseFile();
+    await resumeOrStartTask(task, true);
   };
   return (
-    <ModalDialog title={t.incoming.title(words?.title ?? task.id)} done={leaveTaught}>
+    <ModalDialog title={t.incoming.title(words?.title ?? task.id)} done={closeCourseFile}>
       <p>{t.incoming.lead}</p>
       {isHere && <Message tone="info">{t.incoming.isHere}</Message>}
-      {left.length > 0 && <Message tone="warning">{t.problem.leftOut(left.slice(0, MOST_LEFT).join(", "))}</Message>}
+      {left.length > 0 && (
+        <Message tone="warning">{t.problem.leftOut(left.slice(0, MAX_UNKNOWN_FIELDS).join(", "))}</Message>
+      )}
       {words && <p className="taught-ask">{words.ask}</p>}
       <dl className="modal-facts">
         {facts.map(([fact, value]) => (
@@ -78,12 +80,12 @@ function IncomingTask({ task, left }: { readonly task: Task; readonly left: read
           className="button"
           onClick={() => {
             keepTask(task);
-            leaveTaught();
+            closeCourseFile();
           }}
         >
           {t.incoming.keep}
         </button>
-        <button type="button" className="button" onClick={leaveTaught}>
+        <button type="button" className="button" onClick={closeCourseFile}>
           {t.incoming.not}
         </button>
       </div>

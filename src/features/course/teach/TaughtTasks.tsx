@@ -7,13 +7,13 @@ import { useSettings } from "../../../app/base/settings/settings.ts";
 import { inScreenLanguage } from "../../../course/words.ts";
 import { useLearning } from "../../../app/records/course/progress.ts";
 import { TaskStateMark } from "../TaskStateMark.tsx";
-import { beginTask } from "../task/begin.ts";
+import { resumeOrStartTask } from "../task/begin.ts";
 import { textOfTask } from "../../../course/made/form-of-task.ts";
 import type { Task } from "../../../course/task.ts";
 import { undo, useSteps } from "../../../app/document/steps.ts";
-import { showResults } from "../../../app/records/course/taught-shown.ts";
-import { copyTask, removeTask, useTaught } from "../../../app/records/course/taught.ts";
-import { useTextsSoon } from "../../../app/base/settings/use-texts.ts";
+import { showResults } from "../../../app/records/course/opened-course-file.ts";
+import { copyTask, removeTask, useSavedTasks } from "../../../app/records/course/saved-tasks.ts";
+import { useTextsOrNull } from "../../../app/base/settings/use-texts.ts";
 import "./teach.css";
 
 const TeachDialog = lazyPart(async () => ({ default: (await import("./TeachDialog.tsx")).TeachDialog }));
@@ -21,9 +21,9 @@ const HandInDialog = lazyPart(async () => ({ default: (await import("./HandInDia
 
 /** The received tasks, below the lessons, and the button to hand in results. */
 export function TaughtTasks() {
-  const t = useTextsSoon("course-teach");
+  const t = useTextsOrNull("course-teach");
   const language = useSettings((s) => s.language);
-  const { list, trouble } = useTaught();
+  const { list, trouble } = useSavedTasks();
   const learning = useLearning((s) => s.list);
   const [hands, handIn] = useState(false);
   const [changed, change] = useState<Task | null>(null);
@@ -46,7 +46,7 @@ export function TaughtTasks() {
                   type="button"
                   className="button"
                   aria-label={t.own.begin(title)}
-                  onClick={() => void beginTask(task, true)}
+                  onClick={() => void resumeOrStartTask(task, true)}
                 >
                   <Icon name="play" />
                 </button>

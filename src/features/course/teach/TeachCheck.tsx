@@ -1,19 +1,19 @@
 import { formatNumber } from "../../../i18n/number.ts";
 import type { TaskJudgement, TaskMark } from "../../../course/judge/judgement.ts";
-import type { MadeFault } from "../../../course/made/made-task.ts";
+import type { FormFault } from "../../../course/made/task-from-form.ts";
 import type { Task } from "../../../course/task.ts";
 import { downloadText } from "../../../app/base/download.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
-import { beginTaskAnew } from "../task/begin.ts";
+import { startTask } from "../task/begin.ts";
 import { LinkBox, pageAddress } from "./LinkBox.tsx";
 import { forgetForm } from "../../../app/records/course/kept-form.ts";
-import { keepTask, useTaught } from "../../../app/records/course/taught.ts";
+import { keepTask, useSavedTasks } from "../../../app/records/course/saved-tasks.ts";
 import { taskLink, taughtFile } from "./taught-files.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
 /** Most marks listed. */
-const MOST_TOLD = 6;
+const MAX_MARKS = 6;
 
 /**
  * Whether the answer passes its own task; then the task can be tried and shared. A shared task is also kept here, so
@@ -29,7 +29,7 @@ export function TeachCheck({
   isChange,
   done,
 }: {
-  readonly task: Task | readonly MadeFault[];
+  readonly task: Task | readonly FormFault[];
   readonly judged: TaskJudgement | null;
   readonly isIdle: boolean;
   /** It has questions only: there is no answer to judge. */
@@ -45,7 +45,7 @@ export function TeachCheck({
   const lacks = lacking.truth.length > 0;
   const faults = "length" in task ? [...task, ...(lacks ? ["truth" as const] : [])] : lacks ? ["truth" as const] : null;
   const whole = "length" in task || lacks ? null : task;
-  const isKept = useTaught(
+  const isKept = useSavedTasks(
     (s) => whole !== null && s.list.some((each) => JSON.stringify(each) === JSON.stringify(whole)),
   );
   const wrong = judged?.marks.filter(({ passed }) => !passed) ?? [];
@@ -74,7 +74,7 @@ export function TeachCheck({
         )}
         {foretells && ready && (
           <p className="teach-good">
-            <Icon name="check" /> {t.foretells}
+            <Icon name="check" /> {t.runAnswers}
           </p>
         )}
         {judged?.passed && !isIdle && !lacks && (
@@ -93,8 +93,8 @@ export function TeachCheck({
               <Icon name="error" /> {t.refused}
             </p>
             <ul>
-              {wrong.slice(0, MOST_TOLD).map((mark, i) => (
-                <Told key={i} mark={mark} />
+              {wrong.slice(0, MAX_MARKS).map((mark, i) => (
+                <FailedMark key={i} mark={mark} />
               ))}
             </ul>
           </>
@@ -109,22 +109,22 @@ export function TeachCheck({
             if (!ready) return;
             done();
             keep(ready);
-            beginTaskAnew(ready, true);
+            startTask(ready, true);
           }}
         >
           <Icon name="play" /> {t.tryIt}
         </button>
         <button type="button" className="button" disabled={!ready || isKept} onClick={() => ready && keep(ready)}>
-          <Icon name="check" /> {isChange ? t.save : t.keepIt}
+          <Icon name="check" /> {isChange ? t.save : t.saveNew}
         </button>
       </div>
-      {isKept && <p className="soft">{t.keptNow}</p>}
+      {isKept && <p className="soft">{t.saved}</p>}
       {ready && <HandOut task={ready} keep={() => keep(ready)} />}
     </section>
   );
 }
 
-function Told({ mark: { rule, value, limit, block } }: { readonly mark: TaskMark }) {
+function FailedMark({ mark: { rule, value, limit, block } }: { readonly mark: TaskMark }) {
   const t = useTexts("course-teach");
   const language = useSettings((s) => s.language);
   const number = (n: number | undefined) => (n === undefined ? "" : formatNumber(language, n));

@@ -4,10 +4,10 @@ import type { Answer } from "../../../course/judge/judgement.ts";
 import { shownLanguageOf, inScreenLanguage } from "../../../course/words.ts";
 import { lessonLanguageOf, type Language } from "../../../i18n/languages.ts";
 import { formOfTask, sizesOfBoth, textOfTask } from "../../../course/made/form-of-task.ts";
-import { formWithSign, type MadeTask } from "../../../course/made/made-form.ts";
-import { partOfMade, proposedTask } from "../../../course/made/made-task.ts";
+import { formWithSign, type TaskForm } from "../../../course/made/task-form.ts";
+import { targetPartOfForm, proposedTask } from "../../../course/made/task-from-form.ts";
 import type { Task } from "../../../course/task.ts";
-import { wantedPart } from "../../../course/wanted-part.ts";
+import { targetPart } from "../../../course/target-part.ts";
 import { Message } from "../../../app/base/Message.tsx";
 import { useEditor } from "../../../app/document/store.ts";
 import { decimalSign } from "../../../i18n/number.ts";
@@ -17,7 +17,7 @@ import { useSettings } from "../../../app/base/settings/settings.ts";
 import { ModalDialog } from "../../../app/base/ModalDialog.tsx";
 import { keptForm, keyOfTask, keyOfWork } from "../../../app/records/course/kept-form.ts";
 import { sizeChoices } from "./size-choices.ts";
-import { TeachForm, type BegunForm } from "./TeachForm.tsx";
+import { TeachForm, type InitialForm } from "./TeachForm.tsx";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import "./teach.css";
 
@@ -29,50 +29,50 @@ const makesPart = ({ run }: Answer): boolean => run.blank.length > 0 && run.step
 const milledFrom = ({ run }: Answer): number | null => run.plane.find(({ kind }) => kind !== "rapid")?.block ?? null;
 
 /** The material of the open work, if it is on the default list. */
-function openMaterial(): MadeTask["material"] {
+function openMaterial(): TaskForm["material"] {
   const { job, program } = useEditor.getState(),
     open = (job ?? program)?.material;
   return usualTable.materials.find(({ id }) => id === open)?.id ?? null;
 }
 
-function begunForm(source: TeachSource, screen: Language): BegunForm | null {
+function initialFormOf(source: TeachSource, screen: Language): InitialForm | null {
   const base = "task" in source ? source.task : null,
     text = "task" in source ? textOfTask(source.task) : source.text;
   if (text === null) return null;
   const answer = answerOf(text),
     isPart = makesPart(answer),
-    milled = milledFrom(answer);
-  if (!isPart && milled === null && !base) return null;
-  const keptAs = "task" in source ? keyOfTask(source.task.id) : keyOfWork(source.work),
-    print = fingerprint(text);
+    firstMilledBlock = milledFrom(answer);
+  if (!isPart && firstMilledBlock === null && !base) return null;
+  const storageKey = "task" in source ? keyOfTask(source.task.id) : keyOfWork(source.work),
+    programFingerprint = fingerprint(text);
   const language = (base && shownLanguageOf(base.words, screen)) ?? lessonLanguageOf(screen),
-    kept = keptForm(keptAs);
-  const only: Partial<MadeTask> = isPart ? {} : { kind: "predict", start: "program" };
+    kept = keptForm(storageKey);
+  const only: Partial<TaskForm> = isPart ? {} : { kind: "predict", start: "program" };
   const form = kept?.form ?? {
     ...(base ? formOfTask(base, text, answer, language) : { ...proposedTask(answer), material: openMaterial() }),
     ...only,
   };
-  const sizes = sizesOfBoth(form.sizes, sizeChoices(wantedPart(partOfMade(form))));
+  const sizes = sizesOfBoth(form.sizes, sizeChoices(targetPart(targetPartOfForm(form))));
   return {
     text,
     answer,
     base,
-    keptAs,
-    print,
+    storageKey,
+    programFingerprint,
     language,
     isPart,
-    milled,
-    first: kept ? form : formWithSign({ ...form, sizes }, decimalSign(screen)),
-    keptPrint: kept?.print ?? print,
+    firstMilledBlock,
+    initial: kept ? form : formWithSign({ ...form, sizes }, decimalSign(screen)),
+    filledFingerprint: kept?.print ?? programFingerprint,
   };
 }
 
 /** Runs the program once the dialog is painted; null until then, "none" if it makes no task. */
-function useBegun(source: TeachSource): BegunForm | "none" | null {
-  const [begun, begin] = useState<BegunForm | "none" | null>(null);
+function useInitialForm(source: TeachSource): InitialForm | "none" | null {
+  const [begun, begin] = useState<InitialForm | "none" | null>(null);
   const [first] = useState(source);
   useEffect(() => {
-    const timer = setTimeout(() => begin(begunForm(first, useSettings.getState().language) ?? "none"));
+    const timer = setTimeout(() => begin(initialFormOf(first, useSettings.getState().language) ?? "none"));
     return () => clearTimeout(timer);
   }, [first]);
   return begun;
@@ -84,7 +84,7 @@ function useBegun(source: TeachSource): BegunForm | "none" | null {
 export function TeachDialog({ done, ...source }: TeachSource & { readonly done: () => void }) {
   const t = useTexts("course-teach");
   const screen = useSettings((s) => s.language);
-  const begun = useBegun(source);
+  const begun = useInitialForm(source);
   const dialog = useRef<HTMLDialogElement>(null);
   const name = "task" in source ? (inScreenLanguage(source.task.words, screen)?.title ?? source.task.id) : null;
   const title = name === null ? t.title : t.titleOf(name);

@@ -4,19 +4,19 @@ import { judge } from "../../../course/judge/judge.ts";
 import type { Answer } from "../../../course/judge/judgement.ts";
 import { editedTask } from "../../../course/made/form-of-task.ts";
 import type { LessonLanguage } from "../../../i18n/languages.ts";
-import { formWithSign, type MadeTask } from "../../../course/made/made-form.ts";
-import { isThere, isWhole, truthsOf } from "../../../course/made/made-questions.ts";
+import { formWithSign, type TaskForm } from "../../../course/made/task-form.ts";
+import { hasAnswerInRun, isComplete, truthsOf } from "../../../course/made/made-questions.ts";
 import {
-  asksBefore,
-  begunOfMade,
+  hasQuestions,
+  startProgramOfForm,
   linesOfText,
-  partOfMade,
+  targetPartOfForm,
   proposedTask,
-  taskOfMade,
-  wantsPart,
-} from "../../../course/made/made-task.ts";
+  taskOfForm,
+  hasTargetPart,
+} from "../../../course/made/task-from-form.ts";
 import type { Task } from "../../../course/task.ts";
-import { wantedPart } from "../../../course/wanted-part.ts";
+import { targetPart } from "../../../course/target-part.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { Message } from "../../../app/base/Message.tsx";
 import { decimalSign } from "../../../i18n/number.ts";
@@ -37,61 +37,70 @@ import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { WordFields } from "./WordFields.tsx";
 
 /** The program and its form, as stored or proposed. */
-export interface BegunForm {
+export interface InitialForm {
   readonly text: string;
   readonly answer: Answer;
-  readonly first: MadeTask;
+  readonly initial: TaskForm;
   /** The task being changed; null for a new one. */
   readonly base: Task | null;
   /**
    * Storage key of the form, fingerprint of the program, and fingerprint of the program that the form was filled in
    * from.
    */
-  readonly keptAs: string;
-  readonly print: string;
-  readonly keptPrint: string;
+  readonly storageKey: string;
+  readonly programFingerprint: string;
+  readonly filledFingerprint: string;
   readonly language: LessonLanguage;
   readonly isPart: boolean;
   /** The first block that mills. */
-  readonly milled: number | null;
+  readonly firstMilledBlock: number | null;
 }
 
-const NO_QUESTIONS: MadeTask["questions"] = [];
+const NO_QUESTIONS: TaskForm["questions"] = [];
 const KINDS = ["make", "fault", "predict", "drawing"] as const;
 
 /** The form with proposals of the changed program; the instructor's decisions stay. */
-function proposedAnew(made: MadeTask, answer: Answer, sign: string): MadeTask {
+function withNewProposal(made: TaskForm, answer: Answer, sign: string): TaskForm {
   const fresh = formWithSign(proposedTask(answer), sign),
     { blank, outside, bore, threads } = fresh;
   const rules = Object.fromEntries(
     Object.entries(fresh.rules).map(([name, { text }]) => [
       name,
-      { on: made.rules[name as keyof MadeTask["rules"]].on, text },
+      { on: made.rules[name as keyof TaskForm["rules"]].on, text },
     ]),
-  ) as MadeTask["rules"];
+  ) as TaskForm["rules"];
   const prompts = answer.run.operations.length > made.prompts.operation ? made.prompts : fresh.prompts;
-  return { ...made, blank, outside, bore, threads, rules, prompts, sizes: sizeChoices(wantedPart(partOfMade(fresh))) };
+  return {
+    ...made,
+    blank,
+    outside,
+    bore,
+    threads,
+    rules,
+    prompts,
+    sizes: sizeChoices(targetPart(targetPartOfForm(fresh))),
+  };
 }
 
 /** Numbers, from 1, of the items that match. */
-const numbered = <T,>(list: readonly T[], holds: (each: T) => boolean): readonly number[] =>
+const numbersWhere = <T,>(list: readonly T[], holds: (each: T) => boolean): readonly number[] =>
   list.flatMap((each, i) => (holds(each) ? [i + 1] : []));
 
 /** Results for the current form: the task, the judgement of its answer, and the answers to its questions. */
-function useChecked(settled: MadeTask, { answer, base, language, print }: BegunForm) {
-  const mark = print.split(" ").at(1) ?? "";
+function useChecked(settled: TaskForm, { answer, base, language, programFingerprint }: InitialForm) {
+  const mark = programFingerprint.split(" ").at(1) ?? "";
   const task = useMemo(
-    () => (base ? editedTask(base, settled, answer, language) : taskOfMade(settled, answer, language, mark)),
+    () => (base ? editedTask(base, settled, answer, language) : taskOfForm(settled, answer, language, mark)),
     [base, settled, answer, language, mark],
   );
-  const begins = useMemo(() => begunOfMade(settled, answer), [settled, answer]);
+  const begins = useMemo(() => startProgramOfForm(settled, answer), [settled, answer]);
   const begun = useMemo(() => {
     if (begins === null) return null;
     return linesOfText(begins).join("\n") === linesOfText(answer.text).join("\n") ? answer : answerOf(begins);
   }, [begins, answer]);
-  const questions = asksBefore(settled.kind) ? settled.questions : NO_QUESTIONS;
+  const questions = hasQuestions(settled.kind) ? settled.questions : NO_QUESTIONS;
   const truths = useMemo(
-    () => (begun ? truthsOf(questions, wantsPart(settled) ? { part: partOfMade(settled) } : {}, begun) : []),
+    () => (begun ? truthsOf(questions, hasTargetPart(settled) ? { part: targetPartOfForm(settled) } : {}, begun) : []),
     [questions, settled, begun],
   );
   const foretells = settled.kind === "predict";
@@ -102,29 +111,29 @@ function useChecked(settled: MadeTask, { answer, base, language, print }: BegunF
   );
   const lacking = useMemo(
     () => ({
-      questions: numbered(questions, (each) => !isWhole(each)),
-      truth: numbered(truths, (truth) => begun !== null && truth !== null && !isThere(truth, begun)),
+      questions: numbersWhere(questions, (each) => !isComplete(each)),
+      truth: numbersWhere(truths, (truth) => begun !== null && truth !== null && !hasAnswerInRun(truth, begun)),
     }),
     [questions, truths, begun],
   );
   return { mark, task, begun, questions, truths, judged, isIdle, lacking };
 }
 
-export function TeachForm({ done, ...of }: BegunForm & { readonly done: () => void }) {
+export function TeachForm({ done, ...of }: InitialForm & { readonly done: () => void }) {
   const t = useTexts("course-teach");
-  const { answer, base, first, keptAs, print, isPart, milled, text } = of;
+  const { answer, base, initial, storageKey, programFingerprint, isPart, firstMilledBlock, text } = of;
   const screen = useSettings((s) => s.language);
   const isKept = useForms((s) => s.trouble !== "notKept");
-  const [made, set] = useState(first);
-  const [filledFrom, fill] = useState(of.keptPrint);
-  const [past, remember] = useState<readonly { readonly made: MadeTask; readonly filledFrom: string }[]>([]);
-  const put = (next: MadeTask, from = filledFrom) => {
+  const [made, set] = useState(initial);
+  const [filledFrom, fill] = useState(of.filledFingerprint);
+  const [past, remember] = useState<readonly { readonly made: TaskForm; readonly filledFrom: string }[]>([]);
+  const put = (next: TaskForm, from = filledFrom) => {
     set(next);
     fill(from);
-    keepForm(keptAs, next, from);
+    keepForm(storageKey, next, from);
   };
   const step = () => remember((all) => [...all, { made, filledFrom }]);
-  const change = (some: Partial<MadeTask>, isStep = false) => {
+  const change = (some: Partial<TaskForm>, isStep = false) => {
     if (isStep) step();
     put({ ...made, ...some });
   };
@@ -133,7 +142,7 @@ export function TeachForm({ done, ...of }: BegunForm & { readonly done: () => vo
   const drawn = useMemo(
     () => ({
       id: "length" in task ? mark : task.id,
-      part: partOfMade(settled),
+      part: targetPartOfForm(settled),
       ...(settled.material !== null && { material: settled.material }),
       sizes: settled.sizes
         .filter(({ on }) => on)
@@ -158,23 +167,25 @@ export function TeachForm({ done, ...of }: BegunForm & { readonly done: () => vo
     <div className="teach-form">
       <div className="teach-fields">
         <p className="soft">
-          {!foretells && t.lead} {isKept && t.keptForm}
+          {!foretells && t.lead} {isKept && t.formStored}
         </p>
-        {!isKept && <Message tone="warning">{t.formNotKept}</Message>}
-        {milled !== null && <Message tone="warning">{isPart ? t.milled(String(milled)) : t.milledOnly}</Message>}
-        {(filledFrom !== print || last) && (
+        {!isKept && <Message tone="warning">{t.formNotStored}</Message>}
+        {firstMilledBlock !== null && (
+          <Message tone="warning">{isPart ? t.milled(String(firstMilledBlock)) : t.milledOnly}</Message>
+        )}
+        {(filledFrom !== programFingerprint || last) && (
           <Message as="div" tone="info" className="teach-changed">
-            {filledFrom !== print && <span>{t.changedSince}</span>}
-            {filledFrom !== print && (
+            {filledFrom !== programFingerprint && <span>{t.changedSince}</span>}
+            {filledFrom !== programFingerprint && (
               <button
                 type="button"
                 className="button"
                 onClick={() => {
                   step();
-                  put(proposedAnew(made, answer, decimalSign(screen)), print);
+                  put(withNewProposal(made, answer, decimalSign(screen)), programFingerprint);
                 }}
               >
-                {t.proposeAnew}
+                {t.proposeAgain}
               </button>
             )}
             {last && (
@@ -193,7 +204,7 @@ export function TeachForm({ done, ...of }: BegunForm & { readonly done: () => vo
         )}
         <WordFields {...form} kinds={isPart ? KINDS : ["predict"]} />
         {foretells && <StartFields {...form} answer={answer} />}
-        {asksBefore(made.kind) && <QuestionFields {...form} begun={begun} solution={text} truths={truths} />}
+        {hasQuestions(made.kind) && <QuestionFields {...form} begun={begun} solution={text} truths={truths} />}
         {!foretells && (
           <>
             <PartFields {...form} answer={answer} />
@@ -214,7 +225,7 @@ export function TeachForm({ done, ...of }: BegunForm & { readonly done: () => vo
           isIdle={isIdle}
           foretells={foretells}
           lacking={lacking}
-          formKey={keptAs}
+          formKey={storageKey}
           isChange={base !== null}
           done={done}
         />

@@ -1,4 +1,4 @@
-import { outlinesFrom } from "../../../course/made/made-task.ts";
+import { outlinesFrom } from "../../../course/made/task-from-form.ts";
 import type { Answer } from "../../../course/judge/judgement.ts";
 import type { ThreadDraft } from "../../../course/made/made-threads.ts";
 import { formatNumber } from "../../../i18n/number.ts";

@@ -1,7 +1,7 @@
 import { useId } from "react";
 import type { Answer } from "../../../course/judge/judgement.ts";
 import { calledTools } from "../../../course/judge/rules.ts";
-import { TOOL_OFFERS } from "../../../course/made/made-form.ts";
+import { TOOL_OFFERS } from "../../../course/made/task-form.ts";
 import { shippedTools } from "../../../program/tools/shipped-tools.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import type { FormPart } from "./WordFields.tsx";

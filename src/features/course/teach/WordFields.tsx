@@ -1,13 +1,13 @@
 import { useId } from "react";
-import type { MadeTask } from "../../../course/made/made-form.ts";
-import { asksBefore } from "../../../course/made/made-task.ts";
+import type { TaskForm } from "../../../course/made/task-form.ts";
+import { hasQuestions } from "../../../course/made/task-from-form.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
 /** Props of each part of the form: its current state, and the setter. */
 export interface FormPart {
-  readonly made: MadeTask;
+  readonly made: TaskForm;
   /** `isStep`: removes typed content, so undo is offered. */
-  readonly change: (some: Partial<MadeTask>, isStep?: boolean) => void;
+  readonly change: (some: Partial<TaskForm>, isStep?: boolean) => void;
 }
 
 /** A text of the form, of one line or of several. */
@@ -57,11 +57,11 @@ export function TeachText({
 }
 
 /** Kind, title, assignment and the three hints. */
-export function WordFields({ made, change, kinds }: FormPart & { readonly kinds: readonly MadeTask["kind"][] }) {
+export function WordFields({ made, change, kinds }: FormPart & { readonly kinds: readonly TaskForm["kind"][] }) {
   const t = useTexts("course-teach");
   const name = useId();
   const { words, kind } = made;
-  const say = (some: Partial<MadeTask["words"]>) => change({ words: { ...words, ...some } });
+  const say = (some: Partial<TaskForm["words"]>) => change({ words: { ...words, ...some } });
   const [one, two, three] = words.hints;
   return (
     <fieldset>
@@ -74,7 +74,7 @@ export function WordFields({ made, change, kinds }: FormPart & { readonly kinds:
               name={name}
               checked={kind === each}
               onChange={() =>
-                change({ kind: each, ...(asksBefore(each) && made.start === "empty" && { start: "program" }) })
+                change({ kind: each, ...(hasQuestions(each) && made.start === "empty" && { start: "program" }) })
               }
             />
             {t.kinds[each]}

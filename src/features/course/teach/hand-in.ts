@@ -5,21 +5,21 @@ import type { Task } from "../../../course/task.ts";
 import type { Language } from "../../../i18n/languages.ts";
 import { shippedList } from "../../../program/tools/tool-list.ts";
 import { time } from "../../../app/base/clock.ts";
-import { outcomeBeside } from "../../../app/calculation/beside.ts";
+import { outcomeOfOther } from "../../../app/calculation/other-outcome.ts";
 import { printedText } from "../../../app/document/printed.ts";
 import { readWork } from "../../../app/records/device.ts";
 import { refreshWorks } from "../../../app/records/keep.ts";
 import { isProgram } from "../../../app/document/work.ts";
 import { inScreenLanguage } from "../../../course/words.ts";
 import { fetchTask } from "../../../app/records/course/content.ts";
-import { keptOfTask } from "../task/begin.ts";
-import type { Again } from "../../../app/records/course/result-rows.ts";
-import { taughtRecord } from "../../../app/records/course/taught.ts";
+import { newestWorkOfTask } from "../task/begin.ts";
+import type { RerunOutcome } from "../../../app/records/course/result-rows.ts";
+import { taskRecord } from "../../../app/records/course/saved-tasks.ts";
 import { countWork, workedIn } from "../../../app/records/course/working-time.ts";
 
 /** A task by its id: a kept one, or one of the course; null if this device has none. */
 export async function taskOfId(id: string): Promise<Task | null> {
-  return taughtRecord.now().find((task) => task.id === id) ?? fetchTask(id);
+  return taskRecord.now().find((task) => task.id === id) ?? fetchTask(id);
 }
 
 /**
@@ -27,7 +27,7 @@ export async function taskOfId(id: string): Promise<Task | null> {
  * fails.
  */
 export async function verdictHere(task: Task, program: string): Promise<TaskResult["verdict"]> {
-  const answer = await outcomeBeside(
+  const answer = await outcomeOfOther(
     { name: `${task.id}.h`, text: program, encoding: "utf-8", tools: shippedList },
     null,
   );
@@ -37,7 +37,7 @@ export async function verdictHere(task: Task, program: string): Promise<TaskResu
 }
 
 /** The verdict on a received result on this device, with the device's version of the task. */
-export async function runAgain({ id, program }: TaskResult): Promise<Again> {
+export async function rerunResult({ id, program }: TaskResult): Promise<RerunOutcome> {
   const task = await taskOfId(id);
   if (task?.kind === "predict") return "foretold";
   if (program === null) return "none";
@@ -49,7 +49,7 @@ export async function runAgain({ id, program }: TaskResult): Promise<Again> {
 
 /** The newest program for a task on this device. */
 async function lastProgram(id: string): Promise<string | null> {
-  const work = keptOfTask(id),
+  const work = newestWorkOfTask(id),
     kept = work === undefined ? null : await readWork(work);
   if (!kept) return null;
   return isProgram(kept.job) ? kept.job.text : printedText(kept.job);
@@ -80,7 +80,7 @@ export async function resultOf(id: string, progress: CourseProgress, language: L
 }
 
 /** The results of tasks under a name, which may be empty. */
-export async function handedResult(
+export async function resultsToHandIn(
   ids: readonly string[],
   name: string,
   progress: CourseProgress,

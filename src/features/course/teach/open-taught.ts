@@ -1,5 +1,10 @@
-import { LARGEST_TAUGHT, readTaught, readTaughtLink, saysTaught, type ReadTaught } from "./taught-files.ts";
-import { showProblem, showResults, showTask, type NamedResult } from "../../../app/records/course/taught-shown.ts";
+import { LARGEST_TAUGHT, readTaught, readTaughtLink, isTaughtText, type ReadTaught } from "./taught-files.ts";
+import {
+  showProblem,
+  showResults,
+  showTask,
+  type NamedResult,
+} from "../../../app/records/course/opened-course-file.ts";
 
 /** Shows the task or the results of a link, or why it has none. */
 export function openTaughtLink(hash: string): void {
@@ -37,11 +42,11 @@ export async function addResults(files: readonly File[]): Promise<void> {
 const BEGINNING = 4096;
 
 /** Whether one of several files contains a task or results, whatever its name. */
-export async function areTaught(files: readonly File[]): Promise<boolean> {
+export async function areTaughtFiles(files: readonly File[]): Promise<boolean> {
   for (const file of files.filter(({ name }) => /\.json$/i.test(name))) {
     try {
       // A file over the size limit is recognized by its beginning.
-      if (saysTaught(await (file.size > LARGEST_TAUGHT ? file.slice(0, BEGINNING) : file).text())) return true;
+      if (isTaughtText(await (file.size > LARGEST_TAUGHT ? file.slice(0, BEGINNING) : file).text())) return true;
     } catch {
       return false;
     }

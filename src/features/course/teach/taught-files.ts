@@ -1,6 +1,6 @@
 import { readResult, RESULT_FORMAT, type HandedResult } from "../../../course/made/result.ts";
 import { formatOf, readTask } from "../../../course/read-task.ts";
-import type { TaughtProblem } from "../../../app/records/course/taught-shown.ts";
+import type { CourseFileProblem } from "../../../app/records/course/opened-course-file.ts";
 import { TASK_FORMAT, type Task } from "../../../course/task.ts";
 import { packedForLink, unpackedFromLink } from "../../../app/records/link.ts";
 import { fromOutside } from "../../../app/records/course/content.ts";
@@ -15,7 +15,7 @@ export const LARGEST_TAUGHT = 4_000_000;
 export type ReadTaught =
   | { readonly kind: "task"; readonly task: Task; readonly left: readonly string[] }
   | { readonly kind: "result"; readonly result: HandedResult }
-  | TaughtProblem;
+  | CourseFileProblem;
 
 /** Links with a task, or results. `page`: the address without the fragment. */
 export const taskLink = (page: string, task: Task): string => page + TASK_MARK + packedForLink(task);
@@ -44,7 +44,7 @@ function lineOf(error: unknown, text: string): number | null {
 }
 
 /** The JSON value of a text. */
-function parsed(text: string): { readonly raw: unknown } | TaughtProblem {
+function parsed(text: string): { readonly raw: unknown } | CourseFileProblem {
   const plain = text.replace(BOM, "");
   try {
     return { raw: JSON.parse(plain) as unknown };
@@ -71,7 +71,7 @@ export function readTaught(text: string): ReadTaught {
 }
 
 /** Whether a text that claims to be JSON contains a task, or results. */
-export const saysTaught = (text: string): boolean =>
+export const isTaughtText = (text: string): boolean =>
   /^\uFEFF?\s*\{/.test(text) && /"format"\s*:\s*"turnwise-(?:task|result)\//.test(text);
 
 /** Reads the fragment of a link. Never throws, and never unpacks more than its limit. */

@@ -1,6 +1,6 @@
 import { formatNumber } from "../../../i18n/number.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
-import type { Again, ResultColumn, ResultRow } from "../../../app/records/course/result-rows.ts";
+import type { RerunOutcome, ResultColumn, ResultRow } from "../../../app/records/course/result-rows.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
 const MINUTE = 60;
@@ -13,7 +13,7 @@ function sheetDay(made: number): string {
 }
 
 /** The texts of result cells, on the screen and in the export. */
-export function useResultCells(again: ReadonlyMap<string, Again>) {
+export function useResultCells(again: ReadonlyMap<string, RerunOutcome>) {
   const { results: words } = useTexts("course-teach");
   const language = useSettings((s) => s.language);
   const day = (made: number) =>
@@ -32,7 +32,7 @@ export function useResultCells(again: ReadonlyMap<string, Again>) {
     machining: words.machining,
     score: words.score,
   };
-  const told: Readonly<Record<Again, string>> = {
+  const told: Readonly<Record<RerunOutcome, string>> = {
     passes: words.againPasses,
     fails: words.againFails,
     unknown: words.unknown,

@@ -5,7 +5,7 @@ import { approachContext } from "../../../program/edits/approach-context.ts";
 import { parametersBefore } from "../../../app/fields/blocks/block-context.ts";
 import { watchTyped } from "../../../app/fields/blocks/half-typed.ts";
 import { editProgram, useSession } from "../../../app/fields/blocks/session.ts";
-import { useShownBeside } from "../../../app/document/shown-file.ts";
+import { useShownOtherFile } from "../../../app/document/shown-file.ts";
 import { useOutcome } from "../../../app/calculation/outcome.ts";
 import type { FindingEntry } from "../../../app/findings/entry.ts";
 import { openWordOf, useGuidedBlock } from "../../../app/place/open-call.ts";
@@ -21,7 +21,7 @@ export function ApproachBlock({ problems }: { readonly problems: readonly Findin
   } = useSession();
   const made = useOutcome((s) => s.newest?.run ?? null);
   // The approaches of a run are listed by the calling blocks of the program.
-  const run = useShownBeside() === null ? made : null;
+  const run = useShownOtherFile() === null ? made : null;
   const [fresh] = useState(() => isFresh(index));
   useEffect(() => markFresh(null), []);
   const context = useMemo(

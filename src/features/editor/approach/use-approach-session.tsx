@@ -16,7 +16,7 @@ import { promptOf, type Prompt, type PromptSession } from "../../../app/fields/d
 import type { FindingEntry } from "../../../app/findings/entry.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
-import { heldWhileTyping } from "../../../app/base/typing.ts";
+import { createDeferredStore } from "../../../app/base/typing.ts";
 
 /** The typed values of one block. */
 export interface TypedApproach {
@@ -51,7 +51,7 @@ export function useTypedApproach(
   onTyped: (isRead: boolean) => void = () => undefined,
 ): TypedApproach {
   const { plane, parameters } = context;
-  const [useTyped] = useState(() => heldWhileTyping(() => ({ draft: approachDraft(statement) })));
+  const [useTyped] = useState(() => createDeferredStore(() => ({ draft: approachDraft(statement) })));
   const typed = useTyped((s) => s.draft);
   const draft = useMemo(() => shownDraft(statement, context, typed), [statement, context, typed]);
   return {
@@ -154,7 +154,7 @@ export function useApproachSession({
     findings,
     set: (id, text) => typed.set({ [id]: text }),
     // Issues of the block as a whole, or of a word without a prompt, are shown at every prompt.
-    besides: () =>
+    otherFindings: () =>
       findings.flatMap((entry) => {
         if (entry.at === null) return [{ entry }];
         return fields.some((f) => f.id === entry.at) ? [] : [{ entry, place: entry.at }];

@@ -11,7 +11,7 @@ import { SETUP_FIELDS as FIELDS } from "../../../program/job/setup-fields.ts";
 import { startLines } from "../../../nc/program.ts";
 import { CycleChooser } from "../../../app/fields/chooser/CycleChooser.tsx";
 import { editProgram, useSession } from "../../../app/fields/blocks/session.ts";
-import { useFitsOfWork } from "../../../app/calculation/fits.ts";
+import { useFitsOfWork } from "../../../app/calculation/use-tool-fits.ts";
 import { useOutcome } from "../../../app/calculation/outcome.ts";
 import { showFile } from "../../../app/document/shown-file.ts";
 import { Icon } from "../../../app/base/Icon.tsx";

@@ -2,9 +2,9 @@ import { Suspense, useEffect, useMemo, useRef, useState, type KeyboardEvent, typ
 import type { Refusal } from "../../../program/edits/operation-edits.ts";
 import { openBlock, useSession } from "../../../app/fields/blocks/session.ts";
 import { chooseOpenBlock } from "../../../app/fields/blocks/choose-block.ts";
-import { isPresent } from "../../../app/fields/blocks/present.ts";
+import { isUpToDate } from "../../../app/fields/blocks/up-to-date.ts";
 import { useOutcome } from "../../../app/calculation/outcome.ts";
-import { useShownBeside } from "../../../app/document/shown-file.ts";
+import { useShownOtherFile } from "../../../app/document/shown-file.ts";
 import { findingsHere } from "../../../app/document/shown-findings.ts";
 import { useListed } from "../../../app/findings/use-findings.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
@@ -33,8 +33,8 @@ export function OperationList({ filter }: { readonly filter: ReactNode }) {
   const program = useSession((s) => s.reading.program);
   const index = useSession((s) => s.index);
   const newest = useOutcome((s) => s.newest);
-  const outcome = isPresent(newest) ? newest : null;
-  const file = useShownBeside();
+  const outcome = isUpToDate(newest) ? newest : null;
+  const file = useShownOtherFile();
   const listed = useListed();
   const tools = useToolList();
   const rows = useMemo(

@@ -1,7 +1,7 @@
 import { useRef } from "react";
 import { startLines } from "../../../nc/program.ts";
 import { useSession } from "../../../app/fields/blocks/session.ts";
-import { useFitsOfLine } from "../../../app/calculation/fits.ts";
+import { useFitsOfLine } from "../../../app/calculation/use-tool-fits.ts";
 import { ModalDialog } from "../../../app/base/ModalDialog.tsx";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { ToolChoice } from "./ToolChoice.tsx";

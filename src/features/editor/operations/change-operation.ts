@@ -17,18 +17,20 @@ import { openingBlock } from "../../../app/fields/blocks/operation-rows.ts";
 const present = (): Program => useSession.getState().reading.program;
 
 /** Applies an edited program as one step of undo, with an operation open; a refusal changes nothing. */
-function put(next: Program | Refusal, unit: number): Refusal | null {
+function applyProgram(next: Program | Refusal, unit: number): Refusal | null {
   if (isRefused(next)) return next;
   editProgram(next, null, openingBlock(next, unit));
   return null;
 }
 
-export const moveOperation = (unit: number, to: number): Refusal | null => put(movedOperation(present(), unit, to), to);
-export const duplicateOperation = (unit: number): Refusal | null => put(duplicatedOperation(present(), unit), unit + 1);
+export const moveOperation = (unit: number, to: number): Refusal | null =>
+  applyProgram(movedOperation(present(), unit, to), to);
+export const duplicateOperation = (unit: number): Refusal | null =>
+  applyProgram(duplicatedOperation(present(), unit), unit + 1);
 export const removeOperation = (unit: number): Refusal | null =>
-  put(withoutOperation(present(), unit), Math.max(0, unit - 1));
+  applyProgram(withoutOperation(present(), unit), Math.max(0, unit - 1));
 export const retoolOperation = (unit: number, tool: number): Refusal | null =>
-  put(retooledOperation(present(), unit, tool), unit);
+  applyProgram(retooledOperation(present(), unit, tool), unit);
 
 /** Toggles the skip marks of an operation. They only act with their switch on, so both are one step. */
 export function switchOperation(unit: number): Refusal | null {
@@ -37,9 +39,9 @@ export function switchOperation(unit: number): Refusal | null {
   if (!own) return null;
   const on = isOff(program, own);
   const next = switchedOperation(program, unit, on);
-  if (isRefused(next) || on || useEditor.getState().program?.skipMarked) return put(next, unit);
+  if (isRefused(next) || on || useEditor.getState().program?.skipMarked) return applyProgram(next, unit);
   return asOneStep(() => {
     changeProgram((work) => ({ ...work, skipMarked: true }));
-    return put(next, unit);
+    return applyProgram(next, unit);
   });
 }

@@ -2,7 +2,7 @@ import { useState } from "react";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { downloadWorks } from "../../../app/records/rescue.ts";
 import { useEditor } from "../../../app/document/store.ts";
-import { SaveEverything } from "../SaveEverything.tsx";
+import { BackUpButton } from "../BackUpButton.tsx";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { ReportList } from "./ReportList.tsx";
 import "../works.css";
@@ -21,7 +21,7 @@ export function CrashHelp() {
             <Icon name="download" /> {reports.work}
           </button>
         )}
-        <SaveEverything say={say} />
+        <BackUpButton say={say} />
       </div>
       <p role="status">{said}</p>
       <ReportList open />

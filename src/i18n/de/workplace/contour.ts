@@ -41,7 +41,7 @@ export const contour = {
   secondOf: (element) => `Element ${element}, andere Lösung verwenden`,
   secondShort: "Andere Lösung",
   solved: (value) => `berechnet: ${value}`,
-  sought: "noch nicht bestimmt",
+  undetermined: "noch nicht bestimmt",
   freedom: (values) => (values === 1 ? "1 Angabe fehlt" : `${values} Angaben fehlen`),
   details: "Winkel und Länge",
   detailsAbout:

@@ -41,7 +41,7 @@ export const contour = {
   secondOf: (element: number) => `Element ${element}, use the other solution`,
   secondShort: "Other solution",
   solved: (value: string) => `calculated: ${value}`,
-  sought: "not determined yet",
+  undetermined: "not determined yet",
   freedom: (values: number) => (values === 1 ? "1 value missing" : `${values} values missing`),
   details: "Angle and length",
   detailsAbout:

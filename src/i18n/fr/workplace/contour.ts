@@ -41,7 +41,7 @@ export const contour = {
   secondOf: (element) => `Élément ${element}, utiliser l’autre solution`,
   secondShort: "Autre solution",
   solved: (value) => `calculé : ${value}`,
-  sought: "pas encore déterminé",
+  undetermined: "pas encore déterminé",
   freedom: (values) => (values === 1 ? "1 valeur manque" : `${values} valeurs manquent`),
   details: "Angle et longueur",
   detailsAbout:

@@ -13,7 +13,7 @@ export const chooser = {
   recent: "最近使用",
   recentOne: (cycle) => `最近使用：${cycle}`,
   count: (n) => `${n} 个循环`,
-  evidence: (cycles) => `${cycles} 的参数表已与手册核对。其他循环的参数表请在本机控制系统上核对。`,
+  evidence: (cycles) => `${cycles} 的参数表已与手册核对。其他循环的参数表请在机床的数控系统上核对。`,
   evidenceLink: "帮助",
   empty: "无数值",
   insert: "插入",

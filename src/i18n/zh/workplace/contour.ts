@@ -40,7 +40,7 @@ export const contour = {
   secondOf: (element) => `元素 ${element}，使用另一个解`,
   secondShort: "另一个解",
   solved: (value) => `计算值：${value}`,
-  sought: "尚未确定",
+  undetermined: "尚未确定",
   freedom: (values) => `还缺 ${values} 个数值`,
   details: "角度和长度",
   detailsAbout:

@@ -1,0 +1,69 @@
+import AxeBuilder from "@axe-core/playwright";
+import type { Page } from "@playwright/test";
+import { expect } from "./test.ts";
+
+/** Rules about colours: only these can differ between light and dark. */
+const COLOUR_RULES = ["color-contrast", "link-in-text-block"];
+
+/** Waits for finite animations and transitions: halfway through, colours are neither. */
+const animationsFinished = (page: Page): Promise<void> =>
+  page.evaluate(async () => {
+    const ending = document
+      .getAnimations()
+      .filter(
+        ({ effect, playState }) => playState === "running" && effect?.getComputedTiming().iterations !== Infinity,
+      );
+    await Promise.allSettled(ending.map(({ finished }) => finished));
+  });
+
+/** The axe rules that the page breaks, out of all or some, with the elements that break them. */
+async function axeViolations(page: Page, rules?: string[]): Promise<readonly string[]> {
+  await animationsFinished(page);
+  // Injected once, and reporting violations only, axe takes a fifth of the time.
+  const isThere = await page.evaluate(() => "axe" in window);
+  const axe = new AxeBuilder(isThere ? { page, axeSource: "0;" } : { page })
+    .setLegacyMode()
+    .options({ resultTypes: ["violations"] });
+  const { violations } = await (rules ? axe.withRules(rules) : axe).analyze();
+  return violations.map(
+    (v) =>
+      `${v.id}: ${v.nodes
+        .map((n) => n.target.join(" "))
+        .slice(0, 4)
+        .join(" | ")}`,
+  );
+}
+
+/** Horizontal overflow of the page, px. */
+const horizontalOverflow = (page: Page): Promise<number> =>
+  page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+
+const softly = expect.configure({ soft: true });
+
+/**
+ * The page has no horizontal overflow once its layout has settled. Soft: the failure names the screen, and the test
+ * continues.
+ */
+export const expectFits = (page: Page, screen: string): Promise<void> =>
+  softly.poll(() => horizontalOverflow(page), { message: `width of ${screen}`, timeout: 5000 }).toBeLessThanOrEqual(0);
+
+/** The page breaks no axe rule. */
+export const expectAccessible = async (page: Page): Promise<void> => expect(await axeViolations(page)).toEqual([]);
+
+/** The page breaks no axe rule, and has no horizontal overflow. */
+export async function expectAccessibleAndFits(page: Page): Promise<void> {
+  await expectAccessible(page);
+  expect(await horizontalOverflow(page)).toBeLessThanOrEqual(0);
+}
+
+/**
+ * The same in light and dark, for one of several screens of a test. Soft: the failure names the screen, and the test
+ * continues. Leaves the page light.
+ */
+export async function expectFineInBothThemes(page: Page, screen: string): Promise<void> {
+  await page.emulateMedia({ colorScheme: "dark" });
+  expect.soft(await axeViolations(page, COLOUR_RULES), `colours of ${screen} in the dark`).toEqual([]);
+  await page.emulateMedia({ colorScheme: "light" });
+  expect.soft(await axeViolations(page), `axe on ${screen}`).toEqual([]);
+  await expectFits(page, screen);
+}

@@ -1,0 +1,69 @@
+import { loadMachine } from "./machine-reader.ts";
+import { printedText } from "../document/printed.ts";
+import { useEditor } from "../document/store.ts";
+import { controlInUse, machineInUse, machineTextOf, shopOf, toolTable } from "../document/work-tools.ts";
+import type { Comparer } from "./comparison.ts";
+import { filesOf, isProgram, type ProgramWork, type Work } from "../document/work.ts";
+import type { Outcome } from "./outcome.ts";
+import type { Reported } from "./reported.ts";
+import { rapidOf, USUAL_RAPID } from "./request.ts";
+import { askAgain } from "./worker-life.ts";
+
+/*
+ * Requests to the worker other than the calculation of the open work.
+ */
+
+/** The result of a program that is not open, with its own tools, machine and files; null if it cannot be calculated. */
+export async function outcomeOfOther(
+  program: ProgramWork,
+  timedAs = useEditor.getState().job,
+): Promise<Outcome | null> {
+  const { name, text, skipMarked = false } = program;
+  try {
+    const machine = await loadMachine(machineTextOf(program));
+    const request = { version: 0, name, text, files: filesOf(program), skipMarked, ...shopOf(program), machine };
+    return await askAgain((engine) => engine.update({ ...request, rapid: timedAs ? rapidOf(timedAs) : USUAL_RAPID }));
+  } catch {
+    return null;
+  }
+}
+
+/** The report on the open work in its present state, and the tools that it uses; null if it cannot be calculated. */
+export async function reportOf(work: Work, file: string): Promise<Reported | null> {
+  const shop = { version: 0, table: toolTable(), control: controlInUse(), machine: await loadMachine(machineInUse()) };
+  try {
+    const request = isProgram(work)
+      ? {
+          ...shop,
+          text: work.text,
+          name: work.name,
+          files: filesOf(work),
+          skipMarked: work.skipMarked ?? false,
+          rapid: USUAL_RAPID,
+        }
+      : { ...shop, text: printedText(work), rapid: rapidOf(work) };
+    return await askAgain((engine) => engine.reported(request, file));
+  } catch {
+    return null;
+  }
+}
+
+/** The operations that could make a shape, and the result of each; null if it cannot be calculated. */
+export const comparison: Comparer = {
+  async ways(wanted, stock) {
+    try {
+      return await askAgain((engine) => engine.ways(wanted, stock, toolTable().tools));
+    } catch {
+      return null;
+    }
+  },
+  async tryWay(proposal, wanted, stock) {
+    const control = controlInUse();
+    try {
+      const shop = { table: toolTable(), rapid: USUAL_RAPID, control, machine: await loadMachine(machineInUse()) };
+      return await askAgain((engine) => engine.tryWay(proposal, wanted, stock, shop));
+    } catch {
+      return null;
+    }
+  },
+};

@@ -1,0 +1,71 @@
+import { useEffect, useRef, useState } from "react";
+import type { ToolFit } from "../../program/tools/which-tool.ts";
+import type { SetJob } from "../../program/job/job.ts";
+import { CALCULATING } from "../base/waits.ts";
+import { useEditor } from "../document/store.ts";
+import { fitsOf, fitsOfCall, fitsOfWork } from "./tool-questions.ts";
+import { useOutcome } from "./outcome.ts";
+
+/** What each tool can do on the open contour; null until it is known. Calculated only while it is shown. */
+export function useFits(): readonly ToolFit[] | null {
+  const newest = useOutcome((s) => s.newest);
+  const [fits, setFits] = useState<readonly ToolFit[] | null>(null);
+  useEffect(() => {
+    const { job } = useEditor.getState();
+    if (!newest || !job) return undefined;
+    let gone = false;
+    const timer = setTimeout(() => {
+      void fitsOf(job, newest).then((found) => {
+        if (!gone) setFits(found);
+      });
+    }, CALCULATING.otherTools);
+    return () => {
+      gone = true;
+      clearTimeout(timer);
+    };
+  }, [newest]);
+  return fits;
+}
+
+/** A debounced request for the fit of all tools; null until it is answered. */
+function useDebouncedFits(
+  ask: (() => Promise<readonly ToolFit[] | null>) | null,
+  of: unknown,
+): readonly ToolFit[] | null {
+  const [fits, setFits] = useState<{ readonly of: unknown; readonly fits: readonly ToolFit[] | null }>({
+    of: null,
+    fits: null,
+  });
+  const asked = useRef(ask);
+  useEffect(() => {
+    asked.current = ask;
+  });
+  useEffect(() => {
+    let gone = false;
+    const timer = setTimeout(() => {
+      void asked.current?.().then((found) => {
+        if (!gone) setFits({ of, fits: found });
+      });
+    }, CALCULATING.otherTools);
+    return () => {
+      gone = true;
+      clearTimeout(timer);
+    };
+  }, [of]);
+  return fits.of === of ? fits.fits : null;
+}
+
+/**
+ * What each tool can do in place of the one whose cycle is defined in this line of the program; null if that was not
+ * run.
+ */
+export function useFitsOfLine(line: number | null): readonly ToolFit[] | null {
+  const operation = useOutcome((s) =>
+    s.newest?.run.operations.find(({ definedLine, definedFile }) => definedLine === line && !definedFile),
+  );
+  return useDebouncedFits(operation ? () => fitsOfCall(operation) : null, operation);
+}
+
+/** What each tool can do with the values of a work that is not open. */
+export const useFitsOfWork = (job: SetJob | null): readonly ToolFit[] | null =>
+  useDebouncedFits(job ? () => fitsOfWork(job) : null, job);

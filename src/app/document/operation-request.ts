@@ -1,0 +1,176 @@
+import type { TurnedShape } from "../../cycles/define.ts";
+import type { Site, ShapeRequest } from "../../cycles/shape-request.ts";
+import type { Pt, Segment } from "../../kernel/geometry/point.ts";
+import { axial, diameter, length, rounded, toDiameter } from "../../kernel/units.ts";
+import { readRows } from "../../program/job/contour-rows.ts";
+import type { WhichRegion } from "../place/place.ts";
+import { anyNumber, readText, type Field } from "../../program/values/field.ts";
+import type { ContourRow } from "../../program/job/job.ts";
+import { boxAroundContour, rowsOf } from "../../program/job/requested-shape.ts";
+
+/** The stock in the chuck: solid, the shape with an oversize, or what earlier operations have left. */
+export type StockChoice = "solid" | "preturned" | "now";
+/** The numbers of the request. */
+export type AskedMeasure = "d1" | "d2" | "z1" | "z2" | "angle" | "pitch" | "allowance";
+
+/** A request for an operation: choices, and numbers as typed. */
+export interface OperationRequest {
+  readonly site: Site;
+  readonly shape: TurnedShape;
+  readonly stock: StockChoice;
+  readonly typed: Readonly<Record<AskedMeasure, string>>;
+  readonly rows: readonly ContourRow[];
+}
+
+const MORE = Number.MIN_VALUE;
+const field = (id: AskedMeasure, [least, most]: readonly [number, number]): Field => ({
+  ...anyNumber,
+  id: `which.${id}`,
+  range: [least, most],
+  optional: false,
+  decimals: 3,
+});
+
+/** The field of each number, mm and degrees. */
+export const REQUEST_FIELDS: Readonly<Record<AskedMeasure, Field>> = {
+  d1: field("d1", [0, 99_999.999]),
+  d2: field("d2", [0, 99_999.999]),
+  z1: field("z1", [-99_999.999, 99_999.999]),
+  z2: field("z2", [-99_999.999, 99_999.999]),
+  angle: field("angle", [0, 89.9999]),
+  pitch: field("pitch", [MORE, 999.999]),
+  allowance: field("allowance", [MORE, 99.999]),
+};
+
+/** A contradiction between two numbers, and the number where it is shown. */
+export interface OperationRequestFault {
+  readonly at: AskedMeasure | "contour";
+  readonly code: "notSmaller" | "notLarger" | "same" | "contour";
+}
+
+export interface OperationRequestReading {
+  /** Null while something is missing or wrong. */
+  readonly wanted: ShapeRequest | null;
+  readonly fault: OperationRequestFault | null;
+}
+
+/** The numbers that a shape needs, in display order. */
+export function measuresOf({ shape, stock }: Pick<OperationRequest, "shape" | "stock">): readonly AskedMeasure[] {
+  const allowance: readonly AskedMeasure[] = stock === "preturned" && canBePreturned(shape) ? ["allowance"] : [];
+  switch (shape) {
+    case "free":
+      return allowance;
+    case "thread":
+      return ["d1", "z1", "z2", "pitch"];
+    default:
+      return ["d1", "d2", "z1", "z2", "angle", ...allowance];
+  }
+}
+
+/** Grooves and threads are cut into a finished surface. */
+export const canBePreturned = (shape: TurnedShape): boolean => shape !== "groove" && shape !== "thread";
+
+function faultOf(
+  { site, shape }: OperationRequest,
+  n: Readonly<Record<AskedMeasure, number>>,
+): OperationRequestFault | null {
+  if (n.z1 === n.z2) return { at: "z2", code: "same" };
+  if (shape === "thread") return null;
+  if (n.d1 === n.d2) return { at: "d2", code: "same" };
+  if (site === "outside" && n.d2 > n.d1) return { at: "d2", code: "notSmaller" };
+  return site === "inside" && n.d2 < n.d1 ? { at: "d2", code: "notLarger" } : null;
+}
+
+/** The wanted shape, if all its numbers can be read and agree. */
+export function readOperationRequest(asking: OperationRequest): OperationRequestReading {
+  const { site, shape, stock, typed, rows } = asking;
+  const asked = measuresOf(asking);
+  const numbers = Object.fromEntries(
+    Object.entries(REQUEST_FIELDS).map(([m, f]) => [m, readText(f, typed[m as AskedMeasure]).value]),
+  ) as Record<AskedMeasure, number | null>;
+  const value = (m: AskedMeasure) => numbers[m] ?? 0;
+  if (asked.some((m) => numbers[m] === null)) return { wanted: null, fault: null };
+  const rest = {
+    site,
+    shape,
+    angle: shape === "free" || shape === "thread" ? 0 : value("angle"),
+    pitch: value("pitch"),
+    allowance: asked.includes("allowance") && stock === "preturned" ? length(value("allowance")) : 0,
+  } as const;
+  if (shape === "free") {
+    const { contour } = readRows(rows);
+    const broken = contour.segments.length === 0 || contour.issues.some((i) => i.severity === "error");
+    if (broken) return { wanted: null, fault: { at: "contour", code: "contour" } };
+    return { wanted: { ...rest, ...boxAroundContour(contour.segments, site), contour: contour.segments }, fault: null };
+  }
+  const all = Object.fromEntries(Object.keys(REQUEST_FIELDS).map((m) => [m, value(m as AskedMeasure)])) as Record<
+    AskedMeasure,
+    number
+  >;
+  const fault = faultOf(asking, all);
+  if (fault) return { wanted: null, fault };
+  const corner = (d: number, z: number) => ({ diameter: diameter(d), z: axial(z) });
+  const to = corner(shape === "thread" ? all.d1 : all.d2, all.z2);
+  return { wanted: { ...rest, from: corner(all.d1, all.z1), to, contour: null }, fault: null };
+}
+
+type Typed = OperationRequest["typed"];
+const numbers = (d1: string, d2: string, z1: string, z2: string, angle = "0"): Typed => ({
+  d1,
+  d2,
+  z1,
+  z2,
+  angle,
+  pitch: "2",
+  allowance: "2",
+});
+
+/** Default numbers, so that the operations for a shape can be seen before anything is typed. */
+export function usualNumbers(site: Site, shape: TurnedShape): Typed {
+  const inside = site === "inside";
+  const [open, deep] = inside ? ["30", "40"] : ["75", "60"];
+  switch (shape) {
+    case "groove":
+      return site === "face" ? numbers("60", "40", "0", "-8") : numbers(open, inside ? "36" : deep, "-15", "-25");
+    case "plunge":
+      return site === "face" ? numbers("70", "30", "0", "-5", "60") : numbers(open, deep, "-10", "-50", "70");
+    case "thread":
+      return numbers("30", "30", "0", "-25");
+    case "step":
+    case "free":
+      return site === "face"
+        ? numbers("75", "40", "0", "-6")
+        : numbers(open, inside ? "50" : "50", "0", inside ? "-25" : "-40");
+  }
+}
+
+/** A number of a drawing, as typed. */
+const asTyped = (n: number) => String(rounded(n));
+
+/** Largest distance of a groove's ends from its open side, as a share of its depth. */
+const AT_THE_EDGE = 0.1;
+
+/** The likely shape of a contour section: a groove if it begins and ends at its open side, else a free contour. */
+function likelyShape(stretch: readonly Segment[], { d1, d2, z1, z2 }: Typed, site: Site): TurnedShape {
+  const depth = ({ z, r }: Pt) =>
+    site === "face"
+      ? (Number(z1) - z) / (Number(z1) - Number(z2))
+      : (Number(d1) - toDiameter(r)) / (Number(d1) - Number(d2));
+  const [first, last] = [stretch[0]?.from, stretch.at(-1)?.to];
+  const isValley = stretch.length > 2 && first && last && Math.max(depth(first), depth(last)) < AT_THE_EDGE;
+  return isValley ? "groove" : "free";
+}
+
+/** The request for a section of an open work: the section as a contour, and its bounding box in the numbers. */
+export function operationRequestAt({ contour, first, last, site, initialStock }: WhichRegion): OperationRequest {
+  const stretch = contour.slice(first, last + 1);
+  const { from, to } = boxAroundContour(stretch, site);
+  const typed = {
+    ...usualNumbers(site, "free"),
+    d1: asTyped(from.diameter),
+    d2: asTyped(to.diameter),
+    z1: asTyped(from.z),
+    z2: asTyped(to.z),
+  };
+  return { site, shape: likelyShape(stretch, typed, site), stock: initialStock, typed, rows: rowsOf(stretch) };
+}

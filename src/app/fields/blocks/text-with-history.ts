@@ -1,0 +1,37 @@
+import { historyField } from "@codemirror/commands";
+import { EditorState, type Extension } from "@codemirror/state";
+import { fromEditor, type LineEnds } from "./line-ends.ts";
+
+/**
+ * The text of a file with its undo history. It outlives its editor, so undo still works when the file is opened again.
+ */
+export interface TextWithHistory {
+  readonly work: string;
+  /** Key of its file in the work. */
+  readonly file: string;
+  readonly ends: LineEnds;
+  state: EditorState;
+}
+
+/** Key of a text in the cache. */
+export const textKey = ({ work, file }: Pick<TextWithHistory, "work" | "file">): string => `${work} ${file}`;
+
+/** File texts by document, so that a long text is joined only once. */
+const files = new WeakMap<EditorState["doc"], string>();
+
+/** The text with the line ends of its file. */
+export function fileText({ state: { doc }, ends }: Pick<TextWithHistory, "state" | "ends">): string {
+  const known = files.get(doc) ?? fromEditor(doc.toString(), ends);
+  files.set(doc, known);
+  return known;
+}
+
+/** Editor state that survives a reload, besides text and cursor. */
+const KEPT = { history: historyField };
+
+/** History and cursor as JSON; the text itself is stored with its work. */
+export const serializedState = (state: EditorState): unknown => ({ ...(state.toJSON(KEPT) as object), doc: "" });
+
+/** The same text with that history and cursor. Throws if they do not fit the text. */
+export const restoredState = (written: unknown, { doc }: EditorState, extensions: Extension): EditorState =>
+  EditorState.fromJSON({ ...(written as object), doc: doc.toString() }, { extensions }, KEPT);

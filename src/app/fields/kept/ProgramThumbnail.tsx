@@ -1,0 +1,19 @@
+import { useId } from "react";
+import type { Thumbnail } from "../../../view/thumbnail.ts";
+import { Drawing } from "../chooser/Drawing.tsx";
+import { menuCycle } from "../chooser/menu.ts";
+import { PartPicture } from "./PartPicture.tsx";
+
+/** Thumbnail of a work: the part as last seen, or the pictogram of its cycle. */
+export function ProgramThumbnail({
+  seen,
+  cycle,
+}: {
+  readonly seen: Thumbnail | undefined;
+  readonly cycle: number | null;
+}) {
+  const id = useId();
+  if (seen) return <PartPicture of={seen} />;
+  const known = cycle === null ? undefined : menuCycle(cycle);
+  return <Drawing of={known?.pictograms[0]} id={id} turned={known?.group === "transverse"} />;
+}

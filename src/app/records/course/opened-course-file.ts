@@ -1,0 +1,60 @@
+import { create } from "zustand";
+import type { HandedResult } from "../../../course/made/result.ts";
+import type { Task } from "../../../course/task.ts";
+import { collectResults, resultRecord } from "./collected-results.ts";
+import { hasResult, type LearnerFile } from "./result-rows.ts";
+import type { FieldFault } from "../../../course/read-task.ts";
+
+/**
+ * Why a file was not read: too large, a newer edition, another kind, no JSON (`line`: where, from 1), cut or altered,
+ * wrong fields, or not readable by the browser.
+ */
+export type CourseFileProblem =
+  | { readonly kind: "tooLarge" | "newer" | "foreign" | "damaged" | "unreadable" }
+  | { readonly kind: "notJson"; readonly line: number | null }
+  | { readonly kind: "fields"; readonly faults: readonly FieldFault[] };
+
+/** A file without new results, and why: it is here already, holds a task, or cannot be read. */
+export interface FileLeftOut {
+  readonly file: string;
+  readonly why: { readonly kind: "twice" } | { readonly kind: "task" } | CourseFileProblem;
+}
+
+/** A task or results from outside, shown before they are used. `left`: unknown fields of a task. */
+export type OpenedCourseFile =
+  | { readonly kind: "task"; readonly task: Task; readonly left: readonly string[] }
+  | { readonly kind: "results"; readonly leftOut: readonly FileLeftOut[] }
+  | { readonly kind: "problem"; readonly file: string; readonly problem: CourseFileProblem };
+
+export const useOpenedCourseFile = create<{ readonly shown: OpenedCourseFile | null }>(() => ({ shown: null }));
+
+export const showTask = (task: Task, left: readonly string[] = []): void =>
+  useOpenedCourseFile.setState({ shown: { kind: "task", task, left } });
+export const showProblem = (file: string, problem: CourseFileProblem): void =>
+  useOpenedCourseFile.setState({ shown: { kind: "problem", file, problem } });
+export const closeCourseFile = (): void => useOpenedCourseFile.setState({ shown: null });
+
+/** Results of a named file, or why it has none. */
+export type NamedResult = { readonly file: string; readonly result: HandedResult } | FileLeftOut;
+
+/** Adds the new results and shows the table with the files left out, each once. Files left out before stay listed. */
+export function showResults(come: readonly NamedResult[] = []): void {
+  const { shown } = useOpenedCourseFile.getState();
+  const list = resultRecord.now();
+  const fresh: LearnerFile[] = [],
+    leftOut: FileLeftOut[] = shown?.kind === "results" ? [...shown.leftOut] : [];
+  for (const one of come) {
+    if ("why" in one) leftOut.push(one);
+    else if (hasResult([...list, ...fresh], one.result)) leftOut.push({ file: one.file, why: { kind: "twice" } });
+    else fresh.push(one);
+  }
+  collectResults(fresh);
+  const known = new Set<string>();
+  const each = leftOut.filter((one) => {
+    const key = JSON.stringify(one),
+      isNew = !known.has(key);
+    known.add(key);
+    return isNew;
+  });
+  useOpenedCourseFile.setState({ shown: { kind: "results", leftOut: each } });
+}

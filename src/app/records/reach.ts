@@ -1,8 +1,0 @@
-/** Host names of the device itself. */
-const ITSELF = /^(localhost|.+\.localhost|127(\.\d+){3}|\[::1\])$/;
-
-/** True if the address is local, so that another device cannot open a link to it. */
-export function isHereOnly(page: string): boolean {
-  const { protocol, hostname } = new URL(page);
-  return protocol === "file:" || ITSELF.test(hostname);
-}

@@ -1,0 +1,136 @@
+import { useEffect, useId, useRef, useState } from "react";
+import type { Task, TaskWords } from "../../../course/task.ts";
+import { answerKindOf, parsePredictedAnswer } from "../../../course/predicted-answers.ts";
+import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
+import { Icon } from "../../../app/base/Icon.tsx";
+import { useSelection } from "../../../app/document/selected.ts";
+import { useEditor } from "../../../app/document/store.ts";
+import { useMedia } from "../../../app/base/use-media.ts";
+import { showRun } from "./check.ts";
+import { AskedAnswer } from "./AskedAnswer.tsx";
+import { useTaskView } from "./task-view.ts";
+import { setPrediction, taskOfWork } from "../../../app/document/work-task.ts";
+
+const NO_TEXTS: readonly string[] = [];
+
+/** While a question asks for a block number, pointing at a block answers it. */
+function usePointedBlock(question: number, asks: boolean): void {
+  const isProgram = useEditor((s) => s.program !== null);
+  useEffect(() => {
+    if (!asks) return undefined;
+    const tell = (block: number) => setPrediction(question, String(block));
+    if (!isProgram) {
+      return useSelection.subscribe(({ line }, before) => {
+        if (line && line !== before.line) tell(line.block);
+      });
+    }
+    let stop = () => undefined as void;
+    let gone = false;
+    void import("./block-by-number.ts").then(({ subscribePointedBlock }) => {
+      if (!gone) stop = subscribePointedBlock(tell);
+    });
+    return () => {
+      gone = true;
+      stop();
+    };
+  }, [question, asks, isProgram]);
+}
+
+/** If the assignment covers the work: the button that shows the work, to point at the answer. */
+function ShowWorkButton({ kind, t }: { readonly kind: ReturnType<typeof answerKindOf>; readonly t: CourseTaskTexts }) {
+  const isNarrow = useMedia("narrow");
+  const isOpen = useTaskView((v) => v.open);
+  if (!isNarrow || !isOpen || (kind !== "place" && kind !== "block")) return null;
+  return (
+    <button type="button" className="button" onClick={() => useTaskView.setState({ open: false })}>
+      <Icon name="up" /> {t.predict.pointAt[kind]}
+    </button>
+  );
+}
+
+/** The questions before the run, one at a time. */
+export function PredictForm({
+  task,
+  t,
+  words,
+}: {
+  readonly task: Task;
+  readonly t: CourseTaskTexts;
+  readonly words: TaskWords;
+}) {
+  const labelled = useId();
+  const told = useEditor((s) => taskOfWork(s)?.told ?? NO_TEXTS);
+  const asked = useTaskView((v) => v.question);
+  const predict = task.predict ?? [];
+  const question = Math.min(asked, predict.length - 1);
+  const prediction = predict[question];
+  usePointedBlock(question, prediction !== undefined && answerKindOf(prediction) === "block");
+  const isNarrow = useMedia("narrow");
+  const [lacking, lack] = useState<number | null>(null);
+  const form = useRef<HTMLFormElement>(null);
+  const isTyping = useRef(false);
+  // After Enter in a field, the field of the next question gets focus; after a click, the button keeps it.
+  useEffect(() => {
+    if (!isTyping.current) return;
+    isTyping.current = false;
+    (form.current?.querySelector<HTMLInputElement>("input:checked") ?? form.current?.querySelector("input"))?.focus();
+  }, [question]);
+  if (!prediction) return null;
+  const isLast = question === predict.length - 1;
+  const isSaid = (i: number) => {
+    const each = predict[i];
+    return each !== undefined && parsePredictedAnswer(each, told[i] ?? "") !== null;
+  };
+  const show = (next: number) => useTaskView.setState({ question: next });
+  /** Open answers can be skipped; requesting the run names the first one that is missing. */
+  const goOn = () => {
+    const open = predict.findIndex((_, i) => !isSaid(i)),
+      next = isLast ? open : question + 1;
+    if (next < 0) {
+      // If the assignment covers the work, the work is shown again with the run and the results.
+      if (isNarrow) useTaskView.setState({ open: false });
+      return void showRun(task);
+    }
+    isTyping.current = next !== question && document.activeElement instanceof HTMLInputElement;
+    lack(isLast ? open : null);
+    show(next);
+  };
+  return (
+    <form
+      ref={form}
+      className="task-now task-foretell"
+      onSubmit={(event) => {
+        event.preventDefault();
+        goOn();
+      }}
+    >
+      <p id={labelled} className="task-question">
+        {predict.length > 1 && <span className="soft small">{t.predict.question(question + 1, predict.length)}</span>}
+        <b>{words.questions?.[question] ?? t.predict.title}</b>
+      </p>
+      <AskedAnswer
+        key={question}
+        prediction={prediction}
+        put={(next) => setPrediction(question, next)}
+        text={told[question] ?? ""}
+        choices={words.choices?.[question] ?? []}
+        t={t}
+        labelled={labelled}
+      />
+      <p role="status" className="task-lacks">
+        {lacking === question && !isSaid(question) && t.predict.lacks(question + 1, predict.length)}
+      </p>
+      <div className="task-ways">
+        <ShowWorkButton kind={answerKindOf(prediction)} t={t} />
+        {question > 0 && (
+          <button type="button" className="button" onClick={() => show(question - 1)}>
+            {t.predict.back}
+          </button>
+        )}
+        <button type="submit" className="button primary">
+          {isLast ? t.predict.run : t.predict.nextQuestion}
+        </button>
+      </div>
+    </form>
+  );
+}

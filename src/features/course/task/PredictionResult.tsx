@@ -1,0 +1,68 @@
+import type { TaskWords } from "../../../course/task.ts";
+import type { ComparedAnswer } from "../../../course/predicted-answers.ts";
+import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
+import type { Language } from "../../../i18n/languages.ts";
+import { formatNumber } from "../../../i18n/number.ts";
+import { part, type Pt } from "../../../kernel/geometry/point.ts";
+import { Icon } from "../../../app/base/Icon.tsx";
+import { useSettings } from "../../../app/base/settings/settings.ts";
+import { retryPredictions } from "./check.ts";
+import { placeWords } from "./mark-words.ts";
+import { useTaskView } from "./task-view.ts";
+
+/** Decimals of sizes, areas and times next to a predicted value. */
+const DECIMALS = 2;
+
+/**
+ * The prediction and the actual result, in a sentence. The right block is not revealed after a wrong one: the learner
+ * tries again.
+ */
+function comparedText(
+  { prediction, predicted, truth, right }: ComparedAnswer,
+  t: CourseTaskTexts,
+  language: Language,
+  choices: readonly string[],
+) {
+  const { predict: words } = t;
+  const say = (what: string, is: string) => (right ? words.right(is) : words.wrong(what, is));
+  if (truth.kind === "choice") return say(choices[Number(predicted)] ?? "–", choices[truth.right] ?? "");
+  if (truth.kind === "block")
+    return right ? words.right(words.isBlock(String(predicted))) : words.wrongBlock(String(predicted));
+  if (truth.kind === "place") {
+    const name = (place: Pt) => t.where.place(...placeWords(language, place));
+    const said = predicted as Pt;
+    if (!truth.place) return words.doesNotOccur(name(said));
+    if (right) return words.right(name(truth.place));
+    return words.wrongPlace(name(said), name(truth.place), formatNumber(language, part.apart(said, truth.place), 1));
+  }
+  const unit = prediction.ask in words.units ? ` ${words.units[prediction.ask as keyof typeof words.units]}` : "";
+  const number = (value: number | null) => (value === null ? "–" : `${formatNumber(language, value, DECIMALS)}${unit}`);
+  return say(`${formatNumber(language, Number(predicted))}${unit}`, number(truth.value));
+}
+
+/** The predictions and the actual results, while the picture shows the run. */
+export function PredictionResult({ t, words }: { readonly t: CourseTaskTexts; readonly words: TaskWords }) {
+  const language = useSettings((s) => s.language);
+  const foretold = useTaskView((v) => v.comparedAnswers);
+  if (!foretold) return null;
+  return (
+    <div className="task-now task-foretold">
+      <ul>
+        {foretold.map((compared, i) => (
+          <li key={i} className={compared.right ? "task-passed" : "task-failed"}>
+            <Icon name={compared.right ? "check" : "close"} />
+            <span>
+              {foretold.length > 1 && <span className="soft">{words.questions?.[i]} </span>}
+              {comparedText(compared, t, language, words.choices?.[i] ?? [])}
+            </span>
+          </li>
+        ))}
+      </ul>
+      {foretold.some(({ right }) => !right) && (
+        <button type="button" className="button" onClick={retryPredictions}>
+          {t.predict.again}
+        </button>
+      )}
+    </div>
+  );
+}

@@ -1,3 +1,0 @@
-/* Sharing of works, both ways. */
-
-export const fetchHandOnDialog = () => import("./HandOnDialog.tsx");

@@ -1,0 +1,3 @@
+/* Sharing of works, both ways. */
+
+export const fetchShareDialog = () => import("./ShareDialog.tsx");

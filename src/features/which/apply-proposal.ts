@@ -1,0 +1,41 @@
+import type { ShapeRequest } from "../../cycles/shape-request.ts";
+import { cycleByNumber } from "../../cycles/index.ts";
+import { ncLanguageOf, type Language } from "../../i18n/languages.ts";
+import { ncLabels } from "../../i18n/nc-labels.ts";
+import { parse } from "../../nc/parse.ts";
+import { print } from "../../nc/program.ts";
+import { withOperation } from "../../program/edits/added-operation.ts";
+import { requestedText } from "../../program/job/requested-text.ts";
+import type { Proposal } from "../../report/which/ways.ts";
+import { openText } from "../../app/fields/open/open-program.ts";
+import { openPrompt } from "../../app/place/place.ts";
+import { printedText } from "../../app/document/printed.ts";
+import { startWork } from "../../app/records/keep.ts";
+import { outputInUse } from "../../app/document/output.ts";
+import { useEditor } from "../../app/document/store.ts";
+
+/** Applies a proposal: after the operations of the open program, or as a new work. */
+export async function applyProposal(
+  { job }: Proposal,
+  wanted: ShapeRequest,
+  { language, adds }: { readonly language: Language; readonly adds: boolean },
+): Promise<void> {
+  const { job: open, program } = useEditor.getState();
+  const ncLanguage = ncLanguageOf(language),
+    labels = ncLabels(ncLanguage);
+  const made = { ...job, ncLanguage, output: outputInUse() };
+  if (adds && program) {
+    const [{ editProgram, sessionText }, { showFile }] = await Promise.all([
+      import("../../app/fields/blocks/session.ts"),
+      import("../../app/document/shown-file.ts"),
+    ]);
+    showFile(null);
+    return editProgram(withOperation(parse(sessionText() ?? program.text), made, labels), null);
+  }
+  if (adds && open)
+    return openText(print(withOperation(parse(printedText(open)), { ...made, layout: open.layout }, labels)));
+  if (wanted.allowance > 0) return openText(requestedText(made, wanted, labels));
+  startWork(made);
+  const [first] = Object.keys(cycleByNumber(made.cycle)?.params ?? {});
+  if (first !== undefined) openPrompt(first, made.drafts[made.cycle]?.[first] ?? "");
+}

@@ -1,2 +1,0 @@
-/** A copy of a text slice, since a slice keeps the whole source text in memory. */
-export const ownText = (piece: string): string => ` ${piece}`.slice(1);

@@ -1,0 +1,101 @@
+import type { Pt } from "../kernel/geometry/point.ts";
+import { toPlace, type Camera, type Place, type Size } from "./camera.ts";
+import type { VisibleArea } from "./edge-mark.ts";
+import { labelsOverlap, type LabelBox } from "./help/labels.ts";
+
+/**
+ * Distance from a mark to the text beside it, overhang of a text above or below a mark, and vertical distance from a
+ * mark to such a text, pixels.
+ */
+const BESIDE = 12,
+  BEYOND = 10,
+  OFF = 9;
+/** Rows above and below a mark, the best first: at the mark, then clear of its height, then a little farther off. */
+const ROWS = [0, -1, 1, -1.5, 1.5, -2, 2] as const;
+
+/**
+ * What a text should keep clear of: marks on the screen, areas that may be covered in part if need be, and lines of the
+ * part, mm.
+ */
+export interface Obstacles {
+  readonly boxes: readonly LabelBox[];
+  readonly areas: readonly LabelBox[];
+  readonly lines: readonly (readonly Pt[])[];
+}
+
+/**
+ * Candidate places for a text beside a mark at the edge of a picture, the best first: beside the mark, then above and
+ * below it. A text that would overlap the `taken` corner of the picture moves to the left of that corner.
+ */
+export function labelPlaces(
+  mark: Place,
+  { width, height }: Size,
+  room: VisibleArea,
+  taken: LabelBox | null = null,
+): readonly LabelBox[] {
+  const isRight = mark.x > (room.left + room.right) / 2;
+  const beside = isRight ? mark.x - BESIDE - width : mark.x + BESIDE,
+    over = isRight ? mark.x + BEYOND - width : mark.x - BEYOND;
+  return ROWS.flatMap((row) => {
+    const middle = mark.y + row * (height / 2 + OFF),
+      y = Math.max(room.top, Math.min(room.bottom - height, middle - height / 2));
+    // A text that the picture edge pushes back to the height of the mark must not cover the mark.
+    const isOff = y >= mark.y + OFF || y + height <= mark.y - OFF;
+    return (isOff ? [over, beside] : [beside]).map((x) => {
+      const box = { x, y, width, height };
+      return taken && labelsOverlap(box, taken) ? { ...box, x: taken.x - width } : box;
+    });
+  });
+}
+
+/** Whether a line from one place to another goes through a box; all of them in the same space. */
+function goesThrough(from: Pt, to: Pt, low: Pt, high: Pt): boolean {
+  let [enters, leaves] = [0, 1];
+  for (const axis of ["z", "r"] as const) {
+    const way = to[axis] - from[axis],
+      [a, b] = [low[axis] - from[axis], high[axis] - from[axis]];
+    if (way === 0) {
+      if (a > 0 || b < 0) return false;
+      continue;
+    }
+    enters = Math.max(enters, Math.min(a / way, b / way));
+    leaves = Math.min(leaves, Math.max(a / way, b / way));
+  }
+  return enters <= leaves;
+}
+
+/** How many quarters of a text overlap an area, rounded up. */
+function quartersOn(box: LabelBox, area: LabelBox): number {
+  const wide = Math.min(box.x + box.width, area.x + area.width) - Math.max(box.x, area.x);
+  const tall = Math.min(box.y + box.height, area.y + area.height) - Math.max(box.y, area.y);
+  return wide > 0 && tall > 0 ? Math.ceil((4 * wide * tall) / (box.width * box.height)) : 0;
+}
+
+/** The cost of a text in a box: lines through it, areas by the share of the text on them, and other boxes. */
+function covers(box: LabelBox, { boxes, areas, lines }: Obstacles, camera: Camera): number {
+  const [a, b] = [toPlace(camera, box), toPlace(camera, { x: box.x + box.width, y: box.y + box.height })];
+  const low = { z: a.z, r: a.r < b.r ? a.r : b.r },
+    high = { z: b.z, r: a.r < b.r ? b.r : a.r };
+  let count = 0;
+  for (const line of lines) {
+    for (let i = 1; i < line.length; i += 1) if (goesThrough(line[i - 1] as Pt, line[i] as Pt, low, high)) count += 1;
+  }
+  for (const area of areas) count += AREA * quartersOn(box, area);
+  return count + BOX * boxes.filter((other) => labelsOverlap(box, other)).length;
+}
+/** Cost of a quarter of a text on an area, and of a box, in lines. */
+const AREA = 20,
+  BOX = 1000;
+
+/** Index of the place that covers least. The previous place wins a tie, so that a moving text does not jump about. */
+export function leastCovering(places: readonly LabelBox[], busy: Obstacles, camera: Camera, before: number): number {
+  const order = [before, ...places.keys()].filter((i) => i in places);
+  let best = 0,
+    least = Infinity;
+  for (const i of order) {
+    const count = covers(places[i] as LabelBox, busy, camera);
+    if (count < least) [best, least] = [i, count];
+    if (count === 0) break;
+  }
+  return best;
+}

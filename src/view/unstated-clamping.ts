@@ -1,0 +1,36 @@
+import { at, type Pt, type Ring } from "../kernel/geometry/point.ts";
+import type { Bounds } from "./camera.ts";
+
+/**
+ * The rear end of a blank with the drawing symbol for clamping: a plane with short lines behind it, without any
+ * clamping device.
+ */
+export interface UnstatedClamping {
+  /** The plane, from the axis or the bore to the outside. */
+  readonly plane: readonly [Pt, Pt];
+  readonly hatch: readonly (readonly [Pt, Pt])[];
+}
+
+/** Length of the short lines as a share of the radius, and its limits, mm. */
+const LINES = { share: 0.18, least: 1, most: 12 } as const;
+
+/** The plane at the rear end of a blank whose clamping is not stated. */
+export function unstatedClamping(blank: readonly Ring[], { left, high }: Bounds): UnstatedClamping {
+  const low = Math.min(
+    high,
+    ...blank
+      .flat()
+      .filter(({ z }) => z === left)
+      .map(({ r }) => r),
+  );
+  const long = Math.min(LINES.most, Math.max(LINES.least, high * LINES.share)),
+    count = Math.max(2, Math.round((high - low) / long));
+  const apart = (high - low) / count;
+  return {
+    plane: [at(left, low), at(left, high)],
+    hatch: Array.from({ length: count }, (_, i) => {
+      const r = low + (i + 1) * apart;
+      return [at(left, r), at(left - apart, r - apart)] as const;
+    }),
+  };
+}
