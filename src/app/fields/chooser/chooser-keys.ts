@@ -3,7 +3,10 @@ import type { KeyboardEvent } from "react";
 const ROW = ".cycle-take";
 const isText = (key: string) => key.length === 1 && key !== " " && key !== "?";
 
-/** The nearest element in a direction; at the same height the one most nearly aligned. */
+/** Elements whose edges differ by less than this stand in one line, px. */
+const SAME_LINE = 24;
+
+/** The element of the nearest line in a direction that is most nearly aligned. */
 function nearest(from: DOMRect, all: readonly HTMLElement[], down: boolean): HTMLElement | undefined {
   const far = (box: DOMRect) => (down ? box.top - from.bottom : from.top - box.bottom);
   const aside = (box: DOMRect) => Math.abs(box.left - from.left);
@@ -11,7 +14,9 @@ function nearest(from: DOMRect, all: readonly HTMLElement[], down: boolean): HTM
   const beyond = all
     .map((element) => [element, element.getBoundingClientRect()] as const)
     .filter(([, box]) => far(box) > -2);
-  const [best] = beyond.sort(([, a], [, b]) => Math.round(far(a) - far(b)) || aside(a) - aside(b));
+  const nearestLine = Math.min(...beyond.map(([, box]) => far(box)));
+  const line = beyond.filter(([, box]) => far(box) < nearestLine + SAME_LINE);
+  const [best] = line.sort(([, a], [, b]) => aside(a) - aside(b));
   return best?.[0];
 }
 
