@@ -22,6 +22,9 @@ export function formatNumber(language: Language, value: number, decimals = 3): s
 export const formatFixed = (language: Language, value: number, decimals: number): string =>
   sign(language, fixed(value, decimals));
 
+/** The same text with a minus sign as wide as a plus, for print. */
+export const withPrintedMinus = (text: string): string => text.replace(/^-/, "−");
+
 /** As the control shows positions: sign and three decimals: +25.400. */
 export function formatPosition(language: Language, value: number, decimals = 3): string {
   const text = fixed(value, decimals);

@@ -16,6 +16,7 @@ import { programIssue } from "../program/state/issue.ts";
 import { timesOf, type Times } from "../program/run/run-times.ts";
 import type { Operation, Run, RunFinding, Timing } from "../program/state/run-types.ts";
 import { stockIssues } from "../sim/issues.ts";
+import { LEAST_RESIDUAL } from "../sim/residual.ts";
 import type { Simulation, Verdict } from "../sim/simulation.ts";
 import { FIXED_BY_TOOL, toolSuggester } from "./offered-tool.ts";
 import { joinPlaces, operationKey } from "./places.ts";
@@ -106,8 +107,6 @@ export interface ReportTime extends Times, Omit<Timing, "beside" | "turning"> {}
 
 /** Arcs of a reported contour stay this near to their circle: 1 µm. */
 const CONTOUR_CHORD = 0.001;
-/** Smaller residues are not reported, mm². */
-const LEAST_RESIDUAL = 0.01;
 
 const pointOf = (p: Pt): ReportPoint => [p.z, p.r];
 const ringOf = (ring: readonly Pt[]): ReportRing => ring.map(pointOf);

@@ -2,6 +2,7 @@ import { create, type StoreApi, type UseBoundStore } from "zustand";
 import { z } from "zod/mini";
 import { jsonOf, storedText } from "./storage.ts";
 import { isSameData } from "./same.ts";
+import { TYPING } from "./waits.ts";
 
 /** A stored value. `trouble`: the stored data could not be read and were set aside, or the device refuses changes. */
 export interface Recorded<T> {
@@ -59,9 +60,6 @@ const undone: AnyRecord[] = [];
 
 /** The records whose steps of undo survive a reload. */
 export const undoneRecords = (): readonly AnyRecord[] => undone;
-
-/** Debounce before writing, ms. */
-const REST = 80;
 
 const versioned = z.object({ version: z.int() });
 
@@ -129,7 +127,7 @@ function keep<T>(
     if (!text.set(isSame(value, first) ? null : JSON.stringify(write(value)))) say("notKept");
   };
   use.subscribe(() => {
-    timer ??= setTimeout(writeNow, REST);
+    timer ??= setTimeout(writeNow, TYPING.keep);
   });
   text.follow((kept) => {
     takeOver(kept);

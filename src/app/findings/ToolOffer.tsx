@@ -1,14 +1,12 @@
 import { useEffect, useState } from "react";
 import type { ToolFit } from "../../program/tools/which-tool.ts";
 import { FIXED_BY_TOOL } from "../../report/offered-tool.ts";
+import { CALCULATING } from "../base/waits.ts";
 import { fitsOfCall } from "../calculation/tool-questions.ts";
 import { useOutcome } from "../calculation/outcome.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import type { FindingEntry } from "./entry.ts";
 import type { FindingsHost } from "./host.ts";
-
-/** Debounce before tools are tried, ms: it costs a plan per tool. */
-const REST = 120;
 
 /** A tool of the table that can make the contour if the chosen one cannot; it is tried before it is offered. */
 export function ToolOffer({ entry, host }: { readonly entry: FindingEntry; readonly host: FindingsHost }) {
@@ -24,7 +22,7 @@ export function ToolOffer({ entry, host }: { readonly entry: FindingEntry; reado
       void fitsOfCall(operation).then((fits) => {
         if (!gone) offer(fits?.find((f) => f.makesContour) ?? null);
       });
-    }, REST);
+    }, CALCULATING.otherTools);
     return () => {
       gone = true;
       clearTimeout(timer);

@@ -2,7 +2,7 @@ import { wayOf } from "../../kernel/plane/mill-motion.ts";
 import { partPoint, plane, type PlanePoint, type PlaneSegment } from "../../kernel/plane/plane.ts";
 import type { Pt, Ring } from "../../kernel/geometry/point.ts";
 import { axial, diameter, radius, toDiameter, toRadius } from "../../kernel/units.ts";
-import type { RunFinding as RunFinding, Run } from "../../program/state/run-types.ts";
+import type { RunFinding, Run } from "../../program/state/run-types.ts";
 import type { ProofIssue } from "../../sim/causes.ts";
 import type { AnyFinding, Simulation } from "../../sim/simulation.ts";
 import type { Bounds } from "../../view/camera.ts";

@@ -1,12 +1,10 @@
 import { useEffect } from "react";
+import { CALCULATING } from "../../app/base/waits.ts";
 import { loadRequestOf } from "../../app/calculation/load-request.ts";
 import type { Outcome } from "../../app/calculation/outcome.ts";
 import { askAgain } from "../../app/calculation/worker-life.ts";
 import { useMeasuredLoad } from "../../app/pictures/load/load-store.ts";
 import type { LoadQuantity } from "../../app/pictures/load/use-load.ts";
-
-/** Debounce before the measurement, ms: while a slider moves, the path comes first. */
-const REST = 120;
 
 /** Requests the measurement for the colour map of a run: its surface, or the load on the tool. */
 export function useLessonLoad(outcome: Outcome | null, of: LoadQuantity | null): void {
@@ -29,7 +27,7 @@ export function useLessonLoad(outcome: Outcome | null, of: LoadQuantity | null):
         put({ failed: true });
       }
     };
-    const timer = setTimeout(() => void measure(), REST);
+    const timer = setTimeout(() => void measure(), CALCULATING.otherTools);
     return () => {
       gone = true;
       clearTimeout(timer);

@@ -17,12 +17,10 @@ import { linkOf } from "../../app/records/link.ts";
 import { packWork, packedFile, type Packed } from "./pack.ts";
 import { QrCode } from "./QrCode.tsx";
 import { LONGEST_QR } from "./qr.ts";
-import { isLocalAddress } from "../../app/records/local-address.ts";
+import { isLocalAddress, pageAddress } from "../../app/records/local-address.ts";
 import { canShare, share } from "./share-sheet.ts";
 import { WorkFacts } from "./WorkFacts.tsx";
 import "./share.css";
-
-const pageAddress = () => location.href.replace(/[?#].*$/, "");
 
 interface PackedWithLink extends Packed {
   /** Empty if it would be longer than browsers open. */

@@ -1,5 +1,5 @@
 import type { Lengths } from "../../i18n/lengths.ts";
-import { formatFixed, formatNumber } from "../../i18n/number.ts";
+import { formatFixed, formatNumber, withPrintedMinus } from "../../i18n/number.ts";
 import type { SheetTexts } from "../../i18n/en/sheet.ts";
 import type { Texts } from "../../i18n/index.ts";
 import type { Spindle } from "../../kernel/time/step.ts";
@@ -24,15 +24,12 @@ export interface SheetWords extends DrawingWords {
   readonly spindle: (spindle: Spindle | null) => string;
 }
 
-/** A minus sign with the width of a plus. */
-const typeset = (text: string): string => text.replace(/^-/, "−");
-
 /** The formats of the sheet. */
 export function sheetWords(t: Texts, own: SheetTexts, lengths: Lengths): SheetWords {
   const { language } = lengths;
-  const number = (value: number) => typeset(formatNumber(language, value));
-  const length = (mm: number) => typeset(lengths.number(mm));
-  const signed = (mm: number) => (lengths.number(mm) === "0" ? "0" : typeset(lengths.signed(mm)));
+  const number = (value: number) => withPrintedMinus(formatNumber(language, value));
+  const length = (mm: number) => withPrintedMinus(lengths.number(mm));
+  const signed = (mm: number) => (lengths.number(mm) === "0" ? "0" : withPrintedMinus(lengths.signed(mm)));
   const diameter = (value: Diameter) => `⌀${length(value)}`;
   const unitOf = { "mm/rev": t.lathe.perTurn, "mm/min": t.lathe.perMinute, lead: own.lead } as const;
   const rpm = (speed: number) => `${number(speed)} ${t.lathe.rpm}`;

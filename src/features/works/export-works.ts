@@ -1,4 +1,5 @@
 import { time } from "../../app/base/clock.ts";
+import { dayText } from "../../app/base/clock-text.ts";
 import { downloadBytes } from "../../app/base/download.ts";
 import { ARCHIVE_LIMITS, writeArchive, type ArchivedWork } from "../../app/records/archive.ts";
 import { findWorks, readWork } from "../../app/records/device.ts";
@@ -30,12 +31,9 @@ function splitIntoFiles(works: readonly string[], sizes: ReadonlyMap<string, num
   return files;
 }
 
-const two = (n: number) => String(n).padStart(2, "0");
-
 /** Name of a backup file, with the day. */
 function fileName(part: number, of: number): string {
-  const now = new Date(time());
-  const day = `${now.getFullYear()}-${two(now.getMonth() + 1)}-${two(now.getDate())}`;
+  const day = dayText(new Date(time()));
   return `turnwise-${day}${of > 1 ? `-${part}-${of}` : ""}.zip`;
 }
 

@@ -1,3 +1,4 @@
+import { METRIC } from "../contour/metric-thread.ts";
 import type { Convex } from "../reach/convex.ts";
 import type { Flat } from "../geometry/flat.ts";
 import { DRILL_TYPES, type Tool } from "../plan/tool.ts";
@@ -23,8 +24,6 @@ export function depthAtRadius(t: Tool, radius: number): number | null {
   return angle > 0 && angle < FLAT ? radius / Math.tan(radians(angle) / 2) : null;
 }
 
-/** Distance from the thread of a bore to its core, in pitches: the height of the internal thread by the standard. */
-const CORE = 0.5413;
 /** A core may be this much narrower, mm: the tolerance of the pilot drill. */
 const NARROWER = 0.05;
 /** Least radius of a core as a share of the tap's radius, also for a tap without a pitch. */
@@ -37,7 +36,7 @@ export function holeOf(t: Tool, pitch: number = t.PITCH ?? 0): NeededHole | null
   if (t.TYPE !== "TAP" && pitch === 0) return null;
   const r = t.R ?? 0;
   const narrowest = NARROWEST * r;
-  const least = pitch > 0 ? Math.max(narrowest, r - CORE * pitch - NARROWER) : narrowest;
+  const least = pitch > 0 ? Math.max(narrowest, r - METRIC.inside * pitch - NARROWER) : narrowest;
   // The trade drills the nominal diameter less the pitch.
   return { radius: length(least), drill: length(pitch > 0 ? Math.max(least, r - HALF_PITCH * pitch) : least) };
 }

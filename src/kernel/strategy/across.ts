@@ -3,15 +3,13 @@ import { boxAround, inBox } from "../area/box.ts";
 import { intersection } from "../area/clip.ts";
 import { holderOutlines, hullOf } from "../cutter/holder.ts";
 import { insertOutline } from "../cutter/insert.ts";
+import { REAL_AREA } from "../area/real-area.ts";
 import { issue, type Issue } from "../plan/issue.ts";
 import type { Move } from "../plan/move.ts";
 import type { Plan, PlanContext } from "../plan/plan.ts";
 import { at, part, type Pt, type Ring } from "../geometry/point.ts";
 import { CHORD, SAME } from "../tolerance.ts";
 import { radius, rounded, toDiameter } from "../units.ts";
-
-/** Areas below this are the chords of two curves that touch, mm². */
-const REAL = 0.01;
 
 /**
  * The part of an insert beyond the axis while its tip is at a distance of `r`: its range of z from the tip, and its
@@ -79,7 +77,7 @@ export function withAxisCheck(plan: Plan, setting: PlanContext, role: "startU" |
     from = to;
     if (!across) continue;
     const near = inBox([plan.part], { left: left + across.from, right: right + across.to, low: 0, high: across.reach });
-    if (areaOf(near) < REAL || areaOf(intersection(sweptAcross(outline, ...way), near)) < REAL) continue;
+    if (areaOf(near) < REAL_AREA || areaOf(intersection(sweptAcross(outline, ...way), near)) < REAL_AREA) continue;
     const free = Math.min(...plan.contour.flatMap((s) => [s.from.r, s.to.r]));
     const x = wholeAbove(toDiameter(radius(-lowest - free)));
     return withoutPath(

@@ -1,10 +1,7 @@
 import type { CourseDrawingTexts } from "../../../i18n/en/course-drawing.ts";
 import type { Language } from "../../../i18n/languages.ts";
-import { formatNumber, formatSigned } from "../../../i18n/number.ts";
+import { formatNumber, formatSigned, withPrintedMinus } from "../../../i18n/number.ts";
 import type { PrintWords } from "../../../view/drawing/print-sizes.ts";
-
-/** A minus sign with the width of a plus. */
-const typeset = (text: string): string => text.replace(/^-/, "−");
 
 /** Numbers of a workshop drawing in a language. */
 export function printWords(t: CourseDrawingTexts, language: Language): PrintWords {
@@ -12,8 +9,8 @@ export function printWords(t: CourseDrawingTexts, language: Language): PrintWord
   return {
     diameter: (value) => `⌀${number(value)}`,
     length: number,
-    position: (value) => typeset(number(value)),
-    deviation: (value) => (value === 0 ? "0" : typeset(formatSigned(language, value))),
+    position: (value) => withPrintedMinus(number(value)),
+    deviation: (value) => (value === 0 ? "0" : withPrintedMinus(formatSigned(language, value))),
     both: (value) => `±${number(Math.abs(value))}`,
     radius: (value) => t.radius(number(value)),
     // The axial value on a cone is slightly less than the given one, so hundredths are shown.

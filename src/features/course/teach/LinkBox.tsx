@@ -1,15 +1,12 @@
 import { formatNumber } from "../../../i18n/number.ts";
 import { LONGEST_LINK, SAFE_LINK } from "../../../app/base/limits.ts";
-import { isLocalAddress } from "../../../app/records/local-address.ts";
+import { isLocalAddress, pageAddress } from "../../../app/records/local-address.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { Message } from "../../../app/base/Message.tsx";
 import { copyText, useCopying } from "../../../app/findings/copy.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import "../../../app/base/modal.css";
-
-/** The address of this page, without the fragment. */
-export const pageAddress = (): string => location.href.replace(/[?#].*$/, "");
 
 /** A link to copy, with a warning if it may not open elsewhere. */
 export function LinkBox({ link, copies }: { readonly link: string; readonly copies?: () => void }) {

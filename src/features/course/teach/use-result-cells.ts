@@ -1,15 +1,15 @@
 import { formatNumber } from "../../../i18n/number.ts";
+import { dayText, timeText } from "../../../app/base/clock-text.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import type { RerunOutcome, ResultColumn, ResultRow } from "../../../app/records/course/result-rows.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
 const MINUTE = 60;
-const two = (n: number): string => String(n).padStart(2, "0");
 
 /** Local day and time as spreadsheets of any language read them: 2026-11-23 14:05. */
 function sheetDay(made: number): string {
   const day = new Date(made);
-  return `${day.getFullYear()}-${two(day.getMonth() + 1)}-${two(day.getDate())} ${two(day.getHours())}:${two(day.getMinutes())}`;
+  return `${dayText(day)} ${timeText(day)}`;
 }
 
 /** The texts of result cells, on the screen and in the export. */
