@@ -25,12 +25,15 @@ const boxOf = (width: number, top: number, bottom: number): Place[] => [
   { x: 0, y: bottom },
 ];
 
+/** Units of the page in a rem. */
+const REM = 16;
+
 /** The points inside an odd number of areas, each area closed back to its first place and to that of the first area. */
 function inOne(areas: readonly (readonly Place[])[]): string {
   const [first] = areas[0] ?? [],
     round = areas.flatMap((area) => [...area, ...area.slice(0, 1), ...(first ? [first] : [])]);
-  const n = (v: number) => Math.round(v * 10) / 10;
-  return `polygon(evenodd, ${round.map(({ x, y }) => `${n(x)}px ${n(y)}px`).join(", ")})`;
+  const n = (v: number) => `${Math.round(v * 10) / 10 / REM}rem`;
+  return `polygon(evenodd, ${round.map(({ x, y }) => `${n(x)} ${n(y)}`).join(", ")})`;
 }
 
 /**

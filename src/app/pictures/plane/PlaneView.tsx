@@ -47,6 +47,7 @@ import "../help/help.css";
 import "../lathe/lathe.css";
 import "./approach.css";
 import { Outdated } from "../lathe/Outdated.tsx";
+import { pageLength } from "../../base/unit.ts";
 
 const NO_TIP = { x: 0, y: 0 };
 
@@ -158,7 +159,7 @@ export function PlaneView({
             <ul className="lathe-legend small" aria-label={t.legend}>
               {there.map((role) => (
                 <li key={role}>
-                  <svg width="26" height="8" aria-hidden="true">
+                  <svg width={pageLength(26)} height={pageLength(8)} viewBox="0 0 26 8" aria-hidden="true">
                     <path className={`plane-${role}`} d="M1 4H25" />
                   </svg>
                   {lines[role]}
