@@ -16,9 +16,9 @@ const work = silhouetteOf([
 function shows(clip: string, { x, y }: Place): boolean {
   const corners = clip
     .replace("polygon(evenodd, ", "")
-    .replaceAll(/rem|[)]/g, "")
+    .replaceAll(/px|[)]/g, "")
     .split(", ")
-    .map((pair) => pair.split(" ").map((rem) => 16 * Number(rem)));
+    .map((pair) => pair.split(" ").map(Number));
   return (
     corners.filter(([x0 = 0, y0 = 0], i) => {
       const [x1 = 0, y1 = 0] = corners[(i + 1) % corners.length] ?? [];

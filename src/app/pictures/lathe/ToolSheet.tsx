@@ -90,7 +90,7 @@ function CoveredTool({
     other = useRef<HTMLDivElement>(null);
   useEffect(() => {
     const look = () => {
-      const windows = windowsOf(section, viewport.get(), viewport.size(), silhouette);
+      const windows = windowsOf(section, viewport.get(), viewport.size(), silhouette, pageLength);
       if (seen.current) seen.current.style.clipPath = windows?.seen ?? "";
       if (!other.current) return;
       other.current.style.clipPath = windows?.other ?? "";
