@@ -11,7 +11,7 @@ test("a milled program shows its plane; its approach is edited by prompt, by dra
   await expect(page.getByRole("region", { name: t.approach.view })).toBeVisible();
   await editor.line("APPR LT").click();
   await editor.show("block");
-  await expect(page.getByRole("img", { name: /PH at X−5 Y−5, PA at X−5 Y\+5/ })).toBeVisible();
+  await expect(page.getByRole("img", { name: /PH at X−5 Y−5, PA at X\+5 Y\+5/ })).toBeVisible();
   await page.getByRole("button", { name: /^LEN length/ }).click();
   await page.keyboard.type("15");
   await expect(page.getByRole("img", { name: /PH at X−5 Y−10/ })).toBeVisible();

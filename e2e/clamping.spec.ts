@@ -42,7 +42,7 @@ test("clamping of a work: set, drawn to scale, collision at its block, corrected
   const steel = await spot(turnwise, -82, 92);
   expect(await spot(turnwise, -76, 92)).toBe(steel);
   expect(await spot(turnwise, -74, 92)).not.toBe(steel);
-  expect(await spot(turnwise, -64, 104)).not.toBe(steel);
+  expect(await spot(turnwise, -64, 92)).not.toBe(steel);
 
   // The tailstock switch precedes its fields, and these precede the limits.
   await clamping.tailstock.check();
@@ -55,7 +55,7 @@ test("clamping of a work: set, drawn to scale, collision at its block, corrected
   await clamping.field("FACE").fill("-50");
   await clamping.field("LENGTH").fill("50");
   await expect(effect.cell("proof")).not.toHaveText(provedIn(t));
-  await expect.poll(() => spot(turnwise, -64, 104)).toBe(steel);
+  await expect.poll(() => spot(turnwise, -64, 92)).toBe(steel);
   await turnwise.show("findings");
   const contact = findings.items.filter({ hasText: CONTACT });
   await expect(contact).toContainText("block 10");

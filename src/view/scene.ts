@@ -37,6 +37,8 @@ export interface SceneParts {
   readonly sketch?: readonly Segment[];
   /** Further points that must be visible. */
   readonly framedPoints?: readonly Pt[];
+  /** The box round all contacts of the tool with the clamping, which must be drawn there. */
+  readonly contacts?: Bounds | null;
   /** Position of a tool before there is a path, and the tool. */
   readonly parkedTool?: { readonly at: Pt; readonly tool: Tool | null } | null;
 }
@@ -154,12 +156,13 @@ export function sceneOf({
   sketch = [],
   framedPoints = [],
   parkedTool = null,
+  contacts = null,
 }: SceneParts): Scene {
   const material = boundsOf(blank.flat());
   const all = ways ?? tipWays(steps),
     low = all.reduce((least, way) => Math.min(least, way.low), 0);
   const outline = boundsOf([...contours, sketch].flatMap((c) => [...pointsOf(c)]).concat(framedPoints));
-  const chuck = material ? chuckDrawing(blank, material, clamping) : null;
+  const chuck = material ? chuckDrawing(blank, material, clamping, contacts) : null;
   const shapes: Shape[] = [];
   if (blank.length > 0) shapes.push({ role: "blank", d: ringData(blank) });
   if (sketch.length > 0) shapes.push({ role: "sketch", d: segmentData(sketch) });
@@ -171,7 +174,7 @@ export function sceneOf({
   const seen =
     joined(joined(material, joined(joined(workingBox(framed(all), most), standing), outline)), chuck?.seen ?? null) ??
     EMPTY;
-  // The other half of the work is below the axis.
-  const axis = { ...seen, low: Math.min(low, -(material?.high ?? 0)) };
+  // The other half of work and clamping is below the axis.
+  const axis = { ...seen, low: Math.min(low, -Math.max(material?.high ?? 0, chuck?.seen.high ?? 0)) };
   return { shapes, chuck, bounds: grownBounds(axis, AIR * Math.max(axis.right - axis.left, axis.high - axis.low)) };
 }

@@ -22,5 +22,21 @@ const unitAfter = rememberingLast((_changes: number): number => {
  */
 export const pageUnit = (): number => (typeof document === "undefined" ? 1 : unitAfter(letters.count()));
 
+/** A length of a drawing, units of the page, as a style. */
+export const pageLength = (units: number): string => `${units / WRITTEN_FOR}rem`;
+
+/** A place on the page, CSS pixels, in units of the page from the upper left corner of an element. */
+export function placeIn(element: Element, { clientX, clientY }: Pick<MouseEvent, "clientX" | "clientY">) {
+  const { left, top } = element.getBoundingClientRect(),
+    unit = pageUnit();
+  return { x: (clientX - left) / unit, y: (clientY - top) / unit };
+}
+
+/** The inner size of an element, units of the page. */
+export function sizeOf({ clientWidth, clientHeight }: Element) {
+  const unit = pageUnit();
+  return { width: clientWidth / unit, height: clientHeight / unit };
+}
+
 /** The same as a hook, for drawings in pixels that scale with the page. */
 export const usePageUnit = (): number => useSyncExternalStore(letters.subscribe, pageUnit, () => 1);

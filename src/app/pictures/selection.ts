@@ -3,6 +3,7 @@ import { part, type Segment } from "../../kernel/geometry/point.ts";
 import type { ContourRow } from "../../program/job/job.ts";
 import { choiceOf, markedBy, type Marked, type MoveSpan, type PathChoice } from "../../program/run/path-index.ts";
 import { choiceOfMilled, milledBy, planeBegin } from "../../program/run/plane-index.ts";
+import type { ApproachRun } from "../../program/tools/plane-types.ts";
 import type { Run } from "../../program/state/run-types.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import { showChoice } from "./plane/shown-view.ts";
@@ -65,6 +66,18 @@ export function elementNear(rows: readonly ContourRow[], place: Segment["from"],
   const far = segments.map((segment) => part.distanceTo(segment, place));
   const nearest = Math.min(Infinity, ...far);
   return nearest > reach ? null : (rows[rowOfSegment[far.indexOf(nearest)] ?? -1]?.id ?? null);
+}
+
+/** The approaches and departures of the chosen blocks. */
+export function useChosenApproaches(approaches: readonly ApproachRun[]): readonly ApproachRun[] {
+  const choice = useSelection((s) => s.choice);
+  return useMemo(
+    () =>
+      choice?.kind === "blocks"
+        ? approaches.filter(({ index }) => index >= choice.span.from && index <= choice.span.to)
+        : [],
+    [choice, approaches],
+  );
 }
 
 const NO_MOTIONS: readonly MoveSpan[] = [];

@@ -10,6 +10,7 @@ import { WORKPIECE_ZERO } from "../../view/datum.ts";
 import type { ContourPicture } from "../../view/help/contour-drawing.ts";
 import { NumberInput } from "../../app/fields/number/NumberInput.tsx";
 import { SCALE_BELOW, SCALE_LEFT } from "../../app/pictures/lathe/Axes.tsx";
+import { pageLength } from "../../app/base/unit.ts";
 import { useFingers } from "../../app/base/use-media.ts";
 import { drawnDimensions, type DrawnDimension } from "./drawing-dimensions.ts";
 
@@ -31,8 +32,6 @@ const TARGET = { mouse: { width: 40, height: 22 }, fingers: { width: 56, height:
 const SCALES = { left: SCALE_LEFT, below: SCALE_BELOW };
 /** Distance of the texts from the contour, pixels. */
 const BESIDE = { right: 36, below: 24 } as const;
-/** Root font size that the drawing is designed for, pixels. */
-const ROOT_SIZE = 16;
 /** Least width of a field, pixels. */
 const FIELD = 108;
 
@@ -142,13 +141,11 @@ function freeOf({ avoid, points, camera }: ContourPicture): Place {
   return { x: Math.max(...all.map((p) => p.x)) + BESIDE.right, y: Math.max(...all.map((p) => p.y)) + BESIDE.below };
 }
 
-/** A length of the drawing in rem, so that it grows with the font size. */
-const grown = (units: number) => `${units / ROOT_SIZE}rem`;
 const styleOf = ({ box }: PlacedDimension) => ({
-  left: grown(box.x),
-  top: grown(box.y),
-  width: grown(box.width),
-  height: grown(box.height),
+  left: pageLength(box.x),
+  top: pageLength(box.y),
+  width: pageLength(box.width),
+  height: pageLength(box.height),
 });
 
 /** A dimension being typed: Enter or leaving applies it, Escape cancels. */
@@ -195,7 +192,7 @@ function DimensionField({
       onText={setText}
       sums={false}
       aria-label={name}
-      style={{ left: grown(left), top: grown(at.box.y + at.box.height / 2), width: grown(width) }}
+      style={{ left: pageLength(left), top: pageLength(at.box.y + at.box.height / 2), width: pageLength(width) }}
       onKeyDown={onKey}
       onLeave={() => take(text, false)}
     />

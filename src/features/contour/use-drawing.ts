@@ -1,4 +1,4 @@
-import { pageUnit } from "../../app/base/unit.ts";
+import { placeIn } from "../../app/base/unit.ts";
 import { useEffect, useRef, useState, type MouseEvent, type PointerEvent } from "react";
 import { part, type Pt } from "../../kernel/geometry/point.ts";
 import { axial, diameter, radius, toDiameter, toRadius } from "../../kernel/units.ts";
@@ -59,11 +59,7 @@ interface Gesture {
 }
 
 const distance = (a: Place, b: Place) => Math.hypot(a.x - b.x, a.y - b.y);
-const placeOf = (e: MouseEvent<SVGSVGElement>): Place => {
-  const box = e.currentTarget.getBoundingClientRect();
-  const unit = pageUnit();
-  return { x: (e.clientX - box.left) / unit, y: (e.clientY - box.top) / unit };
-};
+const placeOf = (e: MouseEvent<SVGSVGElement>): Place => placeIn(e.currentTarget, e);
 const rowUnder = (e: { target: EventTarget }): number | null => {
   const row = e.target instanceof Element ? e.target.closest("[data-row]")?.getAttribute("data-row") : null;
   return row === null || row === undefined ? null : Number(row);

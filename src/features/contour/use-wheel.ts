@@ -1,6 +1,6 @@
 import { useEffect, useEffectEvent, type RefObject } from "react";
 import type { Place } from "../../view/camera.ts";
-import { pageUnit } from "../../app/base/unit.ts";
+import { placeIn } from "../../app/base/unit.ts";
 
 /** Zoom per wheel pixel, and pixels of one line. */
 const WHEEL = 0.0015,
@@ -9,12 +9,7 @@ const WHEEL = 0.0015,
 /** The wheel zooms about the pointer. Uses a native listener, since the page must not scroll along. */
 export function useWheel(element: RefObject<HTMLElement | null>, zoom: (factor: number, at: Place) => void): void {
   const turned = useEffectEvent((e: WheelEvent, node: HTMLElement) => {
-    const box = node.getBoundingClientRect(),
-      unit = pageUnit();
-    zoom(Math.exp(-e.deltaY * (e.deltaMode === 1 ? LINE : 1) * WHEEL), {
-      x: (e.clientX - box.left) / unit,
-      y: (e.clientY - box.top) / unit,
-    });
+    zoom(Math.exp(-e.deltaY * (e.deltaMode === 1 ? LINE : 1) * WHEEL), placeIn(node, e));
   });
   useEffect(() => {
     const node = element.current;

@@ -27,6 +27,7 @@ import { reducedMotion } from "../../app/base/settings/appearance.ts";
 import { CountedIn, useLengths } from "../../app/calculation/lengths.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
+import { sizeOf, usePageUnit } from "../../app/base/unit.ts";
 import { LessonBar } from "./LessonBar.tsx";
 import { LessonFacts } from "./LessonFacts.tsx";
 import { useLessonPlaces } from "./use-lesson-places.ts";
@@ -48,19 +49,20 @@ const NOTHING: readonly Ring[] = [];
 
 /** The size of the picture's element sets the size of the viewport. */
 function useViewportSize(viewport: Viewport) {
-  const stage = useRef<HTMLDivElement>(null);
+  const stage = useRef<HTMLDivElement>(null),
+    unit = usePageUnit();
   useEffect(() => {
     const element = stage.current;
     if (!element) return undefined;
     const measure = () => {
-      const { clientWidth: width, clientHeight: height } = element;
-      if (width > 0 && height > 0) viewport.setSize({ width, height });
+      const size = sizeOf(element);
+      if (size.width > 0 && size.height > 0) viewport.setSize(size);
     };
     measure();
     const sizes = new ResizeObserver(measure);
     sizes.observe(element);
     return () => sizes.disconnect();
-  }, [viewport]);
+  }, [viewport, unit]);
   return stage;
 }
 

@@ -1,4 +1,5 @@
 import { useId, useMemo } from "react";
+import { pointText } from "../../view/approach/points.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import type { PointName } from "../../kernel/plane/approach.ts";
 import { compensate } from "../../kernel/plane/compensate.ts";
@@ -108,8 +109,9 @@ function FormValue({ word, form, source, frame, size }: CardProps) {
   const named = isPolar(source.form) ? namedAt(form, source.context) : null;
   const text = formatNumber(language, value);
   const way = result.legs.reduce((sum, { segment }) => sum + plane.lengthOf(segment), 0);
-  const points = Object.entries(result.points)
-    .map(([name, at]) => words.point(name, speech.point(at)))
+  const points = drawing.points
+    .filter(({ names }) => names.length > 0)
+    .map((p) => words.point(p.names.join(" = "), pointText(p, speech)))
     .join(", ");
   const [issue] = result.issues;
   return (

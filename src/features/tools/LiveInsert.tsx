@@ -1,4 +1,5 @@
 import { useMemo, useState } from "react";
+import { pageLength } from "../../app/base/unit.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import { insertOutline } from "../../kernel/cutter/insert.ts";
 import { CHORD, ROUND, SAME } from "../../kernel/tolerance.ts";
@@ -58,7 +59,7 @@ export function LiveInsert({
       <InsertDrawing tool={tool} width={WIDTH} height={HEIGHT} span={measured.span} whole />
       <figcaption className="small">
         <span className="scale-bar number">
-          <i style={{ width: `${pixels}px` }} /> {t.scale(number(measured.bar, 3))}
+          <i style={{ width: pageLength(pixels) }} /> {t.scale(number(measured.bar, 3))}
         </span>
         <span className="soft number">{t.size(number(measured.width, 2), number(measured.height, 2))}</span>
         {!now && (

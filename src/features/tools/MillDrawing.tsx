@@ -6,6 +6,7 @@ import type { MillTool } from "../../program/tools/tool-entry.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { scaleLengthFor } from "./LiveInsert.tsx";
+import { pageLength } from "../../app/base/unit.ts";
 
 /** Edges of the drawing, px. */
 const WIDTH = 176;
@@ -90,8 +91,8 @@ export function MillDrawing({ mill }: { readonly mill: MillTool | null }) {
     <figure className="live-insert" aria-label={t.millDrawing}>
       <svg
         className="insert-drawing"
-        width={WIDTH}
-        height={HEIGHT}
+        width={pageLength(WIDTH)}
+        height={pageLength(HEIGHT)}
         viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
         aria-hidden="true"
       >
@@ -99,7 +100,7 @@ export function MillDrawing({ mill }: { readonly mill: MillTool | null }) {
       </svg>
       <figcaption className="small">
         <span className="scale-bar number">
-          <i style={{ width: `${bar * scale}px` }} /> {t.scale(number(bar))}
+          <i style={{ width: pageLength(bar * scale) }} /> {t.scale(number(bar))}
         </span>
         <span className="soft number">
           ⌀ {t.scale(number(side.across))}

@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { approach } from "../../kernel/plane/approach.ts";
 import { compensate } from "../../kernel/plane/compensate.ts";
-import type { PlaneSegment } from "../../kernel/plane/plane.ts";
+import type { PlanePoint, PlaneSegment } from "../../kernel/plane/plane.ts";
 import { depthStrip, stripAt } from "./depth.ts";
 import { dragged } from "./drag.ts";
 import { approachDrawing } from "./drawing.ts";
@@ -21,9 +21,11 @@ const contour = corners.slice(1).map(([x, y], i): PlaneSegment => ({
   from: { x: corners[i]?.[0] ?? 0, y: corners[i]?.[1] ?? 0 },
   to: { x, y },
 }));
+const coordinates = (p: PlanePoint) => `X${Math.round(p.x * 1000) / 1000} Y${Math.round(p.y * 1000) / 1000}`;
 const speech = {
   number: (n: number) => String(Math.round(n * 1000) / 1000),
-  point: (p: { x: number; y: number }) => `X${Math.round(p.x * 1000) / 1000} Y${Math.round(p.y * 1000) / 1000}`,
+  point: coordinates,
+  contour: coordinates,
 };
 const forms = [false, true].flatMap((departing) =>
   suggestedForms({ contour, side: "left", toolRadius: 10, outside: departing ? null : { x: -30, y: -30 } }, departing),

@@ -6,7 +6,7 @@ import { arrowHead, circle, polyline, segmentPath, type Mark } from "../help/mar
 import { filled, stroke, type Tag } from "../help/stroke.ts";
 import { dimensionItems } from "./dimensions.ts";
 import { along, cameraFor, planeFrameOf, onScreen } from "./frame.ts";
-import { pointItem, shownPoints, type ShownPoint } from "./points.ts";
+import { contactLines, pointItem, shownPoints, type PointsOf, type ShownPoint } from "./points.ts";
 import type { ApproachWords } from "./words.ts";
 
 const { beyond } = plane;
@@ -84,18 +84,21 @@ export function approachDrawing(scene: ApproachScene): ApproachDrawing {
   const camera =
     scene.camera ?? cameraFor(planeFrameOf(result, element, toolRadius), size, scene.small ? SMALL : LARGE);
   const path = (segments: readonly PlaneSegment[]) => segmentPath(segments.map(partSegment), camera);
-  const points = shownPoints(result, camera);
+  const own: readonly PointsOf[] = [{ ...result, contact: result.departing ? element.to : element.from }];
+  const points = shownPoints(own, camera),
+    centres = points.filter(({ onContour }) => !onContour);
   const contact = result.departing ? result.points.PE : result.points.PA;
   const auxiliary = result.departing ? result.points.PN : result.points.PH;
   const side: Tag = { q: "SIDE", active: active === "SIDE" };
   const feed: Tag = { q: "F", active: active === "F" };
 
   const tools =
-    toolRadius > 0 ? points.map((p) => stroke(quiet, "edge", circle(p.place, toolRadius * camera.scale))) : [];
+    toolRadius > 0 ? centres.map((p) => stroke(quiet, "edge", circle(p.place, toolRadius * camera.scale))) : [];
   const marks: Mark[] = [
     stroke(side, "pass", path(scene.centre)),
     ...tools,
     stroke(quiet, "contour", path(contour)),
+    ...contactLines(own, camera).map((line) => stroke(quiet, "thin", polyline(line))),
     ...(contact ? [tangentLine(scene, camera, contact)] : []),
     ...(contact && auxiliary && result.shape === "LN" ? [squareMark(scene, camera, contact, auxiliary)] : []),
     ...result.legs.flatMap(({ segment, feed: at }) => {
@@ -111,7 +114,9 @@ export function approachDrawing(scene: ApproachScene): ApproachDrawing {
     (active === "X" || active === "Y" || active === "PR" || active === "PA") &&
     p.names.includes(result.departing ? "PN" : "PA");
   const items = [
-    ...points.map((p) => pointItem(p, scene.speech, middle, lit(p), !scene.small)),
+    ...points
+      .filter(({ names }) => names.length > 0)
+      .map((p) => pointItem(p, scene.speech, middle, lit(p), !scene.small)),
     ...(scene.small ? [] : dimensionItems(result, camera, scene.speech, active)),
   ];
   const lines = [...along([...contour, ...scene.centre, ...result.legs.map((leg) => leg.segment)], 40)].map((p) =>

@@ -10,7 +10,7 @@ const square = (left: number, low: number, size: number): Ring => [
   at(left + size, low + size),
   at(left, low + size),
 ];
-const COLOURS = { ground: "ground", hatch: "hatch", edge: "edge", step: "step" };
+const COLOURS = { ground: "ground", edge: "edge", step: "step" };
 const CAMERA = { scale: 3.5, zero: { x: 21, y: 402 }, xUp: true };
 
 /** A pen that records fills with the boxes of what they fill, and cleared areas. */
@@ -38,9 +38,7 @@ function noting() {
         case "clearRect":
           return () => said.push(`clear within ${clips}`);
         case "stroke":
-          return () =>
-            (of.strokeStyle === "hatch" || (of.strokeStyle === "step" && spots.length > 99)) &&
-            said.push(`hatch within ${clips}`);
+          return () => of.strokeStyle === "step" && spots.length > 99 && said.push(`hatch within ${clips}`);
         default:
           return () => undefined;
       }
@@ -69,13 +67,12 @@ test("the deepest area is painted first, then higher ones, then the sweep of the
     "deep 21 52 371 402",
     "shallow 56 157 266 367",
     "ground 91 227 196 332",
-    "hatch within 3",
     "deep 231 122 301 192",
-    "clear within 6",
+    "clear within 4",
   ]);
 });
 
-test("an unmilled shoulder is hatched in the tone of its height", () => {
+test("an unmilled shoulder is hatched in the tone of its height, the top surface is not", () => {
   const shouldered: MilledMoment = {
     ...moment,
     swept: [[], [], []],
@@ -87,7 +84,6 @@ test("an unmilled shoulder is hatched in the tone of its height", () => {
     "shallow 56 157 266 367",
     "hatch within 3",
     "ground 91 227 196 332",
-    "hatch within 5",
   ]);
 });
 
@@ -97,9 +93,8 @@ test("rings away from the patch are left out", () => {
     "deep 21 52 371 402",
     "nothing",
     "nothing",
-    "hatch within 3",
     "nothing",
-    "clear within 6",
+    "clear within 4",
   ]);
 });
 

@@ -7,9 +7,8 @@ import type { Patch, Pen } from "../material/pen.ts";
 
 /** Colours of milled stock, as CSS colours. */
 export interface MilledColours {
-  /** The top surface, and the hatch of everything that is not milled. */
+  /** The top surface. A hatch there would look like a section. */
   readonly ground: string;
-  readonly hatch: string;
   /** Outline of the body and of milled areas, and the hatch of lower shoulders, whose tones are darker. */
   readonly edge: string;
   readonly step: string;
@@ -76,7 +75,7 @@ export interface Milled {
 
 /**
  * Repaints a patch of milled stock, seen from above with X to the right and Y upwards: the deepest areas first, higher
- * ones over them; areas that are not milled are hatched at any height. Nothing outside the patch is touched; through
+ * ones over them; lower areas that are not milled are hatched. Nothing outside the patch is touched; through
  * holes stay empty.
  */
 export function paintMilled(
@@ -108,12 +107,12 @@ export function paintMilled(
     pen.fillStyle = i === 0 ? colours.ground : (tones[i - 1] ?? colours.ground);
     pen.fill("nonzero");
     const whole = initialBands[i] ?? [];
-    if (whole.length > 0) {
+    if (whole.length > 0 && i > 0) {
       pen.save();
       pen.clip("nonzero");
       trace(sheet, whole);
       pen.clip("nonzero");
-      hatch(pen, patch, i === 0 ? colours.hatch : colours.step);
+      hatch(pen, patch, colours.step);
       pen.restore();
       trace(sheet, rings);
     }

@@ -17,7 +17,7 @@ const MOTIONS = [feed(10, 30), feed(30, 50), feed(50, 70)];
 const BLOCK = { left: 0, right: 90, low: 0, high: 40, bottom: -11, top: 0 };
 const LOOK: MilledLook = {
   camera: { scale: 2, zero: { x: 7, y: 100 }, xUp: true },
-  colours: { ground: "ground", hatch: "hatch", edge: "edge", step: "step" },
+  colours: { ground: "ground", edge: "edge", step: "step" },
   tones: ["deep"],
   ratio: 2,
   origin: { x: 7, y: 20, width: 180, height: 80 },

@@ -1,54 +1,80 @@
-import type { NamedPoints, PointName } from "../../kernel/plane/approach.ts";
-import { plane, type PlanePoint } from "../../kernel/plane/plane.ts";
+import { plane } from "../../kernel/plane/plane.ts";
 import { SAME } from "../../kernel/tolerance.ts";
-import type { Camera, Size } from "../camera.ts";
+import type { Camera, Place, Size } from "../camera.ts";
 import { arrange } from "../help/labels.ts";
 import type { Mark } from "../help/marks.ts";
-import { onScreen } from "./frame.ts";
-import { pointItem, type ShownPoint } from "./points.ts";
+import { contactLines, pointItem, shownPoints, type PointsOf, type ShownPoint } from "./points.ts";
 import type { ApproachWords } from "./words.ts";
 
 /** With more approaches than this, names have no coordinates. */
 const FEW = 3;
 /** Limit of named points. */
 const MOST = 40;
-/** A name farther from its point than this is left out: the list below the picture has it. */
-const FAR = 4;
-const ORDER: readonly PointName[] = ["PS", "PH", "PA", "PE", "PN"];
+/** A name that costs more is left out: the list below the picture has it. */
+const FAR = 17;
 
 /** A named point with the texts beside it. */
 export interface NamedPlace extends ShownPoint {
   readonly marks: readonly Mark[];
 }
 
-/** The named points of a whole program, each place once, with texts that cover neither each other nor a point. */
+/** Distance of the places along a line that texts should rather not cover, pixels. */
+const APART = 6;
+
+/** Places along the straight ways between the points of approaches, and from the contour to the tool centre. */
+function alongWays(approaches: readonly PointsOf[], camera: Camera): readonly Place[] {
+  const ways = approaches.flatMap(({ points, departing }) => {
+    const places = shownPoints([{ points, departing, contact: null }], camera).map(({ place }) => place);
+    return places.slice(1).map((to, i) => [places[i] ?? to, to] as const);
+  });
+  return [...ways, ...contactLines(approaches, camera)].flatMap(([from, to]) => {
+    const count = Math.ceil(Math.hypot(to.x - from.x, to.y - from.y) / APART);
+    return Array.from({ length: count }, (_, i) => ({
+      x: from.x + ((to.x - from.x) * i) / count,
+      y: from.y + ((to.y - from.y) * i) / count,
+    }));
+  });
+}
+
+/**
+ * The points of approaches, each place once. Those of named approaches have texts that cover neither each other nor a
+ * point.
+ */
 export function planeNames(
-  approaches: readonly { readonly points: NamedPoints; readonly departing: boolean }[],
+  approaches: readonly (PointsOf & { readonly isNamed: boolean })[],
   camera: Camera,
   size: Size,
   speech: ApproachWords,
 ): readonly NamedPlace[] {
-  const shown: { names: PointName[]; at: PlanePoint }[] = [];
-  for (const { points, departing } of approaches) {
-    for (const name of departing ? (["PE", "PH", "PN"] as const) : ORDER) {
-      const at = points[name];
-      if (!at) continue;
-      const same = shown.find((each) => plane.apart(each.at, at) <= SAME);
-      if (!same) shown.push({ names: [name], at });
-      else if (!same.names.includes(name)) same.names.push(name);
-    }
-  }
-  const points = shown
-    .map((p): ShownPoint => ({ ...p, place: onScreen(camera, p.at) }))
-    .filter(({ place }) => place.x > 0 && place.y > 0 && place.x < size.width && place.y < size.height);
-  const few = approaches.length <= FEW && size.width > 420;
+  const own = approaches.filter(({ isNamed }) => isNamed),
+    named = shownPoints(own, camera);
+  const others = shownPoints(approaches, camera)
+    .filter(({ at }) => !named.some((each) => plane.apart(each.at, at) <= SAME))
+    .map((each): ShownPoint => ({ ...each, names: [] }));
+  const points = [...named, ...others].filter(
+    ({ place }) => place.x > 0 && place.y > 0 && place.x < size.width && place.y < size.height,
+  );
+  const few = own.length <= FEW && size.width > 420;
   const middle = { x: size.width / 2, y: size.height / 2 };
   const kept = [
     { x: 0, y: 0, width: 48, height: size.height },
     { x: 0, y: size.height - 24, width: size.width, height: 24 },
     ...points.map((p) => ({ x: p.place.x - 6, y: p.place.y - 6, width: 12, height: 12 })),
   ];
-  const items = points.slice(0, MOST).map((p) => ({ ...pointItem(p, speech, middle, false, few), most: FAR }));
-  const placed = new Map(arrange(items, { ...size, avoid: [], kept }).map(({ item, marks }) => [item, marks]));
-  return points.map((point, i) => ({ ...point, marks: (items[i] && placed.get(items[i])) ?? [] }));
+  const items = new Map(
+    points
+      .filter(({ names }) => names.length > 0)
+      .slice(0, MOST)
+      .map((p) => [p, { ...pointItem(p, speech, middle, false, few), most: FAR }]),
+  );
+  const placed = new Map(
+    arrange([...items.values()], { ...size, avoid: alongWays(approaches, camera), kept }).map(({ item, marks }) => [
+      item,
+      marks,
+    ]),
+  );
+  return points.map((point) => {
+    const item = items.get(point);
+    return { ...point, marks: (item && placed.get(item)) ?? [] };
+  });
 }

@@ -2,39 +2,97 @@ import type { Approach, PointName } from "../../kernel/plane/approach.ts";
 import { plane, type PlanePoint } from "../../kernel/plane/plane.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import type { Camera, Place } from "../camera.ts";
-import { SIZE, textWidth, type Candidate, type Item } from "../help/labels.ts";
-import type { Mark } from "../help/marks.ts";
+import { SIZE, textWidth, type Candidate, type Item, type LabelBox } from "../help/labels.ts";
+import { polyline, type Mark } from "../help/marks.ts";
+import { stroke, type Tag } from "../help/stroke.ts";
 import { onScreen } from "./frame.ts";
 import type { ApproachWords } from "./words.ts";
 
-/** A named point in the picture. Points that fall together share one. */
+/**
+ * A point in the picture. Points that fall together share one. PA and PE are points of the contour; the tool centre
+ * there has no name.
+ */
 export interface ShownPoint {
   readonly names: readonly PointName[];
   readonly at: PlanePoint;
   readonly place: Place;
+  /** A point of the contour; else of the path of the tool centre. */
+  readonly onContour: boolean;
+}
+
+/** An approach or departure whose points are shown. */
+export interface PointsOf extends Pick<Approach, "points" | "departing"> {
+  /** Its first or last point of the contour; null shows the tool centre in its place. */
+  readonly contact: PlanePoint | null;
 }
 
 const ORDER: readonly PointName[] = ["PS", "PH", "PA", "PE", "PN"];
 
-/** The points of an approach in the order of travel. */
-export function shownPoints(result: Approach, camera: Camera): readonly ShownPoint[] {
-  const order = result.departing ? (["PE", "PH", "PN"] as const) : ORDER;
-  const shown: { names: PointName[]; at: PlanePoint; place: Place }[] = [];
-  for (const name of order) {
-    const at = result.points[name];
-    if (!at) continue;
+/** The points of approaches in the order of travel. */
+export function shownPoints(all: readonly PointsOf[], camera: Camera): readonly ShownPoint[] {
+  const shown: { names: PointName[]; at: PlanePoint; place: Place; onContour: boolean }[] = [];
+  const add = (name: PointName | null, at: PlanePoint, onContour: boolean) => {
     const same = shown.find((each) => plane.apart(each.at, at) <= SAME);
-    if (same) same.names.push(name);
-    else shown.push({ names: [name], at, place: onScreen(camera, at) });
-  }
+    const names = name === null ? [] : [name];
+    if (!same) shown.push({ names, at, place: onScreen(camera, at), onContour });
+    else if (name !== null && !same.names.includes(name)) same.names.push(name);
+  };
+  for (const { points, departing, contact } of all)
+    for (const name of departing ? (["PE", "PH", "PN"] as const) : ORDER) {
+      const at = points[name],
+        isContact = name === (departing ? "PE" : "PA");
+      if (!at) continue;
+      const isApart = isContact && contact !== null && plane.apart(at, contact) > SAME;
+      if (isApart) add(name, contact, true);
+      add(isApart ? null : name, at, false);
+    }
   return shown;
 }
 
-const LINE = 15;
-/** Distance from a point to its text, pixels. */
-const AWAY = 13;
+/** The lines from points of the contour to the tool centre there. */
+export const contactLines = (all: readonly PointsOf[], camera: Camera): readonly (readonly [Place, Place])[] =>
+  all.flatMap(({ points, departing, contact }) => {
+    const centre = points[departing ? "PE" : "PA"];
+    return centre && contact && plane.apart(centre, contact) > SAME
+      ? [[onScreen(camera, contact), onScreen(camera, centre)] as const]
+      : [];
+  });
 
-/** The text beside a point, with eight candidate places; those away from the middle of the picture first. */
+/** The coordinates of a point in words. */
+export const pointText = ({ at, onContour }: ShownPoint, speech: ApproachWords): string =>
+  onContour ? speech.contour(at) : speech.point(at);
+
+const LINE = 15;
+/** Distances from a point to its text, pixels; a farther text has a leader. */
+const RINGS = [13, 32, 56, 84, 116] as const;
+/** Where a leader begins, from its point; distance of the boxes that keep texts off it; half their size; pixels. */
+const LEADER = { from: 13, step: 6, half: 1.5 } as const;
+
+/** The leader from a point to its text, and boxes along it. */
+function leader(tag: Tag, from: Place, label: LabelBox): { readonly mark: Mark; readonly boxes: readonly LabelBox[] } {
+  const to = {
+    x: Math.max(label.x, Math.min(from.x, label.x + label.width)),
+    y: Math.max(label.y, Math.min(from.y, label.y + label.height)),
+  };
+  const far = Math.hypot(to.x - from.x, to.y - from.y) || 1;
+  const at = (s: number): Place => ({
+    x: from.x + ((to.x - from.x) * s) / far,
+    y: from.y + ((to.y - from.y) * s) / far,
+  });
+  const { from: begin, step, half } = LEADER;
+  const count = Math.max(0, Math.floor((far - half - begin) / step));
+  return {
+    mark: stroke(tag, "thin", polyline([at(begin), to])),
+    boxes: Array.from({ length: count }, (_, i) => at(begin + i * step)).map(({ x, y }) => ({
+      x: x - half,
+      y: y - half,
+      width: 2 * half,
+      height: 2 * half,
+    })),
+  };
+}
+
+/** The text beside a point: candidate places in eight directions, those away from the middle of the picture first. */
 export function pointItem(
   p: ShownPoint,
   speech: ApproachWords,
@@ -43,15 +101,14 @@ export function pointItem(
   coordinates: boolean,
 ): Item {
   const name = p.names.join(" = ");
-  const where = coordinates ? speech.point(p.at) : "";
+  const where = coordinates ? pointText(p, speech) : "";
   const width = Math.max(textWidth(name, SIZE.strong), textWidth(where, SIZE.quiet)) + 6;
   const height = coordinates ? LINE * 2 : LINE + 2;
   const out = Math.atan2(p.place.y - middle.y, p.place.x - middle.x);
-  const candidates = [1, 2].flatMap((ring) =>
+  const candidates = RINGS.flatMap((gap, ring) =>
     [0, 1, 2, 3, 4, 5, 6, 7].map((eighth): Candidate => {
       const angle = (eighth * Math.PI) / 4;
       const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
-      const gap = AWAY * ring * ring;
       const centre = { x: p.place.x + cos * (gap + width / 2), y: p.place.y + sin * (gap + height / 2) };
       const tag = { q: p.names[0] ?? null, active };
       const text = (line: number, words: string, size: number): Mark => ({
@@ -65,8 +122,14 @@ export function pointItem(
         role: "value",
       });
       const marks: Mark[] = [text(0, name, SIZE.strong), ...(coordinates ? [text(1, where, SIZE.quiet)] : [])];
-      const label = { x: centre.x - width / 2, y: centre.y - height / 2, width, height };
-      return { marks, label, lines: [], cost: (1 - Math.cos(angle - out)) * 2 + (eighth % 2) * 0.3 + (ring - 1) * 4 };
+      const label = { x: centre.x - width / 2, y: centre.y - height / 2, width, height },
+        led = ring > 0 ? leader(tag, p.place, label) : null;
+      return {
+        marks: led ? [led.mark, ...marks] : marks,
+        label,
+        lines: led?.boxes ?? [],
+        cost: (1 - Math.cos(angle - out)) * 2 + (eighth % 2) * 0.3 + ring * 3,
+      };
     }),
   );
   return { q: name, candidates };

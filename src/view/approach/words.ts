@@ -4,6 +4,8 @@ import type { PlanePoint } from "../../kernel/plane/plane.ts";
 export interface ApproachWords {
   /** A length, at most three decimals. */
   readonly number: (value: number) => string;
-  /** Coordinates as the control names them: "X-5 Y-5"; "X⌀40 Z+2" in turning. */
+  /** Coordinates of a tool centre as the control names them: "X-5 Y-5"; "X⌀40 Z+2" in turning. */
   readonly point: (p: PlanePoint) => string;
+  /** The same of a point of the contour. */
+  readonly contour: (p: PlanePoint) => string;
 }

@@ -26,23 +26,24 @@ const boxOf = (width: number, top: number, bottom: number): Place[] => [
 ];
 
 /** The points inside an odd number of areas, each area closed back to its first place and to that of the first area. */
-function inOne(areas: readonly (readonly Place[])[]): string {
+function inOne(areas: readonly (readonly Place[])[], length: (pixels: number) => string): string {
   const [first] = areas[0] ?? [],
     round = areas.flatMap((area) => [...area, ...area.slice(0, 1), ...(first ? [first] : [])]);
-  const n = (v: number) => Math.round(v * 10) / 10;
-  return `polygon(evenodd, ${round.map(({ x, y }) => `${n(x)}px ${n(y)}px`).join(", ")})`;
+  const n = (v: number) => length(Math.round(v * 10) / 10);
+  return `polygon(evenodd, ${round.map(({ x, y }) => `${n(x)} ${n(y)}`).join(", ")})`;
 }
 
 /**
  * The clip windows of a tool that the work may cover. A half section is open on the tool's side of the axis; on the
  * other side, and in a view from outside on both sides, the work covers everything nearer to the axis than its edge.
- * Null if the whole tool is visible.
+ * Null if the whole tool is visible. `length` writes a length for the style.
  */
 export function windowsOf(
   section: SectionKind,
   camera: Camera,
   { width, height }: Size,
   silhouette: Silhouette,
+  length: (pixels: number) => string = (pixels) => `${pixels}px`,
 ): Windows | null {
   if (section === "full" || silhouette.length === 0) return null;
   const { zero, xUp } = camera,
@@ -50,10 +51,10 @@ export function windowsOf(
   const beyond = silhouette.map((p) => toScreen(camera, at(p.z, -p.r)));
   if (section === "outside") {
     const covered = [...onTools, ...beyond.toReversed()];
-    return { seen: inOne([boxOf(width, 0, height), covered]), other: inOne([covered]) };
+    return { seen: inOne([boxOf(width, 0, height), covered], length), other: inOne([covered], length) };
   }
   const [above, below] = [boxOf(width, 0, zero.y), boxOf(width, zero.y, height)],
     [open, closed] = xUp ? [above, below] : [below, above];
   const onAxis = [beyond.at(-1), beyond[0]].flatMap((place) => (place ? [{ x: place.x, y: zero.y }] : []));
-  return { seen: inOne([open]), other: inOne([closed, [...beyond, ...onAxis]]) };
+  return { seen: inOne([open], length), other: inOne([closed, [...beyond, ...onAxis]], length) };
 }

@@ -78,7 +78,7 @@ const MOST_WHOLE = 20,
  * The fewest CSS pixels that are whole device pixels at `ratio`: a canvas that begins between two pixels is drawn off
  * its place, and leaves a seam to the canvas below.
  */
-function wholePixels(ratio: number): number {
+export function wholePixels(ratio: number): number {
   for (let n = 1; n <= MOST_WHOLE; n += 1) if (Math.abs(n * ratio - Math.round(n * ratio)) < MISSES) return n;
   return 1 / ratio;
 }

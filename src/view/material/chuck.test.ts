@@ -2,6 +2,7 @@ import { expect, test } from "vitest";
 import { clampingBodies, type Clamping } from "../../kernel/area/clamping.ts";
 import { at } from "../../kernel/geometry/point.ts";
 import { chuckDrawing } from "./chuck.ts";
+import { breakWave } from "./paint-chuck.ts";
 
 const blank = [[at(-73.4, 0), at(1.2, 0), at(1.2, 31.7), at(-73.4, 31.7)]],
   material = { left: -73.4, right: 1.2, low: 0, high: 31.7 };
@@ -46,4 +47,27 @@ test("a limit is a line and no body", () => {
   const made = chuckDrawing(blank, material, { clamping: limited, bodies: clampingBodies(limited, blank) });
   expect(made.limit).toEqual({ z: -50, r: 20 });
   expect(made.turned).toEqual(chuck.turned);
+});
+
+test("break lines cut the clamping off near the blank, and beyond every contact with the tool", () => {
+  const widest = Math.max(...chuck.turned.flat().map(([, r]) => r));
+  expect(chuck.cut).toEqual(chuck.seen);
+  expect(chuck.all.high).toBeLessThan(widest / 2);
+  expect(chuck.all.high).toBeGreaterThan(1.2 * material.high);
+  const contact = { left: -66.1, right: -63.9, low: 82.3, high: 84.7 };
+  const { cut, all, seen } = chuckDrawing(blank, material, stated, contact);
+  expect(cut?.high).toBeGreaterThan(contact.high);
+  expect(all.high).toBeGreaterThan(contact.high);
+  // The picture still frames the work.
+  expect(seen).toEqual(chuck.seen);
+});
+
+test("a break line begins at its place, bends to one side only and does not move with its end", () => {
+  const line = breakWave({ x: 12.5, y: 40 }, { x: 312.5, y: 40 });
+  expect(line[0]).toEqual({ x: 12.5, y: 40 });
+  const off = line.map(({ y }) => y - 40);
+  expect(Math.min(...off)).toBeGreaterThanOrEqual(0);
+  expect(Math.max(...off)).toBeGreaterThan(3);
+  expect(Math.max(...off)).toBeLessThanOrEqual(4.001);
+  expect(breakWave({ x: 12.5, y: 40 }, { x: 212.5, y: 40 })).toEqual(line.slice(0, 67));
 });

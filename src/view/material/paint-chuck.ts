@@ -1,4 +1,5 @@
 import type { ChuckDrawing, ChuckPoint } from "./chuck.ts";
+import type { Bounds, Place } from "../camera.ts";
 import { acrossRadius, asPage, brush, trace, type Half, type SectionKind, type PaintTarget } from "./paint-target.ts";
 
 /** Opacity of the clamping's edges, which are quieter than those of the work. */
@@ -21,6 +22,65 @@ function line(easel: PaintTarget, down: 1 | -1, places: readonly ChuckPoint[]): 
   easel.pen.beginPath();
   trace(easel, down, places);
   easel.pen.stroke();
+}
+
+/** A freehand break line: how far it bends to one side, and the lengths of its two waves, pixels. */
+const BEND = 4,
+  WAVES = [38, 23] as const;
+/** Distance of its points, pixels. */
+const STEP = 3;
+
+/** A break line from one place towards another, without the last point. It bends to the right of its way. */
+export function breakWave(a: Place, b: Place): readonly Place[] {
+  const long = Math.hypot(b.x - a.x, b.y - a.y);
+  if (long === 0) return [a];
+  const along = { x: (b.x - a.x) / long, y: (b.y - a.y) / long };
+  return Array.from({ length: Math.ceil(long / STEP) }, (_, i): Place => {
+    const s = i * STEP,
+      off = (BEND / 4) * WAVES.reduce((sum, wave) => sum + 1 - Math.cos((2 * Math.PI * s) / wave), 0);
+    return { x: a.x + along.x * s - along.y * off, y: a.y + along.y * s + along.x * off };
+  });
+}
+
+/** Begins the outline of what is drawn of a clamping, on both sides of the axis. */
+function cutOutline({ pen, camera: { zero, scale } }: PaintTarget, { left, right, high }: Bounds): void {
+  const corner = (z: number, r: number): Place => ({ x: zero.x + z * scale, y: zero.y + r * scale });
+  const corners = [corner(left, -high), corner(right, -high), corner(right, high), corner(left, high)] as const;
+  pen.beginPath();
+  corners
+    .flatMap((each, i) => breakWave(each, corners[(i + 1) % corners.length] ?? each))
+    .forEach(({ x, y }, i) => (i === 0 ? pen.moveTo(x, y) : pen.lineTo(x, y)));
+  pen.closePath();
+}
+
+/** Paints bodies of a clamping as far as its break lines, and these lines where they cross the bodies. */
+function withBreaks(
+  easel: PaintTarget,
+  cut: Bounds | null,
+  bodies: readonly { readonly down: 1 | -1; readonly places: readonly ChuckPoint[] }[],
+  paint: () => void,
+): void {
+  const { pen, colours } = easel;
+  pen.save();
+  if (cut) {
+    cutOutline(easel, cut);
+    pen.clip();
+  }
+  paint();
+  pen.restore();
+  if (!cut) return;
+  pen.lineWidth = 1;
+  pen.strokeStyle = colours.edge;
+  for (const { down, places } of bodies) {
+    pen.save();
+    pen.beginPath();
+    trace(easel, down, places);
+    pen.closePath();
+    pen.clip();
+    cutOutline(easel, cut);
+    pen.stroke();
+    pen.restore();
+  }
 }
 
 /** A body of revolution from outside. */
@@ -67,9 +127,15 @@ export function paintChuck(
 ): void {
   const { pen, colours } = easel;
   pen.lineWidth = 1;
-  for (const half of halves) for (const places of chuck.turned) turned(easel, half, places);
-  for (const { down } of section === "full" ? halves : halves.slice(0, 1))
-    for (const jaw of chuck.jaws) area(easel, down, jaw, colours.chuckLight);
+  const jawHalves = section === "full" ? halves : halves.slice(0, 1);
+  const bodies = [
+    ...halves.flatMap(({ down }) => chuck.turned.map((places) => ({ down, places }))),
+    ...jawHalves.flatMap(({ down }) => chuck.jaws.map((places) => ({ down, places }))),
+  ];
+  withBreaks(easel, chuck.cut, bodies, () => {
+    for (const half of halves) for (const places of chuck.turned) turned(easel, half, places);
+    for (const { down } of jawHalves) for (const jaw of chuck.jaws) area(easel, down, jaw, colours.chuckLight);
+  });
   for (const { down } of halves) if (chuck.unstated) plane(easel, down, chuck.unstated);
 }
 
@@ -121,7 +187,10 @@ export function paintFrontJaw(
     pen.rect(zero.x + left * scale, zero.y, (right - left) * scale + 1, other.down * high * scale);
     pen.clip();
   }
-  for (const flank of chuck.flanks) area(easel, down, flank, colours.chuckLight);
-  for (const back of chuck.backs) area(easel, down, back, colours.chuck);
+  const bodies = [...chuck.flanks, ...chuck.backs].map((places) => ({ down, places }));
+  withBreaks(easel, chuck.cut, bodies, () => {
+    for (const flank of chuck.flanks) area(easel, down, flank, colours.chuckLight);
+    for (const back of chuck.backs) area(easel, down, back, colours.chuck);
+  });
   pen.restore();
 }

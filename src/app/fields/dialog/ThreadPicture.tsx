@@ -5,6 +5,7 @@ import type { Operation } from "../../../program/state/run-types.ts";
 import { useShownOtherFile } from "../../document/shown-file.ts";
 import { isDefinedIn } from "../../document/shown-findings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
+import { pageLength } from "../../base/unit.ts";
 
 /** Drawing area, pixels. */
 const SIZE = { width: 150, height: 62 } as const;
@@ -31,8 +32,8 @@ export function ThreadPicture({ line }: { readonly line: number | null }) {
       role="img"
       aria-label={t.profile(thread.depths.length)}
       viewBox={`0 0 ${SIZE.width} ${SIZE.height}`}
-      width={SIZE.width}
-      height={SIZE.height}
+      width={pageLength(SIZE.width)}
+      height={pageLength(SIZE.height)}
     >
       <path className="thread-material" d={`M0 ${drawing.crest}H${SIZE.width}V${SIZE.height}H0Z`} />
       {drawing.chips.map(({ pass, points }, i) => (

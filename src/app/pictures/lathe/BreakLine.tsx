@@ -2,7 +2,7 @@ import { useEffect, useRef } from "react";
 import type { Pt } from "../../../kernel/geometry/point.ts";
 import type { Tool } from "../../../kernel/plan/tool.ts";
 import { breakData, breakOf } from "../../../view/cutting-tool/break-line.ts";
-import { pageUnit } from "../../base/unit.ts";
+import { pageLength } from "../../base/unit.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "./Axes.tsx";
 import type { MovingAnchor } from "./moving-anchor.ts";
 import type { Viewport } from "./viewport.ts";
@@ -25,14 +25,13 @@ export function BreakLine({
     const element = sheet.current,
       [ground, line] = element?.querySelectorAll("path") ?? [];
     if (!element || !tool.holder) return undefined;
-    const unit = pageUnit();
     const broken = (tip: Pt) => {
       const { width, height } = viewport.size();
       const seen = {
-        left: unit * SCALE_LEFT + INSET,
+        left: SCALE_LEFT + INSET,
         right: width - INSET,
         top: INSET,
-        bottom: height - unit * SCALE_BELOW - INSET,
+        bottom: height - SCALE_BELOW - INSET,
       };
       return breakOf(tool, tip, viewport.get(), seen);
     };
@@ -44,14 +43,14 @@ export function BreakLine({
         isShown = now !== null;
         element.style.display = isShown ? "" : "none";
       }
-      const data = now && breakData(now.width, INSET + unit * SCALE_LEFT);
+      const data = now && breakData(now.width, INSET + SCALE_LEFT);
       if (!data || line?.getAttribute("d") === data.line) return;
       ground?.setAttribute("d", data.ground);
       line?.setAttribute("d", data.line);
     };
     const gliding = carrying.carry(element, (tip) => {
       const now = broken(tip);
-      return now && `translate(${now.at.x}px, ${now.at.y}px) rotate(${now.turn}deg)`;
+      return now && `translate(${pageLength(now.at.x)}, ${pageLength(now.at.y)}) rotate(${now.turn}deg)`;
     });
     const look = () => {
       show();
@@ -64,7 +63,7 @@ export function BreakLine({
   return (
     tool.holder && (
       <div ref={sheet} className="tool-carrier" aria-hidden="true">
-        <svg className="chip-sheet" width="1" height="1">
+        <svg className="chip-sheet" viewBox="0 0 1 1">
           <path className="break-ground" />
           <path className="break-line" />
         </svg>

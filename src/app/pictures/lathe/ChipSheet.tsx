@@ -77,7 +77,7 @@ export function ChipSheet({
     return () => ends.forEach((end) => end());
   }, [viewport, chipAt, playback, lengths]);
   return (
-    <svg ref={sheet} className="chip-sheet" width="1" height="1" aria-hidden="true">
+    <svg ref={sheet} className="chip-sheet" viewBox="0 0 1 1" aria-hidden="true">
       <g>
         <path className="chip-area" />
         <path className="chip-glow" />

@@ -8,6 +8,7 @@ import { boundsOf, common, grownBounds, joined } from "../../../view/bounds.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { DrawnTool } from "./DrawnTool.tsx";
 import "./lathe.css";
+import { pageLength } from "../../base/unit.ts";
 
 /** How much of the holder is drawn, in insert lengths: the head and the start of the shank. */
 const BESIDE = 1.6;
@@ -55,8 +56,8 @@ export function InsertDrawing({
       className="insert-drawing"
       role="img"
       aria-label={t.insert(String(tool.T))}
-      width={width}
-      height={height}
+      width={pageLength(width)}
+      height={pageLength(height)}
       viewBox={`0 0 ${width} ${height}`}
     >
       <clipPath id={id}>

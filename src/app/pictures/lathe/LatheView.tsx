@@ -36,7 +36,7 @@ import { MoveTable } from "./MoveTable.tsx";
 import { Picture } from "./Picture.tsx";
 import { PlaceButtons, PlaceLines } from "./PlaceButtons.tsx";
 import { sectionProjection } from "./place-projection.ts";
-import { usePlaces, type PicturePlace } from "./places.ts";
+import { findingBounds, usePlaces, type PicturePlace } from "./places.ts";
 import { PlaybackBar } from "./PlaybackBar.tsx";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { Readout, SpokenStatus, statusText } from "./Readout.tsx";
@@ -146,9 +146,18 @@ export function LatheView({
   const typed = run.operations.every((o) => o.plan.contour.length === 0) ? known : null;
   const waiting = run.steps.length === 0 ? typed : null;
   const passes = stretchesOf(run);
+  const found = usePlaces("ZX"),
+    contacts = useMemo(() => findingBounds(found), [found]);
   const scene = useMemo(
-    () => sceneOf({ ...partsOf(run), path: passes.whole, ways: passes.ways, ...(typed && knownParts(typed, run)) }),
-    [run, typed, passes],
+    () =>
+      sceneOf({
+        ...partsOf(run),
+        path: passes.whole,
+        ways: passes.ways,
+        contacts,
+        ...(typed && knownParts(typed, run)),
+      }),
+    [run, typed, passes, contacts],
   );
   const held = useMemo(() => run.steps.some((step) => step.tool.holder), [run]);
   const starts = useMemo(() => (waiting?.start ? [waiting.start] : run.operations.map((o) => o.start)), [run, waiting]);
@@ -206,8 +215,7 @@ export function LatheView({
     return run.datums.length > 0 ? `${now} ${t.countsFrom(x, z)}` : now;
   }, [t, texts, lengths, run, playback, resting, datum, typed]);
   const { told } = useTaskMarks();
-  const found = usePlaces("ZX"),
-    places = told?.places ?? (dimmed || !simulation ? NOWHERE : found);
+  const places = told?.places ?? (dimmed || !simulation ? NOWHERE : found);
   const leads = useMemo(() => run.approaches.filter((a) => a.plane === "ZX"), [run]);
   const { chosen, choose } = useFindingFocus(
     places,

@@ -1,6 +1,7 @@
 import { memo } from "react";
 import { PATH_ROLES, type Shape } from "../../../view/scene.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
+import { pageLength } from "../../base/unit.ts";
 
 /** Meaning of lines, holder and clamping, for those that are shown. */
 export const Legend = memo(function Legend({
@@ -25,7 +26,7 @@ export const Legend = memo(function Legend({
     <ul className="lathe-legend small" aria-label={t.legend}>
       {there.map((role) => (
         <li key={role}>
-          <svg width="26" height="8" aria-hidden="true">
+          <svg width={pageLength(26)} height={pageLength(8)} viewBox="0 0 26 8" aria-hidden="true">
             <path className={`shape-${role}`} d="M1 4H25" />
           </svg>
           {t.lines[role]}
@@ -33,7 +34,7 @@ export const Legend = memo(function Legend({
       ))}
       {areas.map(([name, said]) => (
         <li key={name}>
-          <svg width="26" height="10" aria-hidden="true">
+          <svg width={pageLength(26)} height={pageLength(10)} viewBox="0 0 26 10" aria-hidden="true">
             <path
               className={name}
               d={name === "held-unstated" ? "M16 0V10M16 3L12 7M16 7L13 10M16 -1L12 3" : "M6 1H20V9H6Z"}

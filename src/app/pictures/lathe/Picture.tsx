@@ -9,6 +9,7 @@ import type { Scene, Shape } from "../../../view/scene.ts";
 import type { SectionView } from "../../base/settings/settings.ts";
 import { NewestContour, NewestPath } from "./NewestLines.tsx";
 import { LatheAxes } from "./Axes.tsx";
+import { useViewBox } from "./use-view-box.ts";
 import { MaterialSheet } from "./MaterialSheet.tsx";
 import type { PlayedScene, InitialScene } from "../../calculation/moving.ts";
 import { RunningMove } from "./RunningMove.tsx";
@@ -145,6 +146,7 @@ export function Picture({
   readonly children: React.ReactNode;
 }) {
   const id = useId(),
+    viewBox = useViewBox(viewport),
     full = section === "full",
     surface = section === "outside" && moving ? `url(#${id}surface)` : null;
   const isLong = useMemo(
@@ -160,7 +162,7 @@ export function Picture({
   );
   return (
     <div className="lathe-picture" role="img" aria-label={name}>
-      <svg className="sheet">
+      <svg className="sheet" viewBox={viewBox}>
         <LatheAxes viewport={viewport} part="grid" />
       </svg>
       <MaterialSheet
@@ -170,12 +172,16 @@ export function Picture({
         section={section}
         chuck={scene.chuck}
       />
-      <svg className="sheet ghosts">
+      <svg className="sheet ghosts" viewBox={viewBox}>
         <World viewport={viewport} shifts>
           {ghosts}
         </World>
       </svg>
-      <svg className="sheet still" {...(surface && { style: { "--surface-mask": surface } as CSSProperties })}>
+      <svg
+        className="sheet still"
+        viewBox={viewBox}
+        {...(surface && { style: { "--surface-mask": surface } as CSSProperties })}
+      >
         <ResidualHatch viewport={viewport} id={id} />
         <World viewport={viewport} shifts>
           {surface && moving && <BeforeSurface id={`${id}surface`} moving={moving} />}
@@ -201,7 +207,7 @@ export function Picture({
           section={section}
         />
       )}
-      <svg className="sheet">
+      <svg className="sheet" viewBox={viewBox}>
         <World viewport={viewport}>
           {hovered} {moving && <RunningMove moving={moving} />}
         </World>

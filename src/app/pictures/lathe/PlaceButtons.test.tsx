@@ -29,10 +29,11 @@ test("a mark in the 3D view has a name, is chosen by keyboard, and stays at its 
   expect(document.activeElement).toBe(mark);
   await userEvent.keyboard("{Enter}");
   expect(choose).toHaveBeenCalledWith(place);
-  const before = Number.parseFloat(mark.style.left);
+  const left = () => 16 * Number.parseFloat(mark.style.left),
+    before = left();
   act(() => eye.slide(31, 0));
   // A place nearer than the centre moves a little further.
-  expect((Number.parseFloat(mark.style.left) - before) / 31).toBeCloseTo(1.05, 1);
+  expect((left() - before) / 31).toBeCloseTo(1.05, 1);
   act(() => eye.slide(5000, 0));
   expect(screen.queryByRole("button")).toBeNull();
 });

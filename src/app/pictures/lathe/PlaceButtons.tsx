@@ -1,5 +1,6 @@
 import { badgePlaces } from "../../../view/badge-places.ts";
 import type { Place } from "../../../view/camera.ts";
+import { pageLength } from "../../base/unit.ts";
 import { holds } from "../../base/use-media.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "./Axes.tsx";
 import type { PicturePlace } from "./places.ts";
@@ -77,7 +78,7 @@ export function PlaceButtons({
             key={each.id}
             type="button"
             className={`lathe-place badge badge-${each.kind}`}
-            style={{ left, top }}
+            style={{ left: pageLength(left), top: pageLength(top) }}
             title={each.line}
             aria-label={`${mark}: ${each.line}`}
             aria-pressed={on}

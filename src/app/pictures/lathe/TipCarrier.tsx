@@ -1,5 +1,6 @@
 import { useEffect, useRef } from "react";
 import { toScreen, type Place } from "../../../view/camera.ts";
+import { pageLength } from "../../base/unit.ts";
 import type { MovingAnchor } from "./moving-anchor.ts";
 import type { Viewport } from "./viewport.ts";
 
@@ -27,14 +28,14 @@ export function TipCarrier({
     let drawn = viewport.drawn();
     const gliding = carrying.carry(carried, (tip) => {
       const { x, y } = toScreen({ ...drawn, zero: CORNER }, tip);
-      return `translate(${x}px, ${y}px)`;
+      return `translate(${pageLength(x)}, ${pageLength(y)})`;
     });
     const look = () => {
       const { zero, scale } = viewport.get(),
         before = drawn;
       drawn = viewport.drawn();
       const grown = scale / drawn.scale;
-      around.style.transform = `translate(${zero.x}px, ${zero.y}px)${grown === 1 ? "" : ` scale(${grown})`}`;
+      around.style.transform = `translate(${pageLength(zero.x)}, ${pageLength(zero.y)})${grown === 1 ? "" : ` scale(${grown})`}`;
       if (drawn.scale !== before.scale || drawn.xUp !== before.xUp) gliding.recompute();
     };
     look();

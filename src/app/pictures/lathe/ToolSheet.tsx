@@ -9,6 +9,7 @@ import { liesInward, windowsOf } from "../../../view/cutting-tool/covered.ts";
 import { toolBox } from "../../../view/cutting-tool/drawing.ts";
 import { liesBehind, silhouetteOf, type Silhouette } from "../../../view/cutting-tool/silhouette.ts";
 import type { SectionView } from "../../base/settings/settings.ts";
+import { pageLength } from "../../base/unit.ts";
 import { BreakLine } from "./BreakLine.tsx";
 import { restingTip, runningTip, type MovingAnchor } from "./moving-anchor.ts";
 import { TipCarrier } from "./TipCarrier.tsx";
@@ -58,10 +59,11 @@ function Sheet({ viewport, tool }: Pick<Standing, "viewport" | "tool">) {
       const { left, right, low, high } = common(boxes.all, grownBounds(boxes.insert, far));
       const top = up ? -high : low;
       const corner = { x: left * scale - LINE, y: top * scale - LINE };
-      element.style.left = `${corner.x}px`;
-      element.style.top = `${corner.y}px`;
-      element.setAttribute("width", String(Math.ceil((right - left) * scale + 2 * LINE)));
-      element.setAttribute("height", String(Math.ceil((high - low) * scale + 2 * LINE)));
+      const width = Math.ceil((right - left) * scale + 2 * LINE),
+        height = Math.ceil((high - low) * scale + 2 * LINE);
+      element.setAttribute("viewBox", `0 0 ${width} ${height}`);
+      for (const [name, units] of Object.entries({ left: corner.x, top: corner.y, width, height }))
+        element.style.setProperty(name, pageLength(units));
       world.current?.setAttribute("transform", `matrix(${scale} 0 0 ${up ? -scale : scale} ${-corner.x} ${-corner.y})`);
     };
     draw();
@@ -88,7 +90,7 @@ function CoveredTool({
     other = useRef<HTMLDivElement>(null);
   useEffect(() => {
     const look = () => {
-      const windows = windowsOf(section, viewport.get(), viewport.size(), silhouette);
+      const windows = windowsOf(section, viewport.get(), viewport.size(), silhouette, pageLength);
       if (seen.current) seen.current.style.clipPath = windows?.seen ?? "";
       if (!other.current) return;
       other.current.style.clipPath = windows?.other ?? "";

@@ -1,6 +1,7 @@
 import { useEffect, useRef } from "react";
 import { sheetShift, type Camera, type Place } from "../../../view/camera.ts";
 import { transform } from "../../../view/svg.ts";
+import { pageLength } from "../../base/unit.ts";
 import type { Viewport } from "./viewport.ts";
 
 const CORNER: Place = { x: 0, y: 0 };
@@ -15,7 +16,9 @@ export function shiftSheet(
   const now = viewport.get();
   if (now === drawn) return void style.removeProperty("transform");
   const shift = sheetShift(drawn, now);
-  style.transform = `translate(${shift.x + x * (shift.grown - 1)}px, ${shift.y + y * (shift.grown - 1)}px) scale(${shift.grown})`;
+  const right = pageLength(shift.x + x * (shift.grown - 1)),
+    down = pageLength(shift.y + y * (shift.grown - 1));
+  style.transform = `translate(${right}, ${down}) scale(${shift.grown})`;
 }
 
 /**

@@ -1,4 +1,5 @@
 import { panned, pinched, type Place } from "../../../view/camera.ts";
+import { placeIn } from "../../base/unit.ts";
 import type { Viewport } from "./viewport.ts";
 
 /** Pointer actions of a picture besides panning and zooming. */
@@ -40,10 +41,7 @@ export function listenToGestures(
     if (event.movementX === 0 && event.movementY === 0) isResting(event);
   };
 
-  const placeOf = (event: MouseEvent): Place => {
-    const box = element.getBoundingClientRect();
-    return { x: event.clientX - box.left, y: event.clientY - box.top };
-  };
+  const placeOf = (event: MouseEvent): Place => placeIn(element, event);
   const press = (event: PointerEvent) => {
     if (event.pointerType === "mouse" && event.button !== 0 && event.button !== 1) return;
     if (event.target instanceof Element && event.target.closest("button, .measure-panel")) return;

@@ -3,6 +3,7 @@ import type { Texts } from "../../../i18n/index.ts";
 import type { AnyIssue } from "../../../i18n/message-texts.ts";
 import type { Pt } from "../../../kernel/geometry/point.ts";
 import type { PlayPosition } from "../../../sim/simulation.ts";
+import { joined } from "../../../view/bounds.ts";
 import type { Bounds } from "../../../view/camera.ts";
 import type { FindingEntry, FindingSpot } from "../../findings/entry.ts";
 import { useFindings } from "../../findings/use-findings.ts";
@@ -46,6 +47,10 @@ export function picturePlaceOf(
     issue,
   };
 }
+
+/** The box round all findings; null without any. */
+export const findingBounds = (places: readonly PicturePlace[]): Bounds | null =>
+  places.reduce<Bounds | null>((all, { kind, bounds }) => (kind === "finding" ? joined(all, bounds) : all), null);
 
 /** The findings that one of the two pictures shows, in the order of the list. */
 export function usePlaces(plane: FindingSpot["plane"]): readonly PicturePlace[] {

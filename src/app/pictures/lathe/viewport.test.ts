@@ -4,8 +4,14 @@ import { createViewport, drawnRoom } from "./viewport.ts";
 
 const SIZE = { width: 731, height: 433 };
 
-beforeEach(() => vi.useFakeTimers());
-afterEach(() => vi.useRealTimers());
+beforeEach(() => {
+  vi.useFakeTimers();
+  vi.stubGlobal("devicePixelRatio", 1);
+});
+afterEach(() => {
+  vi.useRealTimers();
+  vi.unstubAllGlobals();
+});
 
 function opened() {
   const viewport = createViewport(true);
@@ -139,3 +145,12 @@ test("while panning a canvas has one pixel per CSS pixel, and the screen's pixel
   expect(viewport.ratio()).toBe(2.5);
   vi.unstubAllGlobals();
 });
+
+test.each([1, 1.25, 1.5, 2, 1.875, 1.09])(
+  "the drawn part begins on whole device pixels (%d for each pixel)",
+  (ratio) => {
+    vi.stubGlobal("devicePixelRatio", ratio);
+    const { x, y } = drawnRoom(SIZE);
+    for (const edge of [x * ratio, y * ratio]) expect(edge).toBeCloseTo(Math.round(edge), 6);
+  },
+);

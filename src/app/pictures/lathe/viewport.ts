@@ -1,3 +1,4 @@
+import { wholePixels } from "../../../view/material/changed-box.ts";
 import type { Patch } from "../../../view/material/pen.ts";
 import { holds as holdsOnScreen } from "../../base/use-media.ts";
 import { pageUnit } from "../../base/unit.ts";
@@ -13,7 +14,10 @@ import {
   type Size,
 } from "../../../view/camera.ts";
 
-/** The camera of the picture, shared by its layers. */
+/**
+ * The camera of the picture, shared by its layers. Its pixels are units of the page, so that symbols, letters and
+ * hatches grow with the page.
+ */
 export interface Viewport {
   readonly get: () => Camera;
   /**
@@ -22,8 +26,8 @@ export interface Viewport {
    */
   readonly drawn: () => Camera;
   /**
-   * Canvas pixels per CSS pixel for that camera. While panning at most one, since copying a fine canvas takes too long;
-   * at rest it is repainted at full resolution.
+   * Canvas pixels per unit of the page for that camera. While panning at most one per CSS pixel, since copying a fine
+   * canvas takes too long; at rest it is repainted at full resolution.
    */
   readonly ratio: () => number;
   /** Drawn while panning, to be redrawn finely at rest. */
@@ -54,13 +58,17 @@ const GROWS = 2.2,
 const COARSE = 1,
   MOST_COARSE = 2_500_000;
 
-/** So many CSS pixels are whole device pixels on every device. */
+/** While panning, a canvas has so many pixels, or a multiple, per so many units of the page. */
 const WHOLE = 4;
 
-/** The drawn part of a picture including its margin, in picture pixels. */
+/** Device pixels per unit of the page. */
+const fineRatio = () => devicePixelRatio * pageUnit();
+
+/** The drawn part of a picture including its margin, on whole device pixels. */
 export function drawnRoom({ width, height }: Size): Patch {
-  const beside = WHOLE * Math.round((AROUND * width) / WHOLE),
-    over = WHOLE * Math.round((AROUND * height) / WHOLE);
+  const whole = WHOLE * wholePixels(fineRatio());
+  const beside = whole * Math.round((AROUND * width) / whole),
+    over = whole * Math.round((AROUND * height) / whole);
   return { x: -beside, y: -over, width: beside + width + beside, height: over + height + over };
 }
 
@@ -72,23 +80,20 @@ function isStillUsable(drawn: Camera, now: Camera, size: Size): boolean {
   return drawn.xUp === now.xUp && grown <= GROWS && isInside;
 }
 
-/** Canvas pixels per CSS pixel while panning; quarters of a pixel stay whole. */
+/** Canvas pixels per unit of the page while panning; quarters of a pixel stay whole. */
 function coarseRatio(size: Size): number {
   const { width, height } = drawnRoom(size),
     most = Math.sqrt(MOST_COARSE / (width * height));
-  return Math.min(COARSE, devicePixelRatio, Math.max(1, Math.floor(WHOLE * most)) / WHOLE);
+  return Math.min(COARSE * pageUnit(), fineRatio(), Math.max(1, Math.floor(WHOLE * most)) / WHOLE);
 }
 
 const START: Bounds = { left: -80, right: 20, low: 0, high: 40 };
 
-/** Margins for the scales along two edges and the buttons at the top, units of the page. */
+/** Margins for the scales along two edges and the buttons at the top. */
 function marginOf(size: Size): Margin {
-  const unit = pageUnit();
-  const { left, right, top, bottom } =
-    size.width < 480 * unit || size.height < 300 * unit
-      ? { left: 50, right: 8, top: 14, bottom: 26 }
-      : { left: 60, right: holdsOnScreen("narrow") ? 64 : 20, top: 24, bottom: 40 };
-  return { left: left * unit, right: right * unit, top: top * unit, bottom: bottom * unit };
+  return size.width < 480 || size.height < 300
+    ? { left: 50, right: 8, top: 14, bottom: 26 }
+    : { left: 60, right: holdsOnScreen("narrow") ? 64 : 20, top: 24, bottom: 40 };
 }
 
 /** A fitted picture keeps its camera while the new box fills at least this share of it. */
@@ -142,7 +147,7 @@ export function createViewport(xUp: boolean): Viewport {
     get: () => camera,
     drawn: () => drawn,
     isCoarse: () => isCoarse,
-    ratio: () => (isCoarse ? coarseRatio(size) : devicePixelRatio),
+    ratio: () => (isCoarse ? coarseRatio(size) : fineRatio()),
     size: () => size,
     subscribe(listener) {
       listeners.add(listener);

@@ -4,14 +4,16 @@ import { useLengths } from "../../calculation/lengths.ts";
 import { toneClass } from "./LoadLines.tsx";
 import { loadNumber, type LoadQuantity } from "./use-load.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
+import { pageLength } from "../../base/unit.ts";
 
-/** Length of a sample of a line, pixels. */
-const LONG = 34;
+/** Length and height of a sample of a line, pixels. */
+const LONG = 34,
+  HIGH = 10;
 
 function Sample({ tone, limited = false }: { readonly tone: number | null; readonly limited?: boolean }) {
   return (
-    <svg width={LONG} height="10" aria-hidden="true" className={toneClass(tone)}>
-      <path className={limited ? "load-line load-limited" : "load-line"} d="M0 5H999" />
+    <svg width={pageLength(LONG)} height={pageLength(HIGH)} aria-hidden="true" className={toneClass(tone)}>
+      <line className={limited ? "load-line load-limited" : "load-line"} x2="100%" y1="50%" y2="50%" />
     </svg>
   );
 }

@@ -11,7 +11,6 @@ import { SCALE_BELOW, SCALE_LEFT } from "../lathe/Axes.tsx";
 import { useCamera } from "../lathe/use-camera.ts";
 import type { Viewport } from "../lathe/viewport.ts";
 import { useLengths } from "../../calculation/lengths.ts";
-import { usePageUnit } from "../../base/unit.ts";
 import { useMedia } from "../../base/use-media.ts";
 import { MeasuredLabels, type DraggedLabel } from "./MeasuredLabels.tsx";
 import { MeasurePanel } from "./MeasurePanel.tsx";
@@ -84,7 +83,7 @@ function Cross({
   );
 }
 
-/** Margin around texts, units of the page. */
+/** Margin around texts, pixels. */
 const AIR = 6;
 
 /** Measurements as dimensions over a picture, and the tools while measuring. */
@@ -99,7 +98,6 @@ export function MeasureLayer({
 }) {
   const t = useTexts("measure"),
     lengths = useLengths(),
-    unit = usePageUnit(),
     isNarrow = useMedia("narrow");
   const camera = useCamera(viewport),
     size = viewport.size();
@@ -121,12 +119,12 @@ export function MeasureLayer({
   );
   const standing = useMemo(() => {
     const edges = {
-      left: (SCALE_LEFT + AIR) * unit,
-      right: (isNarrow ? 56 : AIR) * unit,
-      top: AIR * unit,
-      bottom: (SCALE_BELOW + AIR) * unit,
+      left: SCALE_LEFT + AIR,
+      right: isNarrow ? 56 : AIR,
+      top: AIR,
+      bottom: SCALE_BELOW + AIR,
     };
-    const paper = { camera, unit, size, edges, kept: panel && state.on ? [panel] : [] };
+    const paper = { camera, unit: 1, size, edges, kept: panel && state.on ? [panel] : [] };
     return placedMeasurements(
       paper,
       readings.map(({ measurement: { id, text }, figure }) => {
@@ -135,7 +133,7 @@ export function MeasureLayer({
         return { id, figure, text: said?.text ?? "", caption: said?.caption ?? "", ...(put && { put }) };
       }),
     );
-  }, [camera, unit, size, isNarrow, panel, state.on, readings, words, moved]);
+  }, [camera, size, isNarrow, panel, state.on, readings, words, moved]);
   useEffect(() => {
     measuring.labels.setState(
       standing.map(({ box }) => box),
@@ -146,7 +144,7 @@ export function MeasureLayer({
   const old = new Set(readings.flatMap(({ isStale, measurement: { id } }) => (isStale ? [id] : [])));
   return (
     <>
-      <svg className="sheet measure-sheet" aria-hidden="true">
+      <svg className="sheet measure-sheet" viewBox={`0 0 ${size.width} ${size.height}`} aria-hidden="true">
         {standing.map(({ id, lines, arrows }) => (
           <g key={id} className={old.has(id) ? "measured old" : "measured"}>
             <path className="line" d={lines} />

@@ -13,6 +13,7 @@ import { Icon } from "../../base/Icon.tsx";
 import { useLengths } from "../../calculation/lengths.ts";
 import { MeasuredTargetContext, type MeasuredTarget } from "../../document/measured-target-context.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
+import { pageUnit } from "../../base/unit.ts";
 import { useMedia } from "../../base/use-media.ts";
 import { otherText, gaugedText, type MeasurementWords } from "./measure-words.ts";
 import { removeMeasurement } from "./MeasuredLabels.tsx";
@@ -265,7 +266,9 @@ export function MeasurePanel({
     const watch = new ResizeObserver(() => {
       // An open list covers the picture for a moment; nothing moves out of its way.
       if (element.querySelector("details[open]")) return;
-      kept({ x: element.offsetLeft, y: element.offsetTop, width: element.offsetWidth, height: element.offsetHeight });
+      const { offsetLeft, offsetTop, offsetWidth, offsetHeight } = element,
+        unit = pageUnit();
+      kept({ x: offsetLeft / unit, y: offsetTop / unit, width: offsetWidth / unit, height: offsetHeight / unit });
     });
     watch.observe(element);
     return () => watch.disconnect();

@@ -3,6 +3,7 @@ import type { Pt } from "../../../kernel/geometry/point.ts";
 import { toPlace, type Camera, type Place } from "../../../view/camera.ts";
 import type { PlacedMeasurement } from "../../../view/measure/layout.ts";
 import { setMeasured } from "../../document/edits.ts";
+import { pageLength, pageUnit } from "../../base/unit.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { type MeasurementWords } from "./measure-words.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
@@ -55,7 +56,8 @@ function MeasuredLabel({
   const follow = (event: PointerEvent) => {
     const now = drag.current;
     if (!now) return;
-    const by = { x: event.clientX - now.from.x, y: event.clientY - now.from.y };
+    const unit = pageUnit(),
+      by = { x: (event.clientX - now.from.x) / unit, y: (event.clientY - now.from.y) / unit };
     if (!now.last && Math.hypot(by.x, by.y) < TAP) return;
     now.last = toPlace(camera, { x: now.middle.x + by.x, y: now.middle.y + by.y });
     move({ id, to: now.last });
@@ -80,7 +82,12 @@ function MeasuredLabel({
     <div
       className={isOld ? "measured-label old" : "measured-label"}
       data-moving={isMoving || undefined}
-      style={{ left: middle.x, top: middle.y, minWidth: box.width, minHeight: box.height }}
+      style={{
+        left: pageLength(middle.x),
+        top: pageLength(middle.y),
+        minWidth: pageLength(box.width),
+        minHeight: pageLength(box.height),
+      }}
     >
       <button
         type="button"

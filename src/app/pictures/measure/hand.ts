@@ -18,7 +18,6 @@ import { pickedWith } from "../../../view/measure/tool.ts";
 import { measuredIn, setMeasured } from "../../document/edits.ts";
 import type { Viewport } from "../lathe/viewport.ts";
 import { useEditor } from "../../document/store.ts";
-import { pageUnit } from "../../base/unit.ts";
 import { holds } from "../../base/use-media.ts";
 import { TOOL_KEYS, type MeasureHand, type Measuring, type MeasureState } from "./measuring.ts";
 import type { MeasureSource } from "./source.ts";
@@ -102,7 +101,7 @@ export function measureHand(
   const gripNow = (): SnapTarget => snapTargetOf(get().kind, { isTurned: source().plane === "ZX" });
   const held = (at: Place, reach: number): MeasuredPlace => {
     const camera = viewport.get();
-    return snapAt(snapped().snapping, toPlace(camera, at), (reach * pageUnit()) / camera.scale, gripNow());
+    return snapAt(snapped().snapping, toPlace(camera, at), reach / camera.scale, gripNow());
   };
   const pick = (place: MeasuredPlace, first: MeasuredPlace | null) => {
     const { snapping, moment } = snapped(),
@@ -188,7 +187,7 @@ export function measureHand(
     drag(from, to, done, byFinger) {
       hasKeys = false;
       if (byFinger) {
-        const place = held({ x: to.x, y: to.y - OVER * pageUnit() }, REACH);
+        const place = held({ x: to.x, y: to.y - OVER }, REACH);
         return done ? pick(place, get().first) : put({ cross: place });
       }
       const [a, b] = [held(from, REACH), held(to, REACH)],

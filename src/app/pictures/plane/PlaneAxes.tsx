@@ -7,9 +7,8 @@ import { SCALE_BELOW, SCALE_LEFT } from "../lathe/Axes.tsx";
 import { useCamera } from "../lathe/use-camera.ts";
 import type { Viewport } from "../lathe/viewport.ts";
 import { useLengths } from "../../calculation/lengths.ts";
-import { usePageUnit } from "../../base/unit.ts";
 
-/** Smallest distance of two marks, units of the page. */
+/** Smallest distance of two marks. */
 const APART = { x: 72, y: 44 };
 
 /** Grid and scales of the working plane: X along the lower edge, Y along the left one, both axes as chain lines. */
@@ -21,17 +20,16 @@ export const PlaneAxes = memo(function PlaneAxes({
   readonly part: "grid" | "scales";
 }) {
   const camera = useCamera(viewport),
-    { width, height } = viewport.size(),
-    page = usePageUnit();
+    { width, height } = viewport.size();
   const { language, per, unit } = useLengths();
   const corner = planePoint(toPlace(camera, { x: 0, y: 0 })),
     far = planePoint(toPlace(camera, { x: width, y: height }));
-  const alongX = ticks(corner.x / per, far.x / per, (page * APART.x) / camera.scale / per),
-    alongY = ticks(corner.y / per, far.y / per, (page * APART.y) / camera.scale / per);
+  const alongX = ticks(corner.x / per, far.x / per, APART.x / camera.scale / per),
+    alongY = ticks(corner.y / per, far.y / per, APART.y / camera.scale / per);
   const placeX = (x: number) => toScreen(camera, partPoint({ x: x * per, y: 0 })).x;
   const placeY = (y: number) => toScreen(camera, partPoint({ x: 0, y: y * per })).y;
-  const right = page * SCALE_LEFT,
-    floor = height - page * SCALE_BELOW;
+  const right = SCALE_LEFT,
+    floor = height - SCALE_BELOW;
   if (part === "grid") {
     const lines =
       alongX.values.map((x) => `M${placeX(x)} 0V${height}`).join("") +
@@ -43,12 +41,8 @@ export const PlaneAxes = memo(function PlaneAxes({
       </g>
     );
   }
-  const shownX = alongX.values
-    .map((v) => ({ v, x: placeX(v) }))
-    .filter(({ x }) => x > right + 16 * page && x < width - 28 * page);
-  const shownY = alongY.values
-    .map((v) => ({ v, y: placeY(v) }))
-    .filter(({ y }) => y > 28 * page && y < floor - 6 * page);
+  const shownX = alongX.values.map((v) => ({ v, x: placeX(v) })).filter(({ x }) => x > right + 16 && x < width - 28);
+  const shownY = alongY.values.map((v) => ({ v, y: placeY(v) })).filter(({ y }) => y > 28 && y < floor - 6);
   return (
     <g className="lathe-scales" aria-hidden="true">
       <path className="lathe-scale-ground" d={`M0 0H${right}V${floor}H${width}V${height}H0Z`} />
@@ -58,19 +52,19 @@ export const PlaneAxes = memo(function PlaneAxes({
         d={shownX.map(({ x }) => `M${x} ${floor}v4`).join("") + shownY.map(({ y }) => `M${right} ${y}h-4`).join("")}
       />
       {shownX.map(({ v, x }, i) => (
-        <text key={i} x={x} y={height - 6 * page} textAnchor="middle">
+        <text key={i} x={x} y={height - 6} textAnchor="middle">
           {formatNumber(language, v, alongX.decimals)}
         </text>
       ))}
       {shownY.map(({ v, y }, i) => (
-        <text key={i} x={right - 7 * page} y={y + 4 * page} textAnchor="end">
+        <text key={i} x={right - 7} y={y + 4} textAnchor="end">
           {formatNumber(language, v, alongY.decimals)}
         </text>
       ))}
-      <text className="lathe-scale-name" x={right - 7 * page} y={16 * page} textAnchor="end">
+      <text className="lathe-scale-name" x={right - 7} y={16} textAnchor="end">
         Y
       </text>
-      <text className="lathe-scale-name" x={width - 8 * page} y={height - 6 * page} textAnchor="end">
+      <text className="lathe-scale-name" x={width - 8} y={height - 6} textAnchor="end">
         {unit === "mm" ? "X" : `X ${unit}`}
       </text>
     </g>

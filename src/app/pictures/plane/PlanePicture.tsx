@@ -5,6 +5,7 @@ import type { PlaneRole } from "../../../view/approach/plane-scene.ts";
 import { ringData } from "../../../view/path.ts";
 import { useNewerRun } from "../lathe/NewestLines.tsx";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
+import { useViewBox } from "../lathe/use-view-box.ts";
 import type { Viewport } from "../lathe/viewport.ts";
 import { World } from "../lathe/World.tsx";
 import type { NoStock } from "../../calculation/cut-milled.ts";
@@ -60,16 +61,17 @@ export function PlanePicture({
   /** Content in screen space over the picture. */
   readonly children: React.ReactNode;
 }) {
-  const { plane: steps } = run;
+  const { plane: steps } = run,
+    viewBox = useViewBox(viewport);
   return (
     <div className="lathe-picture plane-picture" role="img" aria-label={name}>
-      <svg className="sheet">
+      <svg className="sheet" viewBox={viewBox}>
         <PlaneAxes viewport={viewport} part="grid" />
       </svg>
       {typeof milled !== "string" && (
         <MilledSheet viewport={viewport} steps={steps} playback={playback} milled={milled} />
       )}
-      <svg className="sheet still">
+      <svg className="sheet still" viewBox={viewBox}>
         <World viewport={viewport} shifts>
           {rapids.length > 0 && (
             <path className="shape-gouge plane-rapid-through" d={ringData(rapids.flatMap(({ rings }) => [...rings]))} />
@@ -79,7 +81,7 @@ export function PlanePicture({
         </World>
       </svg>
       <MillSheet viewport={viewport} steps={steps} playback={playback} />
-      <svg className="sheet">
+      <svg className="sheet" viewBox={viewBox}>
         <World viewport={viewport}>
           {hovered}
           <RunningMotion steps={steps} playback={playback} />

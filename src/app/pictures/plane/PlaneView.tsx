@@ -1,5 +1,6 @@
-import { useEffect, useId, useMemo, useState } from "react";
+import { useCallback, useEffect, useId, useMemo, useState } from "react";
 import { Toolbar } from "react-aria-components/Toolbar";
+import type { ApproachRun, PlaneStep } from "../../../program/tools/plane-types.ts";
 import { PLANE_ROLES } from "../../../view/approach/plane-scene.ts";
 import { joined } from "../../../view/bounds.ts";
 import { trackOf } from "../../../view/playback.ts";
@@ -42,13 +43,24 @@ import { momentSentence, PlaneReadout, SpokenMoment } from "./PlaneReadout.tsx";
 import { approachSpeech } from "./speech.ts";
 import { usePlanePicking } from "./use-plane-picking.ts";
 import { KEEPS_KEYBOARD } from "../../place/place.ts";
-import { chooseMilled } from "../selection.ts";
+import { chooseMilled, useChosenApproaches } from "../selection.ts";
 import "../help/help.css";
 import "../lathe/lathe.css";
 import "./approach.css";
 import { Outdated } from "../lathe/Outdated.tsx";
+import { pageLength } from "../../base/unit.ts";
 
 const NO_TIP = { x: 0, y: 0 };
+
+/** Chooses the approaches whose points have names: those of the chosen blocks, else the running one. */
+function useNamedApproach(approaches: readonly ApproachRun[], steps: readonly PlaneStep[], playback: PlaybackStore) {
+  const chosen = useChosenApproaches(approaches),
+    running = usePlayback(playback, (s) => steps[s.shown().step]?.index ?? null);
+  return useCallback(
+    (a: ApproachRun) => (chosen.length > 0 ? chosen.includes(a) : a.index === running),
+    [chosen, running],
+  );
+}
 
 /**
  * The working plane of a milling program: contours, the path of the tool centre with its named points, the height along
@@ -93,6 +105,7 @@ export function PlaneView({
     [run, steps],
   );
   const speech = useMemo(() => approachSpeech(lengths, "XY", NO_TIP), [lengths]);
+  const isNamed = useNamedApproach(approaches, steps, playback);
   const { hover, over, tap } = usePlanePicking({ run, leads: approaches, viewport, onMove });
   const measuring = useMeasuring();
   const source = usePlaneSource(run, typeof milled === "string" ? null : milled.stock, playback);
@@ -158,7 +171,7 @@ export function PlaneView({
             <ul className="lathe-legend small" aria-label={t.legend}>
               {there.map((role) => (
                 <li key={role}>
-                  <svg width="26" height="8" aria-hidden="true">
+                  <svg width={pageLength(26)} height={pageLength(8)} viewBox="0 0 26 8" aria-hidden="true">
                     <path className={`plane-${role}`} d="M1 4H25" />
                   </svg>
                   {lines[role]}
@@ -190,7 +203,7 @@ export function PlaneView({
           hovered={<HoveredMotion run={run} hover={hover} />}
           name={name}
         >
-          <PlanePoints viewport={viewport} approaches={approaches} speech={speech} id={id} />
+          <PlanePoints {...{ viewport, approaches, isNamed, speech, id }} />
           <FreePoints viewport={viewport} places={places} speech={speech} />
           <PlaceLines seeing={sectionProjection(viewport)} places={places} />
         </PlanePicture>

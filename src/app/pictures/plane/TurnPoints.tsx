@@ -1,8 +1,9 @@
-import { useId, useMemo } from "react";
+import { useCallback, useId, useMemo } from "react";
 import type { ApproachRun } from "../../../program/tools/plane-types.ts";
 import { withLegiblePoints } from "../../../view/approach/legible-points.ts";
 import type { Viewport } from "../lathe/viewport.ts";
 import { useLengths } from "../../calculation/lengths.ts";
+import { useChosenApproaches } from "../selection.ts";
 import { PlanePoints } from "./PlanePoints.tsx";
 import { approachSpeech } from "./speech.ts";
 import "../help/help.css";
@@ -25,5 +26,7 @@ export function TurnPoints({
   const id = useId(),
     lengths = useLengths();
   const speech = useMemo(() => approachSpeech(lengths, "ZX", NO_TIP), [lengths]);
-  return <PlanePoints viewport={viewport} approaches={approaches} speech={speech} id={id} choose={withLegiblePoints} />;
+  const chosen = useChosenApproaches(approaches),
+    isNamed = useCallback((a: ApproachRun) => chosen.length === 0 || chosen.includes(a), [chosen]);
+  return <PlanePoints {...{ viewport, approaches, isNamed, speech, id }} choose={withLegiblePoints} />;
 }

@@ -18,7 +18,6 @@ import type { GrowingStock } from "./milled.ts";
 
 const COLOURS = {
   ground: "--material",
-  hatch: "--material-hatch",
   edge: "--line-strong",
   step: "--line-strong",
 } as const satisfies Record<keyof MilledColours, string>;

@@ -12,13 +12,13 @@ const { sum } = plane;
  */
 export function approachSpeech(lengths: Lengths, plane: WorkingPlane, tip: PlanePoint): ApproachWords {
   const signed = (n: number) => lengths.signed(n).replace("-", "−");
+  const contour = (at: PlanePoint) =>
+    plane === "ZX"
+      ? `X⌀${lengths.number(toDiameter(radius(at.y)))} Z${signed(at.x)}`
+      : `X${signed(at.x)} Y${signed(at.y)}`;
   return {
     number: (n) => lengths.number(n).replace("-", "−"),
-    point(p) {
-      const at = sum(p, tip);
-      return plane === "ZX"
-        ? `X⌀${lengths.number(toDiameter(radius(at.y)))} Z${signed(at.x)}`
-        : `X${signed(at.x)} Y${signed(at.y)}`;
-    },
+    point: (p) => contour(sum(p, tip)),
+    contour,
   };
 }

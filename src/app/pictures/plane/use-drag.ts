@@ -1,6 +1,6 @@
 import { useState, type PointerEvent } from "react";
 import { planePoint, type PlanePoint } from "../../../kernel/plane/plane.ts";
-import { pageUnit } from "../../base/unit.ts";
+import { placeIn } from "../../base/unit.ts";
 import { toPlace, type Camera } from "../../../view/camera.ts";
 import type { Handle } from "../../../view/approach/drag.ts";
 
@@ -29,10 +29,7 @@ export function useDrag(onMove: (handle: Handle, to: PlanePoint, camera: Camera)
     move(event) {
       const picture = event.currentTarget.ownerDocument.defaultView && event.currentTarget.closest("svg");
       if (!held || !picture) return;
-      const box = picture.getBoundingClientRect();
-      const unit = pageUnit();
-      const place = { x: (event.clientX - box.left) / unit, y: (event.clientY - box.top) / unit };
-      onMove(held.handle, planePoint(toPlace(held.camera, place)), held.camera);
+      onMove(held.handle, planePoint(toPlace(held.camera, placeIn(picture, event))), held.camera);
     },
     end: () => hold(null),
   };

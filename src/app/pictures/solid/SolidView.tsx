@@ -16,6 +16,9 @@ import { useLoadOf } from "../load/use-load.ts";
 import { reducedMotion } from "../../base/settings/appearance.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { changeSettings, useSettings } from "../../base/settings/settings.ts";
+import { pageUnit, sizeOf } from "../../base/unit.ts";
+import { useViewBox } from "../lathe/use-view-box.ts";
+import type { PlaceProjection } from "../lathe/place-projection.ts";
 import { createEye, spaceProjection, type Eye } from "./eye.ts";
 import { listenToHands } from "./hands.ts";
 import { createShow, NOTHING_TOLD, type Show, type ShownWork } from "./show.ts";
@@ -73,9 +76,10 @@ function useRunning(clock: Clock, setTrouble: (trouble: Trouble) => void) {
     const eye = createEye(clock, () => reducedMotion(useSettings.getState())),
       show = createShow(stage, eye, clock, tell);
     const measure = () => {
-      const { clientWidth: width, clientHeight: height } = element;
+      const size = sizeOf(element),
+        unit = pageUnit();
       const buttons = element.querySelector<HTMLElement>(".solid-foot");
-      if (width > 0 && height > 0) show.setSize({ width, height }, buttons ? height - buttons.offsetTop : 0);
+      if (size.width > 0 && size.height > 0) show.setSize(size, buttons ? size.height - buttons.offsetTop / unit : 0);
     };
     const sizes = new ResizeObserver(measure),
       deaf = listenToHands(element, eye);
@@ -174,6 +178,16 @@ function Notes({
   );
 }
 
+/** Lines and numbers over the body. */
+function Marks({ run, seeing, places }: Pick<Props, "run" | "places"> & { readonly seeing: PlaceProjection }) {
+  return (
+    <svg className="solid-marks" viewBox={useViewBox(seeing)} aria-hidden="true">
+      <LoadPart.Mark run={run} seeing={seeing} />
+      <PlaceLines seeing={seeing} places={places} />
+    </svg>
+  );
+}
+
 function SolidPicture({
   work,
   run,
@@ -223,10 +237,7 @@ function SolidPicture({
         </p>
         {seeing && (
           <>
-            <svg className="solid-marks" aria-hidden="true">
-              <LoadPart.Mark run={run} seeing={seeing} />
-              <PlaceLines seeing={seeing} places={places} />
-            </svg>
+            <Marks run={run} seeing={seeing} places={places} />
             <PlaceButtons seeing={seeing} places={places} chosen={chosen} choose={choose} />
           </>
         )}

@@ -1,4 +1,5 @@
 import type { Place } from "../../../view/camera.ts";
+import { placeIn } from "../../base/unit.ts";
 import type { Eye } from "./eye.ts";
 
 /** Radians for each pixel of a drag, zoom for each pixel of the wheel. */
@@ -51,13 +52,13 @@ export function listenToHands(element: HTMLElement, eye: Eye): () => void {
     event.stopPropagation();
     if (event.target instanceof Element && event.target.closest("button")) return;
     element.setPointerCapture(event.pointerId);
-    down.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    down.set(event.pointerId, placeIn(element, event));
     if (event.button > 0 || event.shiftKey) sliding.add(event.pointerId);
   });
   listen("pointermove", (event) => {
     event.stopPropagation();
     const before = down.get(event.pointerId),
-      here = { x: event.clientX, y: event.clientY };
+      here = placeIn(element, event);
     if (!before) return;
     const [other] = [...down].filter(([id]) => id !== event.pointerId).map(([, place]) => place);
     down.set(event.pointerId, here);

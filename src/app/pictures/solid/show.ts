@@ -21,6 +21,7 @@ import type { TonedSide } from "../../../view/solid/tones.ts";
 import { UNTOUCHED } from "../../../view/material/surfaces.ts";
 import { tipAt } from "../../../view/tip.ts";
 import { stopwatch, type Clock } from "../../base/clock.ts";
+import { pageUnit } from "../../base/unit.ts";
 import { stepIndex, type PlayedScene, type InitialScene } from "../../calculation/moving.ts";
 import { knownOf } from "../lathe/played-layer.ts";
 import { bodySource, isSameNotes } from "./body-source.ts";
@@ -95,8 +96,12 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
   let heard: (() => void)[] = [];
 
   const playing = () => work?.moving?.playback.get().playing ?? false;
+  /** Canvas pixels per unit of the page. */
   const sharpRatio = ({ width, height }: Size) =>
-    Math.min(devicePixelRatio, PIXELS.ratio, Math.sqrt(PIXELS.most / Math.max(1, width * height)));
+    Math.min(
+      Math.min(devicePixelRatio, PIXELS.ratio) * pageUnit(),
+      Math.sqrt(PIXELS.most / Math.max(1, width * height)),
+    );
 
   const atOf = (moving: PlayedScene | null): PlayPosition => moving?.playback.shown() ?? { step: 0, fraction: 0 };
 

@@ -47,7 +47,7 @@ const open = () => screen.getByRole<HTMLInputElement>("textbox");
 
 test("the drawing names its points with their coordinates, and follows what is typed", async () => {
   const now = shown(4);
-  expect(screen.getByRole("img", { name: /PS at X−10 Y−10, PH at X−5 Y−5, PA at X−5 Y\+5/ })).toBeDefined();
+  expect(screen.getByRole("img", { name: /PS at X−10 Y−10, PH at X−5 Y−5, PA at X\+5 Y\+5/ })).toBeDefined();
   await userEvent.click(screen.getByRole("button", { name: /^LEN length/ }));
   expect(document.activeElement).toBe(open());
   await userEvent.clear(open());

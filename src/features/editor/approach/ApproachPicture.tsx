@@ -1,7 +1,8 @@
 import { useId, useMemo, useRef, useState } from "react";
+import { pointText } from "../../../view/approach/points.ts";
 import { approach } from "../../../kernel/plane/approach.ts";
 import { compensate } from "../../../kernel/plane/compensate.ts";
-import { plane, towardsTool, type PlanePoint } from "../../../kernel/plane/plane.ts";
+import { plane, type PlanePoint } from "../../../kernel/plane/plane.ts";
 import type { ApproachForm } from "../../../nc/words.ts";
 import type { ApproachWord } from "../../../program/motion/approach-fields.ts";
 import type { ApproachContext, ReadyApproach } from "../../../program/edits/approach-request.ts";
@@ -18,7 +19,7 @@ import { gridOf, useDrag } from "../../../app/pictures/plane/use-drag.ts";
 import "../../../app/pictures/help/help.css";
 import "../../../app/pictures/plane/approach.css";
 
-const { direction, scaled } = plane;
+const { scaled } = plane;
 
 /** Farther elements of a long contour are left out of the picture, mm. */
 const FARTHEST = 500;
@@ -64,14 +65,10 @@ export function ApproachPicture({
     [lengths, context.plane, context.tip],
   );
 
-  const offset = (): PlanePoint => {
-    if (!shown) return { x: 0, y: 0 };
-    const { request } = shown;
-    if (request.departing) return scaled(context.tip, -1);
-    return scaled(towardsTool(direction(request.element, request.element.from), request.side), request.toolRadius);
-  };
+  /** From the programmed point to its handle: PA is on the contour, PN on the path of the tool centre. */
+  const offset: PlanePoint = shown?.request.departing ? scaled(context.tip, -1) : { x: 0, y: 0 };
   const drag = useDrag((handle, to, camera) => {
-    const change = made && dragged(made.result, handle, to, gridOf(camera), offset());
+    const change = made && dragged(made.result, handle, to, gridOf(camera), offset);
     if (change) onDrag(change);
   });
   const drawing = useMemo(
@@ -96,7 +93,10 @@ export function ApproachPicture({
         <p className="approach-empty soft">{t.noPicture}</p>
       </div>
     );
-  const spoken = drawing.points.map((p) => t.point(p.names.join(" = "), speech.point(p.at))).join(", ");
+  const spoken = drawing.points
+    .filter(({ names }) => names.length > 0)
+    .map((p) => t.point(p.names.join(" = "), pointText(p, speech)))
+    .join(", ");
   const handles = handlesOf(made.result, form.startsWith("P") && !context.pole).flatMap((handle) => {
     const place =
       handle === "centre" ? drawing.centre?.place : drawing.points.find((p) => p.names.includes(handle))?.place;
@@ -112,7 +112,13 @@ export function ApproachPicture({
       >
         <HelpMarks marks={drawing.marks} id={id} />
         {drawing.points.map((p) => (
-          <circle key={p.names.join()} className="approach-point" cx={px(p.place.x)} cy={px(p.place.y)} r={3.5} />
+          <circle
+            key={`${p.at.x} ${p.at.y}`}
+            className="approach-point"
+            cx={px(p.place.x)}
+            cy={px(p.place.y)}
+            r={3.5}
+          />
         ))}
         {handles.map(({ handle, place }) => (
           <g
