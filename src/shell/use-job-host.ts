@@ -6,7 +6,7 @@ import { isSetupPlace } from "../app/fields/dialog/setup-prompts.ts";
 import { writeTyped } from "../app/fields/dialog/write-value.ts";
 import { setPrompt } from "../app/document/edits.ts";
 import { setPlace, takePlace } from "../app/document/setup-edits.ts";
-import { goToField, openPrompt, showSection } from "../app/place/place.ts";
+import { goToField, openPrompt, enterSection } from "../app/place/place.ts";
 import type { JobReading } from "../app/document/reading.ts";
 import { useSettings } from "../app/base/settings/settings.ts";
 import { useTexts } from "../app/base/settings/use-texts.ts";
@@ -40,7 +40,7 @@ export function useJobHost(read: JobReading): FindingsHost {
         return { name: places.blank, go: () => openPrompt(at, "") };
       if (at === "start.x") return { name: places.startX, go: () => goToField("setup", "start.x") };
       if (at === "start.z") return { name: places.startZ, go: () => goToField("setup", "start.z") };
-      if (at === "contour") return { name: places.contour, go: () => showSection("contour") };
+      if (at === "contour") return { name: places.contour, go: () => enterSection("contour") };
       if (issue.code === "blankMissing" || issue.code === "blankImpossible")
         return {
           name: places.blank,
@@ -53,7 +53,7 @@ export function useJobHost(read: JobReading): FindingsHost {
         };
       if (isAboutTool(at) || issue.code === "toolUnknown")
         return { name: places.tool, go: () => goToField("setup", "tool") };
-      return block === null ? null : { name: t.findings.inBlock(String(block)), go: () => showSection("program") };
+      return block === null ? null : { name: t.findings.inBlock(String(block)), go: () => enterSection("program") };
     };
     const fixesOf = (entry: FindingEntry): readonly Fix[] => {
       const { issue, at } = entry;

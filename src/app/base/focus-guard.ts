@@ -46,7 +46,7 @@ function remember(element: HTMLElement): Focused {
 /** The element of a part of the page that gets the focus: the same control, the marked one, or the first one. */
 function targetIn(part: Element | null, name: string): HTMLElement | null {
   if (!part || !isShown(part)) return null;
-  const all = [part, ...part.querySelectorAll(FOCUSABLE)].filter(isFocusable);
+  const all = [...part.querySelectorAll(FOCUSABLE), part].filter(isFocusable);
   const marked = part.matches(`[${FIRST_FOCUS}]`) ? part : part.querySelector(`[${FIRST_FOCUS}]`);
   return (
     all.find((each) => nameOf(each) === name && each.matches("button, a")) ??
@@ -79,6 +79,46 @@ function placeOf({ name, path, element }: Focused): HTMLElement | null {
 const wasInDialog = ({ path }: Focused): boolean =>
   path.some(({ element }) => element instanceof HTMLDialogElement && !(element.isConnected && element.open));
 
+/** Frames in which components place the focus themselves, and in which a part of the page may appear. */
+const OWN_FRAMES = 2;
+const MOST_FRAMES = 120;
+
+/** Whether the focus is being moved to a part of the page that is not shown yet. */
+const moving = { isPending: false };
+
+/**
+ * Moves the focus into a part of the page as soon as it is shown. `ask` lets the part place it on one of its elements;
+ * otherwise it gets the first one. The next key or press has its way.
+ */
+export function focusPart(selector: string, ask: () => void): void {
+  let isAsked = false;
+  const user = new AbortController();
+  const end = () => {
+    moving.isPending = false;
+    user.abort();
+  };
+  const look = (frame: number) => {
+    if (user.signal.aborted) return;
+    const part = document.querySelector(selector);
+    const target = frame < OWN_FRAMES ? null : targetIn(part, "");
+    if (part && part !== document.activeElement && part.contains(document.activeElement)) return end();
+    if (target && isAsked) target.focus({ preventScroll: true });
+    if ((target && isAsked) || frame === MOST_FRAMES) return end();
+    if (target) {
+      isAsked = true;
+      ask();
+    }
+    requestAnimationFrame(() => look(frame + 1));
+  };
+  moving.isPending = true;
+  // Not the event that has called this.
+  requestAnimationFrame(() => {
+    for (const act of ["keydown", "pointerdown"] as const)
+      document.addEventListener(act, end, { capture: true, signal: user.signal });
+    look(0);
+  });
+}
+
 /** Gives the focus a new place when its element disappears, as long as the page is operated by keys or a mouse. */
 export function guardFocus(): void {
   let past: readonly Focused[] = [];
@@ -92,7 +132,7 @@ export function guardFocus(): void {
   };
   const settle = () => {
     pending = false;
-    if (byTouch || !isAway()) return;
+    if (byTouch || moving.isPending || !isAway()) return;
     const behind = past.filter((each) => !wasInDialog(each));
     for (const each of behind) {
       const target = placeOf(each);

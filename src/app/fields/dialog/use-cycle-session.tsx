@@ -9,7 +9,7 @@ import { setPrompt, setPrompts } from "../../document/edits.ts";
 import { setPlace } from "../../document/setup-edits.ts";
 import { isAboutTool, isError, type FindingEntry } from "../../findings/entry.ts";
 import { useFindings } from "../../findings/use-findings.ts";
-import { mayTakeKeyboard, openPrompt, showSection, usePlace } from "../../place/place.ts";
+import { mayTakeKeyboard, openPrompt, enterSection, usePlace } from "../../place/place.ts";
 import type { JobReading } from "../../document/reading.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
@@ -117,7 +117,7 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
         name: label,
         shown: { text: has ? elements(job.contour.length) : none, unit: "", soft: !has },
         hasNoValue: true,
-        action: { label: has ? change : t.findings.done.toContour, run: () => showSection("contour"), needed: !has },
+        action: { label: has ? change : t.findings.done.toContour, run: () => enterSection("contour"), needed: !has },
       },
     );
   };
