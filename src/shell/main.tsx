@@ -25,6 +25,7 @@ import "../app/base/styles/layout.css";
 import "../app/base/styles/dialog.css";
 import "../app/base/styles/panels.css";
 import "../app/base/styles/start.css";
+import { guardFocus } from "../app/base/focus-guard.ts";
 import { onKeysKey } from "../app/fields/keys/keys-key.ts";
 import { startOfflineLater } from "../features/offline/first.ts";
 
@@ -35,6 +36,7 @@ followMissing();
 startOfflineLater();
 document.addEventListener("keydown", onHistoryKey);
 document.addEventListener("keydown", onKeysKey);
+guardFocus();
 /** Starts saving the history in this tab and the picture of the work. The first screen waits for neither. */
 async function startKeepingExtras(): Promise<void> {
   const [{ startKeepingSteps, takeKeptSteps }, { startKeepingPictures }] = await retryImport(() =>

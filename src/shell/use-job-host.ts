@@ -2,10 +2,11 @@ import { useMemo } from "react";
 import type { ParamTextId } from "../cycles/index.ts";
 import { writer } from "../i18n/write.ts";
 import { positionAsTyped } from "../program/values/typed-value.ts";
-import { isSetupPlace, setPlace } from "../app/fields/dialog/setup-prompts.ts";
+import { isSetupPlace } from "../app/fields/dialog/setup-prompts.ts";
 import { writeTyped } from "../app/fields/dialog/write-value.ts";
-import { setPrompt, setStart, setTool } from "../app/document/edits.ts";
-import { goToField, openPrompt, showSection } from "../app/place/place.ts";
+import { setPrompt } from "../app/document/edits.ts";
+import { setPlace, takePlace } from "../app/document/setup-edits.ts";
+import { goToField, openPrompt, enterSection } from "../app/place/place.ts";
 import type { JobReading } from "../app/document/reading.ts";
 import { useSettings } from "../app/base/settings/settings.ts";
 import { useTexts } from "../app/base/settings/use-texts.ts";
@@ -39,7 +40,7 @@ export function useJobHost(read: JobReading): FindingsHost {
         return { name: places.blank, go: () => openPrompt(at, "") };
       if (at === "start.x") return { name: places.startX, go: () => goToField("setup", "start.x") };
       if (at === "start.z") return { name: places.startZ, go: () => goToField("setup", "start.z") };
-      if (at === "contour") return { name: places.contour, go: () => showSection("contour") };
+      if (at === "contour") return { name: places.contour, go: () => enterSection("contour") };
       if (issue.code === "blankMissing" || issue.code === "blankImpossible")
         return {
           name: places.blank,
@@ -52,7 +53,7 @@ export function useJobHost(read: JobReading): FindingsHost {
         };
       if (isAboutTool(at) || issue.code === "toolUnknown")
         return { name: places.tool, go: () => goToField("setup", "tool") };
-      return block === null ? null : { name: t.findings.inBlock(String(block)), go: () => showSection("program") };
+      return block === null ? null : { name: t.findings.inBlock(String(block)), go: () => enterSection("program") };
     };
     const fixesOf = (entry: FindingEntry): readonly Fix[] => {
       const { issue, at } = entry;
@@ -60,13 +61,13 @@ export function useJobHost(read: JobReading): FindingsHost {
         return [
           {
             name: t.setup.tool.take(issue.data.tool),
-            apply: oneStep(() => setTool(issue.data.tool)),
+            apply: () => takePlace("tool", String(issue.data.tool)),
           },
         ];
       if (issue.code === "startOnWrongSide") {
         const start = () => {
-          setStart("x", positionAsTyped(issue.data.x));
-          setStart("z", positionAsTyped(issue.data.z));
+          setPlace("start.x", positionAsTyped(issue.data.x));
+          setPlace("start.z", positionAsTyped(issue.data.z));
         };
         return [
           { name: t.dialog.takeNearest(writer(language).place(issue.data.x, issue.data.z)), apply: oneStep(start) },
@@ -91,7 +92,7 @@ export function useJobHost(read: JobReading): FindingsHost {
         return [
           {
             name: t.dialog.takeNearest(writeTyped(language, nearest, START_DECIMALS)),
-            apply: oneStep(() => setPlace(at, String(nearest))),
+            apply: () => takePlace(at, String(nearest)),
           },
         ];
       if (nearest === null || at === null) return [];
@@ -102,12 +103,11 @@ export function useJobHost(read: JobReading): FindingsHost {
         },
       ];
       if (param) return take(param.decimals, () => setPrompt(at, String(nearest)));
-      if (at === "start.x" || at === "start.z")
-        return take(START_DECIMALS, () => setStart(at === "start.x" ? "x" : "z", String(nearest)));
+      if (at === "start.x" || at === "start.z") return take(START_DECIMALS, () => setPlace(at, String(nearest)));
       return [];
     };
     const toFirstOpen = () => goTo(read.reading.issues[0]?.at ?? null);
-    const takeTool: FindingsHost["takeTool"] = (_, tool) => oneStep(() => setTool(tool))();
+    const takeTool: FindingsHost["takeTool"] = (_, tool) => takePlace("tool", String(tool));
     return { targetOf, fixesOf, cycleOf: () => job.cycle, point: () => undefined, toFirstOpen, takeTool };
   }, [t, language, read]);
 }

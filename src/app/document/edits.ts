@@ -1,6 +1,6 @@
 import type { Measurement } from "../../kernel/plan/measured.ts";
 import type { ClampingDraft } from "../../program/clamping/words.ts";
-import type { BlankDraft, ContourRow, Job, SpindleDraft } from "../../program/job/job.ts";
+import type { ContourRow, Job, SpindleDraft } from "../../program/job/job.ts";
 import type { Draft } from "../../program/job/read-draft.ts";
 import { changeProgram, edit, useEditor, type Editor } from "./store.ts";
 import { LONGEST_REMARKS, MOST_MEASURED, type ProgramWork } from "./work.ts";
@@ -25,14 +25,6 @@ export const setPrompts = (texts: Draft): void =>
 /** The typed value of a Q parameter that prompts use. */
 export const setParameter = (name: string, text: string): void =>
   edit((job) => ({ ...job, parameters: { ...job.parameters, [name]: text } }), `parameter ${name}`);
-
-export const setTool = (tool: number | null): void => edit((job) => (job.tool === tool ? job : { ...job, tool }));
-
-export const setBlank = (field: keyof BlankDraft, text: string): void =>
-  edit((job) => ({ ...job, blank: { ...job.blank, [field]: text } }), `blank ${field}`);
-
-export const setStart = (field: "x" | "z", text: string): void =>
-  edit((job) => ({ ...job, start: { ...job.start, [field]: text } }), `start ${field}`);
 
 /** Sets the clamping of the job; null: not stated. */
 export const setClamping = (clamping: ClampingDraft | null, place: string | null): void =>

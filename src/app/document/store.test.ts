@@ -3,7 +3,8 @@ import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job/job.ts";
 import { cellOf } from "../../program/tools/tool-entry.ts";
 import { shippedList } from "../../program/tools/tool-list.ts";
-import { draftOf, setBlank, setPrompt, setTool } from "./edits.ts";
+import { draftOf, setPrompt } from "./edits.ts";
+import { setPlace } from "./setup-edits.ts";
 import { redoStep, undoStep } from "./history.ts";
 import { asOneStep, closeStep, redo, undo, useSteps } from "./steps.ts";
 import { openFirstWork, edit, open, useEditor } from "./store.ts";
@@ -44,8 +45,8 @@ test("another field, or leaving the field, begins a new step", () => {
 
 test("undo reaches tool, blank and the choice of the program", () => {
   const tool = useEditor.getState().job?.tool;
-  setTool(99);
-  setBlank("outside", "80");
+  setPlace("tool", "99");
+  setPlace("blank.outside", "80");
   open(null, null);
   undo();
   expect(useEditor.getState().work).toBe("work");
@@ -125,7 +126,7 @@ test("the changes of one button are one step, without anything typed before", ()
   asOneStep(() => setPrompt(first, "17.3"));
   asOneStep(() => {
     setPrompt(first, "17.35");
-    setBlank("outside", "83.1");
+    setPlace("blank.outside", "83.1");
   });
   expect(steps()).toBe(2);
   undo();

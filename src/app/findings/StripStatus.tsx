@@ -1,5 +1,5 @@
 import { Icon } from "../base/Icon.tsx";
-import { showSection } from "../place/place.ts";
+import { enterSection } from "../place/place.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { useListed, useVerdict } from "./use-findings.ts";
 
@@ -15,7 +15,7 @@ export function StripStatus({ otherwise = "" }: { readonly otherwise?: string })
   return (
     <p className="effect-status" role="status">
       {(listed.length > 0 || open > 0) && (
-        <button type="button" className={`problem-button ${worst}`} onClick={() => showSection("findings")}>
+        <button type="button" className={`problem-button ${worst}`} onClick={() => enterSection("findings")}>
           <Icon name={worst} /> {listed.length > 0 ? t.count(listed.length) : done.open(open)}
         </button>
       )}

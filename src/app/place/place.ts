@@ -3,6 +3,7 @@ import { create } from "zustand";
 import type { Site } from "../../cycles/shape-request.ts";
 import type { LessonPage } from "../../course/progress.ts";
 import type { Ring, Segment } from "../../kernel/geometry/point.ts";
+import { focusPart } from "../base/focus-guard.ts";
 import { thirdColumn } from "../base/use-media.ts";
 
 const JOB_SECTIONS = ["prompts", "setup", "contour", "findings", "program"] as const;
@@ -216,6 +217,16 @@ export const showPrompt = (prompt: string, before: string): void =>
   set({ section: "prompts", prompt, before, field: null });
 
 export const showSection = (section: WorkSection): void => set({ section, field: null });
+
+/** Shows a section and moves the focus into it, also out of an area that keeps it. */
+export function enterSection(section: WorkSection): void {
+  showSection(section);
+  focusPart(`.panel-${section}`, () => {
+    const { activeElement } = document;
+    if (activeElement instanceof HTMLElement && !mayTakeKeyboard()) activeElement.blur();
+    set((p) => ({ focus: p.focus + 1 }));
+  });
+}
 
 /** Shows a section and focuses one of its fields. */
 export const goToField = (section: WorkSection, field: string): void =>

@@ -1,7 +1,7 @@
 import { useNotices } from "../base/notices.ts";
 import { beforeEach, expect, test, vi } from "vitest";
 import type { Job } from "../../program/job/job.ts";
-import { setTool } from "../document/edits.ts";
+import { takePlace } from "../document/setup-edits.ts";
 import { openFirstWork, useEditor } from "../document/store.ts";
 import { device, emptyDevice, someJob as job } from "./fake-device.ts";
 import { refreshWorks, startAutosave, startWork, unsavedWorks, useSavedWorks } from "./keep.ts";
@@ -28,7 +28,7 @@ test("an empty device opens the start page", async () => {
 test("every change is saved under the name of the work", async () => {
   const stop = startAutosave();
   startWork(job);
-  setTool(7);
+  takePlace("tool", "7");
   stop();
   await settle();
   const { work } = useEditor.getState();
@@ -82,7 +82,7 @@ test("a reload returns to the work of this tab, or to its start page", async () 
 test("a state not written before the page closed is there after a reload, unless a newer one is", async () => {
   const stop = startAutosave();
   startWork(job);
-  setTool(8);
+  takePlace("tool", "8");
   dispatchEvent(new Event("pagehide"));
   const { work } = useEditor.getState();
   device.works.clear();
@@ -101,7 +101,7 @@ test("a page that closes during writing stores that state for the next page, and
   const stop = startAutosave();
   startWork({ ...job, name: "FIRST" });
   startWork(job);
-  setTool(8);
+  takePlace("tool", "8");
   document.dispatchEvent(new Event("visibilitychange"));
   dispatchEvent(new Event("pagehide"));
   expect(device.works.size).toBe(0);
@@ -121,10 +121,10 @@ test("of a work that the device refused, only the newest state is stored for the
   device.refuses = "full";
   const stop = startAutosave();
   startWork(job);
-  setTool(5);
+  takePlace("tool", "5");
   document.dispatchEvent(new Event("visibilitychange"));
   await settle();
-  setTool(6);
+  takePlace("tool", "6");
   dispatchEvent(new Event("pagehide"));
   const { work } = useEditor.getState();
   const left = JSON.parse(sessionStorage.getItem("turnwise/pending") ?? "[]") as {
@@ -148,7 +148,7 @@ test("a refused state gives a notice, stays in memory, and is saved as soon as t
   device.refuses = "full";
   const stop = startAutosave();
   startWork(job);
-  setTool(9);
+  takePlace("tool", "9");
   stop();
   await settle();
   expect(useNotices.getState().notices).toEqual(["storageFull"]);
@@ -178,14 +178,14 @@ test("a state restored by undo before its successor is written is the one saved"
   const rested = () => new Promise((done) => setTimeout(done, 120));
   await rested();
   const first = useEditor.getState();
-  setTool(7);
+  takePlace("tool", "7");
   useEditor.setState(first);
   await rested();
   expect([...device.works.values()].map(({ job: kept }) => kept)).toEqual([first.job]);
 
   let write = () => undefined as void;
   device.slow = new Promise((done) => (write = () => done()));
-  setTool(8);
+  takePlace("tool", "8");
   await rested();
   useEditor.setState(first);
   write();

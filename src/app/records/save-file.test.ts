@@ -111,6 +111,12 @@ test("the clamping of a work is saved with it, even half typed; a save without i
   ).toBeNull();
 });
 
+test("what was proposed for set fields is saved with them; a save without it is as before", () => {
+  const job = { ...saved()[0]?.job, proposals: { tool: "1", "blank.outside": "60" } };
+  expect(readSave(JSON.parse(JSON.stringify({ version: SAVE_VERSION, savedAt: 1, job })))?.job).toEqual(job);
+  expect(readSave(saved()[0])?.job).not.toHaveProperty("proposals");
+});
+
 test("the further files of a program and its skip switch are saved with it; a save without them is as before", () => {
   const program = { name: "MAIN.H", text: "CALL PGM A", encoding: "utf-8" as const };
   const file = { name: "a.h", text: "L X+1 ;\u00d8", encoding: "windows-1252" as const };

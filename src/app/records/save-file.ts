@@ -5,6 +5,7 @@ import { at } from "../../kernel/geometry/point.ts";
 import { NUMBER_PARAMETER } from "../../nc/value.ts";
 import { CLAMPING_KINDS } from "../../program/clamping/words.ts";
 import type { ContourRow, Job, TaskWork } from "../../program/job/job.ts";
+import { SETUP_PLACES } from "../../program/job/setup-places.ts";
 import { LEGACY_OUTPUT, isNcOutput, JOB_LAYOUTS, type NcOutput } from "../../program/machine/nc-output.ts";
 import { toolRows } from "../document/tool-rows.ts";
 import {
@@ -107,6 +108,7 @@ const job = z.object({
   tool: z.nullable(z.number()),
   blank: z.object({ outside: text, bore: text, length: text, allowance: text }),
   start: z.object({ x: text, z: text }),
+  proposals: z.optional(z.partialRecord(z.enum(SETUP_PLACES), text)),
   clamping: z.optional(z.object({ kind: z.enum(CLAMPING_KINDS), words: z.record(z.string(), text) })),
   spindle: z.object({ mode: z.enum(["constant", "surface"]), speed: text, cuttingSpeed: text, limit: text }),
   perRevolution: z.boolean(),

@@ -1,6 +1,6 @@
 import { useNotices } from "../base/notices.ts";
 import { beforeEach, expect, test, vi } from "vitest";
-import { setTool } from "../document/edits.ts";
+import { takePlace } from "../document/setup-edits.ts";
 import { redo, undo, useSteps } from "../document/steps.ts";
 import { openFirstWork, open, useEditor } from "../document/store.ts";
 import { workElsewhere, usePlace } from "../place/place.ts";
@@ -45,7 +45,7 @@ test("a work open in another tab is not opened, with a message; copying it leave
   const stop = startAutosave();
   await copyWork("shared", (name) => `${name}_2`);
   expect(workElsewhere(usePlace.getState())).toBeNull();
-  setTool(9);
+  takePlace("tool", "9");
   stop();
   await settle();
   const { work } = useEditor.getState();
@@ -87,7 +87,7 @@ test("a work requested by another tab goes there with the last key, and is close
   startWork(job);
   const { work } = useEditor.getState();
   await heard();
-  setTool(6);
+  takePlace("tool", "6");
   other.postMessage({ kind: "give", work, to: "me" });
   await heard();
   expect(device.works.get(work ?? "")?.job).toMatchObject({ tool: 6 });
@@ -103,7 +103,7 @@ test("a state that the device refused goes to the other tab in the answer", asyn
   const stop = startAutosave();
   startWork(job);
   const { work } = useEditor.getState();
-  setTool(4);
+  takePlace("tool", "4");
   other.postMessage({ kind: "give", work, to: "me" });
   await heard();
   expect(answers).toContainEqual({ kind: "given", work, to: "me", state: expect.objectContaining({ tool: 4 }) });

@@ -14,7 +14,7 @@ import { MeasuredTargetContext } from "../../app/document/measured-target-contex
 import { ConfirmExportDialog } from "../../app/fields/leaving/ConfirmExportDialog.tsx";
 import { useMeasuredTarget } from "../../app/document/measured-target.ts";
 import { useInserting } from "../../app/document/inserting.ts";
-import { showSection, usePlace, type ProgramSection } from "../../app/place/place.ts";
+import { enterSection, showSection, usePlace, type ProgramSection } from "../../app/place/place.ts";
 import { playback } from "../../app/calculation/playback.ts";
 import { PrintedProgram } from "../../app/fields/program/PrintedProgram.tsx";
 import { SectionTabs } from "../../app/place/SectionTabs.tsx";
@@ -102,7 +102,7 @@ export function ProgramWorkplace() {
   const possible: readonly ProgramSection[] = [...(wide ? [] : ["text" as const]), "block", "structure", "findings"];
   const open = possible.find((section) => section === asked) ?? (wide ? "structure" : "text");
   const content: Readonly<Record<ProgramSection, ReactNode>> = {
-    text: <TextPanel toBlock={() => showSection("block")} />,
+    text: <TextPanel toBlock={() => enterSection("block")} />,
     block: <BlockPanel />,
     structure: <StructurePanel />,
     findings: <FindingsPanel host={host} />,

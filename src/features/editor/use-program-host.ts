@@ -10,7 +10,7 @@ import { showFile, useShownOtherFile } from "../../app/document/shown-file.ts";
 import { isIn, ownPlace } from "../../app/document/shown-findings.ts";
 import { placeInFile } from "../../app/calculation/issue-text.ts";
 import type { Program } from "../../nc/program.ts";
-import { showSection } from "../../app/place/place.ts";
+import { enterSection } from "../../app/place/place.ts";
 import { outputInUse } from "../../app/document/output.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
@@ -81,7 +81,7 @@ export function useProgramHost(): FindingsHost {
       if (index === -1 || (entry.block === null && entry.line === null)) return null;
       const go = () => {
         open(entry);
-        showSection("block");
+        enterSection("block");
       };
       return {
         name: entry.inFile ? placeInFile(t, entry.inFile) : t.findings.inBlock(String(entry.block ?? index)),
@@ -104,7 +104,7 @@ export function useProgramHost(): FindingsHost {
         name: nameOf(repair),
         apply: () => {
           editProgram(repair.next(), null, repair.open);
-          if (repair.asks) showSection("block");
+          if (repair.asks) enterSection("block");
         },
       }));
       const tool = entry.issue.code === "betterTool" && repairs.length === 0 ? entry.issue.data.tool : null;

@@ -5,10 +5,11 @@ import { ncLabels } from "../../i18n/nc-labels.ts";
 import { parse } from "../../nc/parse.ts";
 import { print } from "../../nc/program.ts";
 import { withOperation } from "../../program/edits/added-operation.ts";
+import { operationsOf } from "../../program/edits/operations.ts";
 import { requestedText } from "../../program/job/requested-text.ts";
 import type { Proposal } from "../../report/which/ways.ts";
 import { openText } from "../../app/fields/open/open-program.ts";
-import { openPrompt } from "../../app/place/place.ts";
+import { enterSection, openPrompt } from "../../app/place/place.ts";
 import { printedText } from "../../app/document/printed.ts";
 import { startWork } from "../../app/records/keep.ts";
 import { outputInUse } from "../../app/document/output.ts";
@@ -25,15 +26,20 @@ export async function applyProposal(
     labels = ncLabels(ncLanguage);
   const made = { ...job, ncLanguage, output: outputInUse() };
   if (adds && program) {
-    const [{ editProgram, sessionText }, { showFile }] = await Promise.all([
+    const [{ editProgram, sessionText }, { showFile }, { openingBlock }] = await Promise.all([
       import("../../app/fields/blocks/session.ts"),
       import("../../app/document/shown-file.ts"),
+      import("../../app/fields/blocks/operation-rows.ts"),
     ]);
     showFile(null);
-    return editProgram(withOperation(parse(sessionText() ?? program.text), made, labels), null);
+    const next = withOperation(parse(sessionText() ?? program.text), made, labels);
+    editProgram(next, null, openingBlock(next, operationsOf(next).units.length - 1));
+    return enterSection("block");
   }
-  if (adds && open)
-    return openText(print(withOperation(parse(printedText(open)), { ...made, layout: open.layout }, labels)));
+  if (adds && open) {
+    openText(print(withOperation(parse(printedText(open)), { ...made, layout: open.layout }, labels)));
+    return enterSection("structure");
+  }
   if (wanted.allowance > 0) return openText(requestedText(made, wanted, labels));
   startWork(made);
   const [first] = Object.keys(cycleByNumber(made.cycle)?.params ?? {});

@@ -6,6 +6,7 @@ import { NC_OUTPUTS, type JobLayout, type NcOutput } from "../machine/nc-output.
 import type { Control } from "../tools/plane-types.ts";
 import { exampleDraft, type Draft } from "./read-draft.ts";
 import type { ToolList } from "../tools/tool-list.ts";
+import type { SetupPlace } from "./setup-places.ts";
 
 /** One row of the contour table, as typed: end point, radius, corner element, centre. */
 export interface ContourRow {
@@ -104,6 +105,8 @@ export interface Job extends HandedOn {
   readonly blank: BlankDraft;
   /** Tip at the cycle call: ⌀ and Z, mm. An empty field is proposed. */
   readonly start: { readonly x: string; readonly z: string };
+  /** What was proposed for a field of the set-up when it was set. A different proposal is shown beside the field. */
+  readonly proposals?: Readonly<Partial<Record<SetupPlace, string>>>;
   /** Clamping as typed; absent without one. */
   readonly clamping?: ClampingDraft;
   readonly spindle: SpindleDraft;

@@ -6,8 +6,9 @@ import type { Tool } from "../../kernel/plan/tool.ts";
 import { anyNumber, readText } from "../values/field.ts";
 import { programIssue, type ProgramIssue } from "../state/issue.ts";
 import type { BlankDraft, SetJob } from "./job.ts";
+import type { SetupPlace } from "./setup-places.ts";
 import type { EstimatedWork } from "../values/estimated-work.ts";
-import type { Setup, SetupPlace } from "./setup.ts";
+import type { Setup } from "./setup.ts";
 import { endInFront, endsAlong } from "../values/dimension-slips.ts";
 import type { DraftReading } from "./read-draft.ts";
 

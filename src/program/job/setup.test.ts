@@ -8,7 +8,8 @@ import { printJob } from "./print-job.ts";
 import { run } from "../run/run.ts";
 import { readDraft } from "./read-draft.ts";
 import { setupQuestions } from "./setup-questions.ts";
-import { setupOf, withSetup } from "./setup.ts";
+import { otherProposal, setupOf, withSetup } from "./setup.ts";
+import { SETUP_PLACES } from "./setup-places.ts";
 import { shippedTools } from "../tools/shipped-tools.ts";
 
 const cycleOf = (number: number) => {
@@ -94,6 +95,32 @@ test("a half-typed number changes nothing that depends on it", () => {
 test("material in front of the face is not proposed for an end that was typed without its minus", () => {
   const { blank } = setup(emptyJob(812, { Q491: "61.3", Q492: "0", Q493: "40", Q494: "55" }));
   expect(blank).toMatchObject({ length: "85", allowance: "0" });
+});
+
+describe("another proposal for a set field", () => {
+  const shoulder = { Q491: "61.3", Q492: "0", Q493: "40", Q494: "-33.2" };
+  test.each(cuttingCycles.map((cycle) => [cycle.number, cycle] as const))("none in example %i", (_, cycle) => {
+    expect(SETUP_PLACES.map((place) => otherProposal(exampleJob(cycle), place, shippedTools))).toEqual(
+      SETUP_PLACES.map(() => null),
+    );
+  });
+  const set = { blank: { ...UNSET.blank, outside: "60" }, tool: 1 };
+  test.each<[string, Partial<Job>, "blank.outside" | "tool", string | null]>([
+    ["the proposal has changed", { ...set, proposals: { "blank.outside": "60" } }, "blank.outside", "61.3"],
+    ["it is as it was", { ...set, proposals: { "blank.outside": "61.3" } }, "blank.outside", null],
+    ["it is not known what was proposed", set, "blank.outside", null],
+    ["it is empty", { proposals: { "blank.outside": "60" } }, "blank.outside", null],
+    [
+      "it is what is set",
+      { blank: { ...UNSET.blank, outside: "61.30" }, proposals: { "blank.outside": "60" } },
+      "blank.outside",
+      null,
+    ],
+    ["another tool that suits the contour", { ...set, tool: 2 }, "tool", null],
+    ["a tool that does not", { ...set, tool: 10 }, "tool", "1"],
+  ])("%s", (_, rest, place, other) => {
+    expect(otherProposal(emptyJob(812, shoulder, rest), place, shippedTools)).toBe(other);
+  });
 });
 
 describe("questions where values and set-up do not agree", () => {

@@ -12,14 +12,12 @@ import { readRows } from "./contour-rows.ts";
 import { readText, type Field } from "../values/field.ts";
 import { knownParameters } from "./job-parameters.ts";
 import type { BlankDraft, Job, SetJob } from "./job.ts";
+import { SETUP_PLACES, type SetupPlace } from "./setup-places.ts";
 import { readDraft } from "./read-draft.ts";
 import { SETUP_FIELDS as FIELDS } from "./setup-fields.ts";
+import { typedAt, withPlace } from "./setup-place.ts";
 import { positionAsTyped } from "../values/typed-value.ts";
 import { fitOf, isUsualTool, usualFirst } from "../tools/which-tool.ts";
-
-/** Fields of the set-up that are proposed until set. */
-export type SetupPlace =
-  "tool" | "blank.outside" | "blank.bore" | "blank.length" | "blank.allowance" | "start.x" | "start.z";
 
 /** Set-up of a job: set values, the rest proposed. */
 export interface Setup {
@@ -104,15 +102,22 @@ function startOf(cycle: Cycle, { box, from, to, across, inside, shape }: Estimat
 
 /**
  * Tool of the table that a turner would use: of the usual kind, oriented towards the work, able to machine the contour.
+ * The preferred one is tried first.
  */
-function toolOf(cycle: Cycle, work: EstimatedWork, given: Given, tools: readonly Tool[]): number {
+function toolOf(
+  cycle: Cycle,
+  work: EstimatedWork,
+  given: Given,
+  tools: readonly Tool[],
+  preferred: number = cycle.setup.tool,
+): number {
   const operation = Object.entries(cycle.params).find(([, p]) => p.text === "operation")?.[0];
   const values = { ...work.values, ...(operation === undefined ? {} : { [operation]: FINISHING }) } as Values<Params>;
-  const example = (tool: Tool) => Number(tool.T !== cycle.setup.tool);
+  const rank = (tool: Tool) => Number(tool.T !== preferred);
   const usual = usualFirst(
     cycle.group,
     tools.filter((tool) => isUsualTool(cycle.group, tool) && checkTool(tool).length === 0),
-  ).toSorted((a, b) => example(a) - example(b));
+  ).toSorted((a, b) => rank(a) - rank(b));
   const short = (given.contour?.length ?? 0) <= MOST_ELEMENTS;
   const start = given.start ?? work.from;
   const tried =
@@ -129,23 +134,20 @@ function toolOf(cycle: Cycle, work: EstimatedWork, given: Given, tools: readonly
     if (found.makesContour) return tool.T;
     if (found.cuts) cuts ??= tool.T;
   }
-  return cuts ?? usual[0]?.T ?? cycle.setup.tool;
+  return cuts ?? usual[0]?.T ?? preferred;
 }
 
-/** Set-up of a job: set fields as they are, empty ones proposed from the values typed so far. */
-export function setupOf(job: Job, tools: readonly Tool[]): Setup {
+/**
+ * Set-up of a job: set fields as they are, empty ones proposed from the values typed so far. `preferred`: the tool that
+ * is tried first, by default that of the printed example.
+ */
+export function setupOf(job: Job, tools: readonly Tool[], preferred?: number): Setup {
   const cycle = cycleByNumber(job.cycle);
   const known = knownParameters(job);
   const read = (field: Field, typed: string) => readText(field, typed, known).value;
   const set = { ...job.blank, ...job.start };
   const isSet = (typed: string) => typed.trim() !== "";
-  const proposed = new Set<SetupPlace>([
-    ...(job.tool === null ? ["tool" as const] : []),
-    ...(["outside", "bore", "length", "allowance"] as const).flatMap((f) =>
-      isSet(set[f]) ? [] : [`blank.${f}` as const],
-    ),
-    ...(["x", "z"] as const).flatMap((f) => (isSet(set[f]) ? [] : [`start.${f}` as const])),
-  ]);
+  const proposed = new Set(SETUP_PLACES.filter((place) => !isSet(typedAt(job, place))));
   if (!cycle)
     return {
       tool: job.tool ?? 0,
@@ -184,8 +186,30 @@ export function setupOf(job: Job, tools: readonly Tool[]): Setup {
   const point = { x: text(tip.r), z: positionAsTyped(tip.z) };
   const start = { x: or(set.x, point.x), z: or(set.z, point.z) };
   const [x, z] = [half(read(FIELDS.startX, start.x)), read(FIELDS.startZ, start.z)];
-  const tool = job.tool ?? toolOf(cycle, work, { contour, start: x === null || z === null ? null : at(z, x) }, tools);
+  const tool =
+    job.tool ?? toolOf(cycle, work, { contour, start: x === null || z === null ? null : at(z, x) }, tools, preferred);
   return { tool, blank, start, proposed, work, proposal: { blank: made, start: point } };
+}
+
+/** What would be proposed for one field if it were empty. A set tool that suits the contour stays the proposed one. */
+export function proposalAt(job: Job, place: SetupPlace, tools: readonly Tool[]): string {
+  const without = withPlace(job, place, "");
+  // Only the proposal for a tool tries tools.
+  const asked = place === "tool" ? without : { ...without, tool: job.tool ?? 0 };
+  return typedAt(setupOf(asked, tools, job.tool ?? undefined), place);
+}
+
+const isSame = (a: string, b: string) => a === b || Number(a) === Number(b);
+
+/**
+ * Another value that is proposed for a set field: the proposal has changed since it was set. Null if there is none. A
+ * tool is compared with the contour, whenever it was set.
+ */
+export function otherProposal(job: Job, place: SetupPlace, tools: readonly Tool[]): string | null {
+  const [typed, then] = [typedAt(job, place), job.proposals?.[place]];
+  if (typed.trim() === "" || (place !== "tool" && then === undefined)) return null;
+  const now = proposalAt(job, place, tools);
+  return isSame(now, typed) || (place !== "tool" && isSame(now, then ?? "")) ? null : now;
 }
 
 /** The job as printed, drawn and run: with a complete set-up. */

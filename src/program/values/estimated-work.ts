@@ -72,7 +72,9 @@ function likelyEnds(cycle: Cycle, { typed, tip, blank }: PartialInput): { readon
   const [d2, z2] = [across("Q493") ?? (typed["Q493"] === 0 ? 0 : null), number(typed["Q494"])];
   const outside = blank.outside === null ? null : toDiameter(radius(blank.outside));
   const tipDiameter = tip.r === null ? null : toDiameter(radius(tip.r));
-  const first = simple ? (tipDiameter ?? outside) : across("Q491");
+  // A contour starts on the surface of a solid blank, as `suggestedValue` says.
+  const isSurface = (blank.bore ?? 0) <= 0 && (d2 ?? 0) < (outside ?? 0);
+  const first = simple ? (tipDiameter ?? outside) : (across("Q491") ?? (isSurface ? outside : null));
   const d1 = first ?? (d2 === null ? example.d1 : d2 + deep);
   const end = d2 ?? Math.max(d1 - deep, d1 * CORE);
   // A shoulder begins at the face, and so does anything without a position.

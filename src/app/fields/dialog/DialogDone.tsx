@@ -4,7 +4,7 @@ import { useVerdict } from "../../findings/use-findings.ts";
 import { toneOf } from "../../findings/verdict.ts";
 import { VerdictText } from "../../findings/VerdictText.tsx";
 import { Icon } from "../../base/Icon.tsx";
-import { mayTakeKeyboard, showSection } from "../../place/place.ts";
+import { mayTakeKeyboard, enterSection } from "../../place/place.ts";
 import { CopyButton } from "../program/CopyButton.tsx";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { closeStep } from "../../document/steps.ts";
@@ -101,12 +101,12 @@ export function DialogDone({ session, inBlock }: { readonly session: PromptSessi
           </button>
         )}
         {kind === "contour" && (
-          <button type="button" className="button primary" onClick={() => showSection("contour")}>
+          <button type="button" className="button primary" onClick={() => enterSection("contour")}>
             {words.done.toContour}
           </button>
         )}
         {kind === "faults" && (
-          <button type="button" className="button primary" onClick={() => showSection("findings")}>
+          <button type="button" className="button primary" onClick={() => enterSection("findings")}>
             {words.leaving.look}
           </button>
         )}

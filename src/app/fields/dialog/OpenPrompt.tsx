@@ -115,7 +115,7 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
           </div>
         )
       )}
-      <PromptSteps session={session} prompt={prompt} />
+      <PromptSteps session={session} prompt={prompt} take={take} />
       <div className="range small soft">
         <p className="range-said" id={`${id}-range`}>
           {prompt.range !== null && (

@@ -34,7 +34,7 @@ export function ValueInput({
   useLayoutEffect(() => opened(), [id, session.opened.focus]);
 
   // A placeholder hidden by a value would be restyled with each digit.
-  const placeholder = suggestion && text === "" ? inScreenWriting(language, suggestion.text) : undefined;
+  const placeholder = suggestion !== undefined && text === "" ? inScreenWriting(language, suggestion) : undefined;
   return (
     <div className="value-box">
       <NumberInput

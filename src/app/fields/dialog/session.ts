@@ -35,8 +35,8 @@ export interface Prompt {
   readonly decimals: number;
   /** What the list of prompts shows. */
   readonly shown: { readonly text: string; readonly unit: string; readonly soft: boolean };
-  /** Suggestion for the empty field. ENT takes it; `holds`: it is used anyway while the field is empty. */
-  readonly suggestion?: { readonly text: string; readonly holds: boolean } | undefined;
+  /** Suggestion for the empty field. ENT takes it; a field of the set-up follows it until then. */
+  readonly suggestion?: string | undefined;
   /** Set-up group, before the prompts of the cycle; a closed group is one row of the list. */
   readonly group?: PromptGroup;
   /** Has no value, only an action. */
@@ -130,12 +130,12 @@ export interface PromptSession {
 export const openPromptOf = ({ fields, opened }: PromptSession): Prompt | null =>
   fields.find((f) => f.id === opened.id) ?? null;
 
-/** Suggestion for an empty prompt; null if it is answered or the suggestion is used anyway. */
+/** Suggestion for an empty prompt; null if it is answered. */
 export function suggestionFor(
   { draft }: Pick<PromptSession, "draft">,
   { id, suggestion, idle }: Prompt,
 ): string | null {
-  return suggestion && !suggestion.holds && !idle && (draft[id] ?? "").trim() === "" ? suggestion.text : null;
+  return suggestion !== undefined && !idle && (draft[id] ?? "").trim() === "" ? suggestion : null;
 }
 
 /** Suggestions for all unanswered prompts that have an effect. */

@@ -1,11 +1,11 @@
 import { readText, type Field, type FieldReading, emptyReading } from "../../../program/values/field.ts";
 import { knownParameters } from "../../../program/job/job-parameters.ts";
 import { SETUP_FIELDS } from "../../../program/job/setup-fields.ts";
-import type { SetupPlace } from "../../../program/job/setup.ts";
+import type { SetupPlace } from "../../../program/job/setup-places.ts";
+import { typedAt } from "../../../program/job/setup-place.ts";
 import type { Language } from "../../../i18n/languages.ts";
 import type { Texts } from "../../../i18n/index.ts";
 import type { Tool } from "../../../kernel/plan/tool.ts";
-import { setBlank, setStart, setTool } from "../../document/edits.ts";
 import { goToField } from "../../place/place.ts";
 import type { JobReading } from "../../document/reading.ts";
 import { promptOf, type Prompt } from "./session.ts";
@@ -37,33 +37,6 @@ export const FIRST_PLACE: SetupPlace = PLACES[0].id;
 
 export const isSetupPlace = (id: string): id is SetupPlace => PLACES.some((place) => place.id === id);
 
-/** Value of a set-up prompt, set or proposed. */
-function valueAt({ job }: JobReading, id: SetupPlace): string {
-  const { blank, start } = job;
-  const texts: Readonly<Record<SetupPlace, string>> = {
-    "blank.outside": blank.outside,
-    "blank.bore": blank.bore,
-    "blank.length": blank.length,
-    "blank.allowance": blank.allowance,
-    tool: String(job.tool),
-    "start.x": start.x,
-    "start.z": start.z,
-  };
-  return texts[id];
-}
-
-/** Writes a set-up value; an empty text restores the proposal. */
-export function setPlace(id: SetupPlace, text: string): void {
-  const number = text.trim();
-  if (id === "tool") {
-    if (/^\d{0,5}$/.test(number)) setTool(number === "" ? null : Number(number));
-    return;
-  }
-  const field = id.slice(id.indexOf(".") + 1);
-  if (id === "start.x" || id === "start.z") setStart(id === "start.x" ? "x" : "z", text);
-  else setBlank(field as keyof JobReading["job"]["blank"], text);
-}
-
 /** Set-up prompts with typed text, reading and proposal. */
 export interface SetupPrompts {
   readonly fields: readonly Prompt[];
@@ -91,7 +64,7 @@ export function setupPrompts(read: JobReading, t: Texts, language: Language, too
   const unitAt = (id: SetupPlace, shown: string) =>
     id === "tool" ? toolNamed(shown) : isAcross(id) ? words.units.diameter : words.units.mm;
   const screen = (text: string) => inScreenWriting(language, text);
-  const value = (id: SetupPlace) => screen(valueAt(read, id));
+  const value = (id: SetupPlace) => screen(typedAt(read.job, id));
   const blank = `⌀${value("blank.outside")} × ${value("blank.length")}`;
   const shownOf = {
     blank: { letter: "BLK", text: blank, unit: words.units.mm },
@@ -102,7 +75,7 @@ export function setupPrompts(read: JobReading, t: Texts, language: Language, too
   const readings: Record<string, FieldReading> = {};
   const fields = PLACES.map(({ id, letter, field, group }, i) => {
     const isProposed = setup.proposed.has(id);
-    const text = valueAt(read, id);
+    const text = typedAt(read.job, id);
     draft[id] = isProposed ? "" : text;
     readings[id] = isProposed ? emptyReading : readText(field, text, known);
     const unit = unitAt(id, text);
@@ -117,7 +90,7 @@ export function setupPrompts(read: JobReading, t: Texts, language: Language, too
         name: t.dialog.value(letter, names[id]),
         unit,
         shown: { text: screen(text), unit: id === "tool" ? "" : unit, soft: isProposed },
-        suggestion: { text, holds: true },
+        suggestion: text,
         group: { ...shownOf[group], id: group, name: groups[group], soft: proposes, at: [i + 1, PLACES.length] },
         ...(id === "tool" && {
           action: { label: words.tool.choose, run: () => goToField("setup", "tool"), needed: false },

@@ -3,19 +3,20 @@ import { isRecalled, type Param } from "../../../cycles/params.ts";
 import type { ParamTextId } from "../../../cycles/index.ts";
 import { formatNumber } from "../../../i18n/number.ts";
 import { anyNumber, readText } from "../../../program/values/field.ts";
-import type { SetupPlace } from "../../../program/job/setup.ts";
+import type { SetupPlace } from "../../../program/job/setup-places.ts";
 import { suggestedValue, type SuggestionContext } from "../../../program/values/suggestion.ts";
 import { setPrompt, setPrompts } from "../../document/edits.ts";
+import { setPlace } from "../../document/setup-edits.ts";
 import { isAboutTool, isError, type FindingEntry } from "../../findings/entry.ts";
 import { useFindings } from "../../findings/use-findings.ts";
-import { mayTakeKeyboard, openPrompt, showSection, usePlace } from "../../place/place.ts";
+import { mayTakeKeyboard, openPrompt, enterSection, usePlace } from "../../place/place.ts";
 import type { JobReading } from "../../document/reading.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { closeStep } from "../../document/steps.ts";
 import { useToolList } from "../../document/work-tools.ts";
 import { HelpSlot } from "./HelpSlot.tsx";
-import { isSetupPlace, setPlace, setupPrompts } from "./setup-prompts.ts";
+import { isSetupPlace, setupPrompts } from "./setup-prompts.ts";
 import { promptOf, type Prompt, type PromptSession } from "./session.ts";
 import { unitOf, writeValue } from "./write-value.ts";
 
@@ -101,7 +102,7 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
         idle,
         auto: param.kind === "feed",
         shown: shownOf(q, param),
-        ...(suggested !== null && { suggestion: { text: String(suggested), holds: false } }),
+        ...(suggested !== null && { suggestion: String(suggested) }),
       },
     );
   };
@@ -116,7 +117,7 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
         name: label,
         shown: { text: has ? elements(job.contour.length) : none, unit: "", soft: !has },
         hasNoValue: true,
-        action: { label: has ? change : t.findings.done.toContour, run: () => showSection("contour"), needed: !has },
+        action: { label: has ? change : t.findings.done.toContour, run: () => enterSection("contour"), needed: !has },
       },
     );
   };

@@ -1,4 +1,4 @@
-import { showSection } from "../../place/place.ts";
+import { enterSection } from "../../place/place.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { issueText, placeInFile } from "../../calculation/issue-text.ts";
 import { useLengths } from "../../calculation/lengths.ts";
@@ -58,7 +58,7 @@ export function ConfirmExportQuestion({
           autoFocus
           onClick={() => {
             answer(false);
-            showSection("findings");
+            enterSection("findings");
           }}
         >
           {words.look}

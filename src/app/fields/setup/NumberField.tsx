@@ -10,6 +10,8 @@ import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { closeStep } from "../../document/steps.ts";
 import { useTyping } from "../../base/typing.ts";
+import type { SetupPlace } from "../../../program/job/setup-places.ts";
+import { OtherProposal } from "./OtherProposal.tsx";
 
 interface Props {
   readonly name: string;
@@ -22,6 +24,8 @@ interface Props {
   readonly ask?: string;
   /** Value used while the field is empty. */
   readonly proposal?: string | undefined;
+  /** The field of the set-up that it is: another proposal for its value is shown beside it. */
+  readonly place?: SetupPlace;
 }
 
 /** Problem of a typed number; null if it is valid. */
@@ -34,7 +38,7 @@ function wrongNumber(field: Field, text: string): "missing" | "notANumber" | "ne
 }
 
 /** One number of the set-up. Each keystroke updates the work; sums are evaluated on blur. */
-export function NumberField({ name, unit, text: said, onText, field, ask, proposal }: Props) {
+export function NumberField({ name, unit, text: said, onText, field, ask, proposal, place }: Props) {
   const t = useTexts();
   const input = useRef<HTMLInputElement>(null);
   const language = useSettings((s) => s.language);
@@ -46,6 +50,12 @@ export function NumberField({ name, unit, text: said, onText, field, ask, propos
   const wrong = asking || (found === "missing" && proposal !== undefined) ? null : found;
   const proposed = proposal !== undefined && text.trim() === "" ? inScreenWriting(language, proposal) : undefined;
 
+  const take = (value: string) => {
+    closeStep();
+    onText(value);
+    closeStep();
+    input.current?.focus();
+  };
   useEffect(() => {
     if (asked === 0) return;
     input.current?.focus();
@@ -61,11 +71,15 @@ export function NumberField({ name, unit, text: said, onText, field, ask, propos
       text={text}
       onText={type}
       onLeave={closeStep}
+      onKeyDown={(event) => {
+        if (event.key !== "Enter" || proposal === undefined || proposed === undefined) return;
+        event.preventDefault();
+        take(proposal);
+      }}
       placeholder={proposed}
       aria-invalid={wrong !== null || problems.some((p) => p.issue.severity === "error")}
       hint={
-        proposal !== undefined &&
-        proposed !== undefined && (
+        proposal !== undefined && proposed !== undefined ? (
           <>
             <span>
               {t.setup.proposed}: {proposed}
@@ -74,15 +88,13 @@ export function NumberField({ name, unit, text: said, onText, field, ask, propos
               type="button"
               className="button small"
               aria-label={t.setup.keepLong(name, proposed)}
-              onClick={() => {
-                closeStep();
-                onText(proposal);
-                closeStep();
-              }}
+              onClick={() => take(proposal)}
             >
               {t.setup.keep}
             </button>
           </>
+        ) : (
+          place && <OtherProposal place={place} take={take} />
         )
       }
       messages={

@@ -1,12 +1,14 @@
-import { Suspense } from "react";
+import { Suspense, type ComponentProps } from "react";
 import { Radio, RadioGroup } from "react-aria-components/RadioGroup";
 import type { CycleNumber } from "../../../cycles/index.ts";
-import type { SetupPlace } from "../../../program/job/setup.ts";
+import type { SetupPlace } from "../../../program/job/setup-places.ts";
+import { typedAt } from "../../../program/job/setup-place.ts";
 import { usedParameters } from "../../../program/job/job-parameters.ts";
 import { parameterField, SETUP_FIELDS as FIELDS } from "../../../program/job/setup-fields.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
 import { useFits } from "../../calculation/use-tool-fits.ts";
-import { setBlank, setParameter, setPerRevolution, setRapid, setSpindle, setStart } from "../../document/edits.ts";
+import { setParameter, setPerRevolution, setRapid, setSpindle } from "../../document/edits.ts";
+import { setPlace } from "../../document/setup-edits.ts";
 import { LazyPromptMore } from "../said/LazyPromptMore.tsx";
 import { lazyPart } from "../../base/parts.ts";
 import { setupStartSlot } from "../slots.ts";
@@ -21,6 +23,11 @@ const MachineRapid = lazyPart(async () => ({ default: (await import("../machine/
 const SetupStart = lazyPart(async () => ({ default: await setupStartSlot.fetch() }));
 
 const JobClamping = lazyPart(async () => ({ default: (await import("./JobClamping.tsx")).JobClamping }));
+
+interface PlaceFieldProps extends Pick<ComponentProps<typeof NumberField>, "field" | "name" | "unit"> {
+  readonly read: JobReading;
+  readonly place: SetupPlace;
+}
 
 /** Heading of a set-up section, with a link to its guide pages. */
 function Legend({ name, page }: { readonly name: string; readonly page: string }) {
@@ -58,16 +65,27 @@ function ParameterFields({ read: { job } }: { readonly read: JobReading }) {
   );
 }
 
+/** A field that is proposed until it is set. */
+function PlaceField({ read, place, ...field }: PlaceFieldProps) {
+  const value = typedAt(read.job, place);
+  const isProposed = read.setup?.proposed.has(place) === true;
+  return (
+    <NumberField
+      {...field}
+      place={place}
+      text={isProposed ? "" : value}
+      proposal={isProposed ? value : undefined}
+      onText={(text) => setPlace(place, text)}
+    />
+  );
+}
+
 /** Everything besides the cycle: tool, blank, start point, spindle, feed unit, rapid rate. */
 export function SetupPanel({ read }: { readonly read: JobReading }) {
   const { setup: t, cycles } = useTexts();
   const fits = useFits();
   const { spindle, perRevolution, rapid } = read.job;
   const isOfMachine = useOutcome((s) => typeof s.pictured?.run.timing.rates === "object");
-  const { blank, start } = read.job;
-  /** Typed text of a set-up value, and its proposal if it is empty. */
-  const placeOf = (place: SetupPlace, value: string) =>
-    read.setup?.proposed.has(place) ? { text: "", proposal: value } : { text: value, proposal: undefined };
   return (
     <div className="setup">
       <ParameterFields read={read} />
@@ -75,50 +93,26 @@ export function SetupPanel({ read }: { readonly read: JobReading }) {
       <fieldset className="setup-group">
         <Legend name={t.start.title} page="start.x" />
         <p className="small soft">{t.start.hint}</p>
-        <NumberField
-          field={FIELDS.startX}
-          name={t.start.x}
-          unit={t.units.diameter}
-          {...placeOf("start.x", start.x)}
-          onText={(x) => setStart("x", x)}
-        />
-        <NumberField
-          field={FIELDS.startZ}
-          name={t.start.z}
-          unit={t.units.mm}
-          {...placeOf("start.z", start.z)}
-          onText={(z) => setStart("z", z)}
-        />
+        <PlaceField read={read} place="start.x" field={FIELDS.startX} name={t.start.x} unit={t.units.diameter} />
+        <PlaceField read={read} place="start.z" field={FIELDS.startZ} name={t.start.z} unit={t.units.mm} />
       </fieldset>
       <fieldset className="setup-group">
         <Legend name={t.blank.title} page="blank.outside" />
-        <NumberField
+        <PlaceField
+          read={read}
+          place="blank.outside"
           field={FIELDS.outside}
           name={t.blank.outside}
           unit={t.units.diameter}
-          {...placeOf("blank.outside", blank.outside)}
-          onText={(v) => setBlank("outside", v)}
         />
-        <NumberField
-          field={FIELDS.bore}
-          name={t.blank.bore}
-          unit={t.units.diameter}
-          {...placeOf("blank.bore", blank.bore)}
-          onText={(v) => setBlank("bore", v)}
-        />
-        <NumberField
-          field={FIELDS.length}
-          name={t.blank.length}
-          unit={t.units.mm}
-          {...placeOf("blank.length", blank.length)}
-          onText={(v) => setBlank("length", v)}
-        />
-        <NumberField
+        <PlaceField read={read} place="blank.bore" field={FIELDS.bore} name={t.blank.bore} unit={t.units.diameter} />
+        <PlaceField read={read} place="blank.length" field={FIELDS.length} name={t.blank.length} unit={t.units.mm} />
+        <PlaceField
+          read={read}
+          place="blank.allowance"
           field={FIELDS.allowance}
           name={t.blank.allowance}
           unit={t.units.mm}
-          {...placeOf("blank.allowance", blank.allowance)}
-          onText={(v) => setBlank("allowance", v)}
         />
       </fieldset>
       <Suspense>

@@ -1,5 +1,5 @@
 import type { ToolFit } from "../../../program/tools/which-tool.ts";
-import { setTool } from "../../document/edits.ts";
+import { takePlace } from "../../document/setup-edits.ts";
 import { FieldMessage } from "../number/FieldMessage.tsx";
 import { Icon } from "../../base/Icon.tsx";
 import { Message } from "../../base/Message.tsx";
@@ -40,7 +40,7 @@ export function ToolSummary({ read, fits }: { readonly read: JobReading; readonl
             type="button"
             className="button small"
             aria-label={setup.keepLong(t.title, String(read.job.tool))}
-            onClick={() => setTool(read.job.tool)}
+            onClick={() => takePlace("tool", String(read.job.tool))}
           >
             {setup.keep}
           </button>
@@ -54,7 +54,7 @@ export function ToolSummary({ read, fits }: { readonly read: JobReading; readonl
           <Message as="div" tone="warning">
             <p>{best ? t.better(best.tool.T, best.tool.NAME) : t.noneMakes}</p>
             {best && (
-              <button type="button" className="button" onClick={() => setTool(best.tool.T)}>
+              <button type="button" className="button" onClick={() => takePlace("tool", String(best.tool.T))}>
                 {t.take(best.tool.T)}
               </button>
             )}

@@ -83,7 +83,12 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
         <h2 className="task-title">{words.title}</h2>
         <TaskStatus task={task} t={t} />
         {makes && !veiled && (
-          <button type="button" className="button primary" disabled={checking} onClick={() => void checkTask(task)}>
+          <button
+            type="button"
+            className="button primary"
+            aria-disabled={checking}
+            onClick={() => !checking && void checkTask(task)}
+          >
             <Icon name="check" /> {t.check}
           </button>
         )}

@@ -3,7 +3,7 @@ import type { Task } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { draftOf } from "../../../app/document/edits.ts";
-import { openPrompt, showSection } from "../../../app/place/place.ts";
+import { openPrompt, enterSection } from "../../../app/place/place.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { useEditor } from "../../../app/document/store.ts";
@@ -18,7 +18,7 @@ const NAMED = 3;
 /** Opens the first empty prompt. */
 function openFirstMissing(lacks: NotReady): void {
   const { job } = useEditor.getState();
-  if (lacks.why === "noContour") return showSection("contour");
+  if (lacks.why === "noContour") return enterSection("contour");
   const q = lacks.why === "empty" ? lacks.at[0] : undefined;
   if (job && q !== undefined) openPrompt(q, draftOf(job)[q] ?? "");
 }

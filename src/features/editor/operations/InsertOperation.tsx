@@ -18,7 +18,7 @@ import { Icon } from "../../../app/base/Icon.tsx";
 import { ModalDialog } from "../../../app/base/ModalDialog.tsx";
 import { lazyPart } from "../../../app/base/parts.ts";
 import { whichSlot } from "../../../app/document/which-slot.ts";
-import { showSection } from "../../../app/place/place.ts";
+import { enterSection } from "../../../app/place/place.ts";
 import { outputInUse } from "../../../app/document/output.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
@@ -52,7 +52,7 @@ function insertOperation(job: SetJob, title: string, behind: number | null): voi
     title,
   });
   editProgram(next, null, openingBlock(next, behind === null ? 0 : behind + 1));
-  showSection("block");
+  enterSection("block");
 }
 
 /** Asks for cycle, tool, spindle and start point of an operation, then writes all of it. */
