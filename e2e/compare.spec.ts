@@ -10,12 +10,12 @@ test("a changed infeed is listed with its effect, by keyboard, and leads to its 
   await editor.openExample("flange");
   await expect(editor.total(t.page.effect.passes)).toHaveText("25");
   await editor.show("text");
-  await page.getByRole("button", { name: t.page.text.compare, exact: true }).click();
+  await turnwise.menus.choose("program", t.page.text.compare);
   const dialog = page.getByRole("dialog", { name: words.title, exact: true });
   await dialog.getByRole("combobox", { name: words.with }).selectOption(words.opened);
   await expect(dialog.getByRole("status")).toHaveText(words.same);
   await page.keyboard.press("Escape");
-  await expect(page.getByRole("button", { name: t.page.text.compare, exact: true })).toBeFocused();
+  await expect(turnwise.menus.button("program")).toBeFocused();
 
   // Paste another state of the same program: two other values and another title.
   const text = await readFile("src/examples/flange.h", "utf8");
@@ -24,7 +24,7 @@ test("a changed infeed is listed with its effect, by keyboard, and leads to its 
     .replace("TOOL CALL 3", "TOOL CALL 5")
     .replace("FACING", "FACE FIRST");
   await page.evaluate((copied) => navigator.clipboard.writeText(copied), other);
-  await page.getByRole("button", { name: t.page.text.compare, exact: true }).click();
+  await turnwise.menus.choose("program", t.page.text.compare);
   await dialog.getByRole("button", { name: words.clipboard, exact: true }).click();
   await expect(dialog.getByRole("status")).toContainText(`${words.values(2)}; ${words.time("")}`);
   const rows = dialog.getByRole("group", { name: words.list }).getByRole("button");
@@ -60,7 +60,7 @@ test("a cycle work is compared with an earlier one by its NC program", async ({ 
   await turnwise.start.beginWithExample(812);
   await turnwise.dialog.set("Q463", "2.4");
   await turnwise.show("program");
-  await page.getByRole("button", { name: t.page.text.compare, exact: true }).click();
+  await turnwise.menus.choose("program", t.page.text.compare);
   const dialog = page.getByRole("dialog", { name: words.title, exact: true });
   await expect(dialog.getByRole("status")).toContainText(words.values(1));
   const row = dialog.getByRole("group", { name: words.list }).getByRole("button");

@@ -33,7 +33,7 @@ test("the part is exported as bodies and drawings, from a cycle and from a progr
   const turnwise = await Turnwise.open(page);
   const { effect, lathe, start, t } = turnwise;
   const dialog = page.getByRole("dialog", { name: words.title, exact: true });
-  const open = () => page.getByRole("button", { name: t.page.text.exportPart, exact: true }).click();
+  const open = () => turnwise.menus.choose("export", t.page.text.exportPart);
   const save = (what: string, format: string) =>
     downloaded(dialog.getByRole("button", { name: words.save(what, format), exact: true }));
 

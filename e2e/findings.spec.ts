@@ -70,7 +70,7 @@ test("a program that is not simulated is never called verified, and names the bl
 test("a program with errors leaves only on confirmation: copying, downloading and sharing ask first", async ({
   page,
 }) => {
-  const { editor, findings, sharing, t } = await Turnwise.open(page);
+  const { editor, findings, menus, sharing, t } = await Turnwise.open(page);
   await editor.paste(MILLING);
   await expect(editor.total(t.findings.verdict.title)).toContainText(t.findings.verdict.faults(1));
   const copy = page.getByRole("button", { name: new RegExp(`^${t.page.text.copyLong}`) });
@@ -85,7 +85,7 @@ test("a program with errors leaves only on confirmation: copying, downloading an
   await expect(findings.question).toBeVisible();
   await page.keyboard.press("Escape");
   await expect(sharing.shareDialog).toBeHidden();
-  await page.getByRole("button", { name: new RegExp(`^${t.page.text.download("FAULT.h")}`) }).click();
+  await menus.choose("export", t.page.text.download("FAULT.h"));
   const download = page.waitForEvent("download");
   await findings.answer("download").click();
   expect((await download).suggestedFilename()).toBe("FAULT.h");

@@ -17,7 +17,7 @@ test("every control of every screen has the name listed for it, and no other con
   page,
 }) => {
   const turnwise = await Turnwise.open(page, { heldClock: true, seed: 7 });
-  const { comparison, course, dialog, editor, effect, sharing, own, settings, sheet, start, t, tools, works } =
+  const { comparison, course, dialog, editor, effect, menus, sharing, own, settings, sheet, start, t, tools, works } =
     turnwise;
   const home = () => page.getByRole("link", { name: t.page.home }).click();
   const screens: string[] = [];
@@ -92,7 +92,7 @@ test("every control of every screen has the name listed for it, and no other con
   await sharing.link();
   await look("hand on", sharing.shareDialog);
   await page.keyboard.press("Escape");
-  await page.getByRole("button", { name: t.page.text.output, exact: true }).click();
+  await menus.choose("program", t.page.text.output);
   await page.getByRole("dialog", { name: output.title, exact: true }).waitFor();
   await look("NC output", page.getByRole("dialog"));
   await page.keyboard.press("Escape");

@@ -68,7 +68,7 @@ test("DIN/ISO: shown, copied and downloaded alike; reopened, it runs the same", 
   await expect(page.getByText(t.page.notice.isoRead)).toBeVisible();
   await expect(editor.total(t.findings.verdict.title)).toContainText(t.findings.verdict.proved);
   const again = page.waitForEvent("download");
-  await page.getByRole("button", { name: t.page.text.asIso, exact: true }).click();
+  await turnwise.menus.choose("export", t.page.text.asIso);
   expect(await readFile(await (await again).path(), "utf8")).toBe(text);
 });
 
@@ -76,7 +76,7 @@ test("machine functions, line ends and name stay with the work", async ({ page }
   const turnwise = await Turnwise.open(page);
   const { program, t } = turnwise;
   await turnwise.start.beginWithExample(811);
-  await page.getByRole("button", { name: t.page.text.output, exact: true }).click();
+  await turnwise.menus.choose("program", t.page.text.output);
   const dialog = page.getByRole("dialog", { name: output.title, exact: true });
   await dialog.getByRole("combobox", { name: output.preset, exact: true }).selectOption("transfer");
   await dialog.getByRole("textbox", { name: output.spindleOn, exact: true }).fill("403");

@@ -10,7 +10,7 @@ test("the finished part of a program is turned around and continues as a new pro
   const { editor, effect, start, t } = turnwise;
   const dialog = page.getByRole("dialog", { name: words.title, exact: true });
   const open = dialog.getByRole("button", { name: words.open, exact: true });
-  const ask = () => page.getByRole("button", { name: t.page.text.turnRound, exact: true }).click();
+  const ask = () => turnwise.menus.choose("program", t.page.text.turnRound);
   const allowance = dialog.getByRole("textbox", { name: words.allowance("mm"), exact: true });
 
   await start.beginWithExample(812);
@@ -47,7 +47,7 @@ test("after parting off, choose bar or part to turn around; the dialog fits a ph
   await editor.paste(await readFile("tests/shop/bush.h", "utf8"));
   await expect(page.getByText(t.findings.verdict.proved).first()).toBeVisible();
   await editor.show("text");
-  await page.getByRole("button", { name: t.page.text.turnRound, exact: true }).click();
+  await turnwise.menus.choose("program", t.page.text.turnRound);
   const dialog = page.getByRole("dialog", { name: words.title, exact: true });
   await expect(dialog.getByRole("radio", { name: words.off("⌀56 × 40 mm"), exact: true })).toBeChecked();
   await expectAccessibleAndFits(page);
@@ -62,7 +62,7 @@ test("a program with errors leaves no part to turn around, and the dialog says w
   await editor.paste(
     "0 BEGIN PGM A MM\n1 BLK FORM CYLINDER Z D40 L60\n2 FUNCTION MODE TURN\n3 TOOL CALL 99\n4 M30\n5 END PGM A MM\n",
   );
-  await page.getByRole("button", { name: t.page.text.turnRound, exact: true }).click();
+  await turnwise.menus.choose("program", t.page.text.turnRound);
   const dialog = page.getByRole("dialog", { name: de.title, exact: true });
   await expect(dialog.getByRole("status")).toHaveText(de.lack.faults);
   await expect(dialog.getByRole("button", { name: de.open, exact: true })).toBeDisabled();

@@ -72,7 +72,7 @@ test("the sheet of a cycle, in German on a phone; a program with errors is marke
 test("the setup sheet of an inch program is in inches, its tools in mm; so are the effects in a comparison", async ({
   page,
 }) => {
-  const { editor, sheet, t } = await Turnwise.open(page);
+  const { editor, menus, sheet, t } = await Turnwise.open(page);
   const text = readFileSync("tests/programs/shoulder-inch.h", "utf8");
   await editor.openFile("SHOULDER.h", Buffer.from(text));
   await sheet.open();
@@ -87,7 +87,7 @@ test("the setup sheet of an inch program is in inches, its tools in mm; so are t
   await sheet.close();
 
   await page.evaluate((copied) => navigator.clipboard.writeText(copied), text.replace("Q463=+0.1181", "Q463=+0.05"));
-  await page.getByRole("button", { name: t.page.text.compare, exact: true }).click();
+  await menus.choose("program", t.page.text.compare);
   const dialog = page.getByRole("dialog", { name: compare.title, exact: true });
   await dialog.getByRole("button", { name: compare.clipboard, exact: true }).click();
   await expect(

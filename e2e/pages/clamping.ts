@@ -1,6 +1,7 @@
 import { expect, type Locator } from "@playwright/test";
 import type { ClampingTexts } from "../../src/i18n/en/clamping.ts";
 import type { Context } from "./context.ts";
+import { Menus } from "./menus.ts";
 import { words } from "./words.ts";
 
 type Word = keyof ClampingTexts["words"];
@@ -18,7 +19,7 @@ export class ClampingPage {
   }
 
   async openDialog(): Promise<void> {
-    await this.context.page.getByRole("button", { name: this.context.t.page.text.clamping, exact: true }).click();
+    await new Menus(this.context).choose("program", this.context.t.page.text.clamping);
     await expect(this.dialog).toBeVisible();
   }
 

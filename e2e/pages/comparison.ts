@@ -1,6 +1,7 @@
 import type { Locator } from "@playwright/test";
 import type { CompareTexts } from "../../src/i18n/en/compare.ts";
 import type { Context } from "./context.ts";
+import { Menus } from "./menus.ts";
 import { words } from "./words.ts";
 
 /** Compares the open program with another one, block by block in meaning. */
@@ -17,7 +18,7 @@ export class Comparison {
 
   /** Opens the comparison, by the button below the program. */
   async open(): Promise<void> {
-    await this.context.page.getByRole("button", { name: this.context.t.page.text.compare, exact: true }).click();
+    await new Menus(this.context).choose("program", this.context.t.page.text.compare);
     await this.other.waitFor();
   }
 

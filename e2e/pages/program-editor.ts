@@ -1,4 +1,5 @@
 import { expect, type Locator } from "@playwright/test";
+import { Menus } from "./menus.ts";
 import { Sharing } from "./sharing.ts";
 import { settledBox } from "./picture.ts";
 import type { Context } from "./context.ts";
@@ -194,7 +195,7 @@ export class ProgramEditor {
   async downloaded(): Promise<Buffer> {
     const { page, t } = this.context;
     const waiting = page.waitForEvent("download");
-    await page.getByRole("button", { name: new RegExp(`^${t.page.text.download("").trim()}`) }).click();
+    await new Menus(this.context).choose("export", new RegExp(t.page.text.download("").trim()));
     const { readFile } = await import("node:fs/promises");
     return readFile(await (await waiting).path());
   }

@@ -1,6 +1,7 @@
 import { expect, type Download, type Locator } from "@playwright/test";
 import type { NcLanguage } from "../../src/nc/nc-languages.ts";
 import type { Context } from "./context.ts";
+import { Menus } from "./menus.ts";
 
 /** The program as the control writes it. */
 export class ProgramText {
@@ -57,8 +58,7 @@ export class ProgramText {
 
   async download(): Promise<Download> {
     const waiting = this.context.page.waitForEvent("download");
-    const name = new RegExp(`^${this.context.t.page.text.download("").trim()}`);
-    await this.panel.getByRole("button", { name }).click();
+    await new Menus(this.context).choose("export", new RegExp(this.context.t.page.text.download("").trim()));
     return waiting;
   }
 

@@ -1,6 +1,7 @@
 import { expect, type Locator } from "@playwright/test";
 import type { HandedTexts } from "../../src/i18n/en/handed.ts";
 import type { Context } from "./context.ts";
+import { Menus } from "./menus.ts";
 import { words } from "./words.ts";
 
 /** Sharing works: the share dialog, the contents of a link or file, and the tools that came with a work. */
@@ -17,7 +18,7 @@ export class Sharing {
 
   /** Opens the share dialog, with the button below the program. */
   async openDialog(): Promise<void> {
-    await this.context.page.getByRole("button", { name: this.context.t.page.text.handOn, exact: true }).click();
+    await new Menus(this.context).choose("export", this.context.t.page.text.handOn);
   }
 
   /** The link in the dialog, once it is ready. */

@@ -1,6 +1,7 @@
 import { expect, type Locator } from "@playwright/test";
 import type { SheetTexts } from "../../src/i18n/en/sheet.ts";
 import type { Context } from "./context.ts";
+import { Menus } from "./menus.ts";
 import { words } from "./words.ts";
 
 /** The setup sheet of the open work. */
@@ -12,7 +13,7 @@ export class SetupSheetPage {
 
   /** Opens it by the button below the program. */
   async open(): Promise<void> {
-    await this.context.page.getByRole("button", { name: this.context.t.page.text.setupSheet, exact: true }).click();
+    await new Menus(this.context).choose("export", this.context.t.page.text.setupSheet);
     await expect(this.preview).toBeVisible();
   }
 

@@ -1,6 +1,7 @@
 import { expect, type Locator } from "@playwright/test";
 import type { CourseTeachTexts } from "../../src/i18n/en/course-teach.ts";
 import type { Context } from "./context.ts";
+import { Menus } from "./menus.ts";
 import { words } from "./words.ts";
 
 /** The instructor's side: makes a task from the open program, shares it, reads results. */
@@ -17,7 +18,7 @@ export class Teaching {
 
   /** Opens the form, and waits until the program has run. */
   async openForm(): Promise<void> {
-    await this.context.page.getByRole("button", { name: this.context.t.page.text.makeTask, exact: true }).click();
+    await new Menus(this.context).choose("export", this.context.t.page.text.makeTask);
     await expect(this.form.getByLabel(this.words.name, { exact: true })).toBeVisible();
   }
 

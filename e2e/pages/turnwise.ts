@@ -9,6 +9,7 @@ import { Course } from "./course.ts";
 import { Dialog } from "./dialog.ts";
 import { Effect } from "./effect.ts";
 import { OwnCycles } from "./own-cycles.ts";
+import { Menus } from "./menus.ts";
 import { Sharing } from "./sharing.ts";
 import { Lathe } from "./lathe.ts";
 import { Findings } from "./findings.ts";
@@ -49,6 +50,7 @@ export class Turnwise {
   readonly tools: ToolTable;
   readonly own: OwnCycles;
   readonly works: WorksList;
+  readonly menus: Menus;
   readonly sharing: Sharing;
   readonly clamping: ClampingPage;
   readonly comparison: Comparison;
@@ -77,6 +79,7 @@ export class Turnwise {
     this.tools = new ToolTable(context);
     this.own = new OwnCycles(context);
     this.works = new WorksList(context);
+    this.menus = new Menus(context);
     this.sharing = new Sharing(context);
     this.clamping = new ClampingPage(context);
     this.comparison = new Comparison(context);

@@ -31,6 +31,7 @@ import { ProgramPanel } from "../app/fields/program/ProgramPanel.tsx";
 import { useReading, type JobReading } from "../app/document/reading.ts";
 import { prefetchIdle } from "../app/base/idle.ts";
 import { SectionTabs } from "../app/place/SectionTabs.tsx";
+import { Splitter } from "../app/place/Splitter.tsx";
 import { changeSettings, useSettings } from "../app/base/settings/settings.ts";
 import { useTexts } from "../app/base/settings/use-texts.ts";
 import { useThirdColumn } from "../app/base/use-media.ts";
@@ -126,6 +127,7 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
           }))}
         />
       </div>
+      <Splitter of="cycle" side="left" />
       <DeferredUntilPaint>
         <EffectStrip read={read} />
       </DeferredUntilPaint>
@@ -165,6 +167,7 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
         {!drawing && <PinnedCard />}
         <Working />
       </Centre>
+      {wide && !folded && <Splitter of="cycle" side="right" />}
       {wide && (
         <div className="right">
           {folded ? (

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { trackOf } from "./playback.ts";
-import { timeBar, type TimedStep } from "./timeline.ts";
+import { operationAt, timeBar, TOOL_TONES, toolTones, type TimedStep } from "./timeline.ts";
 
 const step = (
   kind: string,
@@ -39,4 +39,15 @@ test("a step without duration has no stretch, and a resumed call has two entries
     [0, 0.5, 1],
     [1, 1, 1],
   ]);
+});
+
+test("a place on the bar belongs to an operation, or to none", () => {
+  const steps = [step("feed", 2, 0), step("rapid", 2, null), step("feed", 4, 1), step("feed", 2, 0)];
+  const bar = timeBar(steps, trackOf(steps));
+  expect([0, 0.1, 0.3, 0.5, 0.9, 1].map((at) => operationAt(bar, at))).toEqual([0, 0, null, 1, 0, 0]);
+});
+
+test("operations with the same tool have the same colour; colours start again when there are none left", () => {
+  expect(toolTones([15, 1, 1, 3, 15])).toEqual([0, 1, 1, 2, 0]);
+  expect(toolTones(Array.from({ length: TOOL_TONES + 1 }, (_, i) => i + 1)).at(-1)).toBe(0);
 });

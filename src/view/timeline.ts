@@ -16,6 +16,19 @@ export interface TimeBar {
   readonly operations: readonly { readonly operation: number; readonly from: number; readonly to: number }[];
 }
 
+/** The operation at a share of the bar; null between operations. */
+export const operationAt = ({ operations }: Pick<TimeBar, "operations">, at: number): number | null =>
+  operations.findLast(({ from, to }) => from <= at && at <= to)?.operation ?? null;
+
+/** How many colours of tools there are. */
+export const TOOL_TONES = 8;
+
+/** The colour of each operation: that of its tool, in the order in which the tools are first used. */
+export function toolTones(tools: readonly number[]): readonly number[] {
+  const order = [...new Set(tools)];
+  return tools.map((tool) => order.indexOf(tool) % TOOL_TONES);
+}
+
 /** Boundaries closer together than this share of the bar would only turn it grey. */
 const NEAR = 0.006;
 /** Stretches of one kind this close together, as a share of the bar, are merged: no screen shows the gap. */

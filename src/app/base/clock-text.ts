@@ -10,10 +10,13 @@ export const dayText = (day: Date): string =>
 /** Local time of day: 14:05. */
 export const timeText = (day: Date): string => `${two(day.getHours())}:${two(day.getMinutes())}`;
 
-/** Minutes and seconds as on a stop-watch: 1:04.3. */
-export function clockText(language: Language, seconds: number): string {
-  const tenths = Math.round(seconds * 10),
-    minutes = Math.floor(tenths / 600),
-    rest = (tenths - minutes * 600) / 10;
-  return `${minutes}:${rest < 10 ? "0" : ""}${formatFixed(language, rest, 1)}`;
+/** Writes minutes and seconds in the words of a language; from an hour on, hours and minutes. */
+export type DurationWords = (minutes: number, seconds: string) => string;
+
+/** A time as it is written everywhere: tenths below a minute, then minutes and seconds, then hours and minutes. */
+export function durationText(words: DurationWords, language: Language, seconds: number): string {
+  const whole = Math.round(seconds);
+  return whole < 60
+    ? words(0, formatFixed(language, seconds, 1))
+    : words(Math.floor(whole / 60), formatFixed(language, whole % 60, 0));
 }

@@ -2,12 +2,12 @@ import { cycleByNumber, type ParamTextId } from "../../cycles/index.ts";
 import type { CompareTexts } from "../../i18n/en/compare.ts";
 import type { Texts } from "../../i18n/index.ts";
 import type { Lengths } from "../../i18n/lengths.ts";
-import { formatFixed } from "../../i18n/number.ts";
 import type { Program } from "../../nc/program.ts";
 import type { ComparedOperation } from "../../program/compare/by-operation.ts";
 import type { BlockDifference } from "../../program/compare/compare.ts";
 import { bareText, type WordChange } from "../../program/compare/meaning.ts";
 import { changedEffects, type Consequence, type Effects } from "../../report/compare/consequences.ts";
+import { durationText } from "../../app/base/clock-text.ts";
 import { verdictTitle } from "../../app/findings/verdict-words.ts";
 import { issueText } from "../../app/calculation/issue-text.ts";
 import { isListed, isFormattingOnly, tallyOf, type ComparedFile, type Consequences } from "./compared.ts";
@@ -22,7 +22,6 @@ export interface Wording {
 
 const SIGN = { more: "+", less: "−" } as const;
 
-/** Seconds as minutes and seconds; small changes keep their tenths. */
 export function timeText(
   {
     texts: {
@@ -32,10 +31,7 @@ export function timeText(
   }: Wording,
   seconds: number,
 ): string {
-  const minutes = Math.floor(Math.round(seconds) / 60);
-  const rest =
-    minutes > 0 ? formatFixed(language, Math.max(0, seconds - minutes * 60), 0) : formatFixed(language, seconds, 1);
-  return effect.duration(minutes, rest);
+  return durationText(effect.duration, language, seconds);
 }
 
 /** Change of a time: +8 s; null if too small to show. */

@@ -1,6 +1,6 @@
 import { useCallback, useMemo, useRef } from "react";
 import { blocksOfLines } from "../../course/task-start.ts";
-import { clockText } from "../../app/base/clock-text.ts";
+import { durationText } from "../../app/base/clock-text.ts";
 import { useLengths } from "../../app/calculation/lengths.ts";
 import { GlyphButton } from "../../app/pictures/lathe/GlyphButton.tsx";
 import type { PlaybackStore } from "../../app/calculation/playback-store.ts";
@@ -31,9 +31,11 @@ export function LessonBar({
   const lengths = useLengths(run),
     { language } = lengths;
   const playing = usePlayback(playback, (s) => s.get().playing);
-  const spoken = usePlayback(playback, (s) =>
-    s.get().playing ? "" : texts.lathe.timeOf(clockText(language, stretch.now()), clockText(language, stretch.length)),
-  );
+  const timeText = (...times: readonly [number, number]) => {
+    const [at, all] = times.map((seconds) => durationText(texts.page.effect.duration, language, seconds));
+    return texts.lathe.timeOf(at ?? "", all ?? "");
+  };
+  const spoken = usePlayback(playback, (s) => (s.get().playing ? "" : timeText(stretch.now(), stretch.length)));
   const input = useRef<HTMLInputElement>(null);
   const said = useRef<HTMLSpanElement>(null);
   const block = useRef<HTMLSpanElement>(null);

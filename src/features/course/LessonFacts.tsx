@@ -15,6 +15,7 @@ import {
 } from "../../app/pictures/load/use-load.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
+import { durationText } from "../../app/base/clock-text.ts";
 
 /** The colour map: its scale, and the greatest value with its place. */
 function ColourMapFacts({ of, run }: { readonly of: LoadQuantity; readonly run: Outcome["run"] }) {
@@ -77,7 +78,7 @@ export function LessonFacts({
     ...(cutting && others.every(({ infeed }) => infeedText(infeed) === infeedText(cutting.infeed))
       ? [[t.infeed, `${infeedText(cutting.infeed)} ${cutting.thread ? "mm" : t.infeedUnit}`] as const]
       : []),
-    [t.time, t.duration(Math.floor(seconds / 60), formatFixed(language, seconds % 60, 1))],
+    [t.time, durationText(t.duration, language, seconds)],
     ...(calls.length > 0 && residual !== null
       ? [[t.residual, residual === 0 ? t.none : `${formatNumber(language, residual, 3)} mm²`] as const]
       : []),

@@ -18,6 +18,7 @@ import { enterSection, showSection, usePlace, type ProgramSection } from "../../
 import { playback } from "../../app/calculation/playback.ts";
 import { PrintedProgram } from "../../app/fields/program/PrintedProgram.tsx";
 import { SectionTabs } from "../../app/place/SectionTabs.tsx";
+import { Splitter } from "../../app/place/Splitter.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { pendingEdits, useEditor } from "../../app/document/store.ts";
 import { useToolList } from "../../app/document/work-tools.ts";
@@ -123,6 +124,7 @@ export function ProgramWorkplace() {
           }))}
         />
       </div>
+      <Splitter of="program" side="left" />
       <TotalsStrip />
       <Centre>
         <MeasuredTargetContext value={measured}>
@@ -139,6 +141,7 @@ export function ProgramWorkplace() {
         <PinnedCard />
         <Working />
       </Centre>
+      {wide && <Splitter of="program" side="right" />}
       {wide && (
         <div className="right">
           <TextPanel />

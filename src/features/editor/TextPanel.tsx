@@ -11,7 +11,7 @@ import { FileNote } from "../../app/fields/program/FileNote.tsx";
 import { useFileKind } from "../../app/document/output.ts";
 import { isoFile } from "../../app/document/printed.ts";
 import { confirmExport, type ExportWay } from "../../app/fields/leaving/confirm-export.ts";
-import { ProgramMore } from "../../app/fields/program/ProgramMore.tsx";
+import { ProgramMenus } from "../../app/fields/program/ProgramMenus.tsx";
 import { useCopying } from "../../app/findings/copy.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { useEditor } from "../../app/document/store.ts";
@@ -111,7 +111,7 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
             }}
           >
             <Icon name={faults > 0 ? "warning" : copied ? "check" : "copy"} />{" "}
-            {copied ? t.page.text.copied : t.page.text.copy} <span className="small">{t.page.text.layouts[kind]}</span>
+            {copied ? t.page.text.copied : t.page.text.copy}
           </button>
           <SaveButton
             name={name}
@@ -120,21 +120,19 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
             onDownload={download}
             showBlock={showTextBlock}
           />
-          <button
-            type="button"
-            className="button"
-            aria-label={`${t.page.text.download(name)}: ${t.page.text.files[kind]}`}
-            onClick={() => void allowed("download").then((verdict) => verdict && download())}
-          >
-            <Icon name="download" /> <span className="file-name">{name}</span>{" "}
-            <span className="small">{t.page.text.layouts[kind]}</span>
-          </button>
+          <ProgramMenus
+            showBlock={showTextBlock}
+            files={[
+              {
+                name: t.page.text.download(name),
+                icon: "download",
+                hint: t.page.text.files[kind],
+                go: () => void allowed("download").then((verdict) => verdict && download()),
+              },
+              { name: t.page.text.asIso, icon: "download", go: () => void downloadIso() },
+            ]}
+          />
         </div>
-        <ProgramMore showBlock={showTextBlock}>
-          <button type="button" className="button plain" onClick={() => void downloadIso()}>
-            <Icon name="download" /> {t.page.text.asIso}
-          </button>
-        </ProgramMore>
       </div>
       <CopyStatus otherwise={saved === null ? "" : t.editor.saved(saved)} />
     </section>

@@ -8,6 +8,7 @@ import { restartComparison, followComparing } from "../../app/findings/effect/co
 import { areaDecimals, type ComparedNumber } from "../../app/findings/effect/changes.ts";
 import { effectNow } from "../../app/findings/effect/effect.ts";
 import { PinButton } from "../../app/findings/effect/Pinned.tsx";
+import { durationText } from "../../app/base/clock-text.ts";
 import { TimeName } from "../../app/findings/effect/TimeName.tsx";
 import { FaultsChange, useChanges } from "../../app/findings/effect/EffectChanges.tsx";
 import { Checking, useChecking } from "../../app/calculation/Checking.tsx";
@@ -87,7 +88,6 @@ export function TotalsStrip() {
       </dd>
     </div>
   );
-  const seconds = effect ? Math.round(effect.seconds) : 0;
   return (
     <section className="effect" aria-label={t.editor.total} aria-busy={checking.now} data-checking={checking.seen}>
       <dl className={dimmed ? "dimmed" : ""}>
@@ -96,7 +96,7 @@ export function TotalsStrip() {
         {cell(words.passes, number(effect?.passes, 0), "", "passes")}
         {cell(
           <TimeName name={words.time} />,
-          effect ? words.duration(Math.floor(seconds / 60), formatFixed(language, seconds % 60, 0)) : words.unknown,
+          effect ? durationText(words.duration, language, effect.seconds) : words.unknown,
           "",
           "time",
         )}

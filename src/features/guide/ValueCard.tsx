@@ -10,19 +10,23 @@ import { useSettings } from "../../app/base/settings/settings.ts";
 import { CutPicture } from "./CutPicture.tsx";
 import { keepFocus } from "./keep-focus.ts";
 import type { ComparedValue } from "./compared-values.ts";
+import { durationText, type DurationWords } from "../../app/base/clock-text.ts";
 import { Message } from "../../app/base/Message.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /** The effect of a value compared with the default, in words. */
 function changeText(
   t: GuideTexts,
+  duration: DurationWords,
   language: Language,
   { passes, seconds, residual, rz, part, way }: ShownChange,
 ): string {
   const number = (value: number, decimals: number) => formatNumber(language, Math.abs(value), decimals);
   const said = [
     ...(passes === 0 ? [] : [t.change.passes(passes)]),
-    ...(Math.abs(seconds) < LEAST_SEEN.seconds ? [] : [t.change.seconds(number(seconds, 1), seconds > 0)]),
+    ...(Math.abs(seconds) < LEAST_SEEN.seconds
+      ? []
+      : [t.change.seconds(durationText(duration, language, Math.abs(seconds)), seconds > 0)]),
     ...(Math.abs(residual) < NO_AREA ? [] : [t.change.residual(number(residual, 2), residual > 0)]),
     ...(rz === null || Math.abs(rz) < LEAST_SEEN.rz ? [] : [t.change.rz(number(rz, 1), rz > 0)]),
     ...(part < NO_AREA ? [] : [t.change.part(number(part, 2))]),
@@ -53,6 +57,7 @@ interface Props {
 export function ValueCard({ tried, box, letter, text, unit, size, whose, meaning, take, whole = false }: Props) {
   const t = useTexts("guide");
   const advice = useTexts("advice");
+  const { duration } = useTexts("first").page.effect;
   const language = useSettings((s) => s.language);
   const issueText = useIssueText();
   const { effect, change, outcome } = tried,
@@ -61,7 +66,7 @@ export function ValueCard({ tried, box, letter, text, unit, size, whose, meaning
   const facts: readonly (readonly [string, string])[] = [
     ...(run.operations.length === 0 ? [] : [[t.numbers.passes, number(effect.passes, 0)] as const]),
     ...(run.operations.length !== 1 ? [] : [[t.numbers.infeed, t.millimetres(number(effect.infeed, 3))] as const]),
-    [t.numbers.seconds, t.seconds(number(effect.seconds, 1))],
+    [t.numbers.seconds, durationText(duration, language, effect.seconds)],
     [t.numbers.residual, t.area(number(effect.residual < NO_AREA ? 0 : effect.residual, 2))],
     ...(effect.rz === null ? [] : [[t.numbers.rz, t.microns(number(effect.rz, 1))] as const]),
   ];
@@ -93,7 +98,7 @@ export function ValueCard({ tried, box, letter, text, unit, size, whose, meaning
         ))}
       </dl>
       {(change || tried.isUsual) && (
-        <p className="value-change">{change ? changeText(t, language, change) : t.change.usual}</p>
+        <p className="value-change">{change ? changeText(t, duration, language, change) : t.change.usual}</p>
       )}
       {take && (
         <button

@@ -1,5 +1,5 @@
 import type { Lengths } from "../../i18n/lengths.ts";
-import { formatFixed, formatNumber, withPrintedMinus } from "../../i18n/number.ts";
+import { formatNumber, withPrintedMinus } from "../../i18n/number.ts";
 import type { SheetTexts } from "../../i18n/en/sheet.ts";
 import type { Texts } from "../../i18n/index.ts";
 import type { Spindle } from "../../kernel/time/step.ts";
@@ -7,6 +7,7 @@ import type { Pt } from "../../kernel/geometry/point.ts";
 import { type Diameter, toDiameter } from "../../kernel/units.ts";
 import type { SheetFeed } from "../../report/sheet/setup-data.ts";
 import type { DrawingWords } from "../../view/sheet/part-drawing.ts";
+import { durationText } from "../../app/base/clock-text.ts";
 
 /** Number and time formats of the sheet in one language, and lengths in the unit of the program. */
 export interface SheetWords extends DrawingWords {
@@ -44,10 +45,7 @@ export function sheetWords(t: Texts, own: SheetTexts, lengths: Lengths): SheetWo
     thread: (across, lead, starts) => own.thread(across, length(lead), starts),
     blankLength: length,
     start: ({ z, r }) => `X${diameter(toDiameter(r))} Z${signed(z)}`,
-    time: (seconds) => {
-      const whole = Math.round(seconds);
-      return t.page.effect.duration(Math.floor(whole / 60), formatFixed(language, whole % 60, 0));
-    },
+    time: (seconds) => durationText(t.page.effect.duration, language, seconds),
     feeds: (feeds) =>
       (["mm/rev", "mm/min", "lead"] as const)
         .flatMap((unit) => {

@@ -10,7 +10,7 @@ import type { Proposal } from "../../report/which/ways.ts";
 import { NO_AREA } from "../../app/findings/effect/effect.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { issueText } from "../../app/calculation/issue-text.ts";
-import { clockText } from "../../app/base/clock-text.ts";
+import { durationText } from "../../app/base/clock-text.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import type { ComparedProposals } from "./use-comparison.ts";
@@ -53,7 +53,8 @@ function problemsOf(
 
 /** The proposals: time, residual material, and the button that uses one. */
 export function ProposalCards({ words, compared: { ways, tried, isStale }, adds, onTake }: Props) {
-  const t = useTexts();
+  const t = useTexts(),
+    { duration } = t.page.effect;
   const language = useSettings((s) => s.language);
   const write = writer(language);
   const best = bestOf(tried);
@@ -110,7 +111,7 @@ export function ProposalCards({ words, compared: { ways, tried, isStale }, adds,
                   </div>
                   <div>
                     <dt>{words.time}</dt>
-                    <dd className="number">{one ? clockText(language, one.seconds) : "…"}</dd>
+                    <dd className="number">{one ? durationText(duration, language, one.seconds) : "…"}</dd>
                   </div>
                   <div className="which-stays">
                     <dt>{words.residual}</dt>

@@ -76,8 +76,8 @@ const shape = z.object({
   sheetProgram: flag(true),
   /** The setup sheet shows the measurements. */
   sheetMeasured: flag(true),
-  /** The steps of the manual are a list under the picture, or one line. */
-  stepList: flag(true),
+  /** The steps of the manual are a list under the picture; otherwise one line, the running one. */
+  stepsOpen: flag(false),
   /** Advice on the values of the work is shown. */
   advice: flag(true),
   /** Id of the default material; the shop's own cutting data as text, empty for the shipped ones. */

@@ -2,11 +2,11 @@ import type { CycleNumber } from "../../../cycles/index.ts";
 import { cycleByNumber } from "../../../cycles/index.ts";
 import { isUnsimulated } from "../../../cycles/unsimulated-cycles.ts";
 import type { Lengths } from "../../../i18n/lengths.ts";
-import { formatFixed } from "../../../i18n/number.ts";
 import type { Texts } from "../../../i18n/index.ts";
 import { NO_AREA } from "../../findings/effect/effect.ts";
 import type { Done } from "./program-parts.ts";
 import type { OperationRow } from "./operation-rows.ts";
+import { durationText } from "../../base/clock-text.ts";
 
 /** Screen name of a cycle, without its number. */
 export function cycleWords(t: Texts, cycle: number): string {
@@ -24,10 +24,7 @@ export const titleOf = (t: Texts, { title, cycles }: Pick<OperationRow, "title" 
 
 /** Passes, time and residual material in one line. */
 export function doneWords(t: Texts, lengths: Lengths, { passes, seconds, residue }: Done): string {
-  const time = t.page.effect.duration(
-    Math.floor(Math.round(seconds) / 60),
-    formatFixed(lengths.language, seconds < 60 ? seconds : Math.round(seconds) % 60, seconds < 60 ? 1 : 0),
-  );
+  const time = durationText(t.page.effect.duration, lengths.language, seconds);
   if (passes === 0) return time;
   return t.editor.operation(
     t.editor.passes(passes),

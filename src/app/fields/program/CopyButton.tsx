@@ -23,7 +23,7 @@ export function CopyButton({ main = false, long = false }: { readonly main?: boo
       onClick={() => void copyJob(job)}
     >
       <Icon name={wrong ? "warning" : done ? "check" : "copy"} />
-      {done ? t.copied : long ? t.copyLong : t.copy} {!long && <span className="small">{t.layouts[kind]}</span>}
+      {done ? t.copied : long ? t.copyLong : t.copy}
     </button>
   );
 }

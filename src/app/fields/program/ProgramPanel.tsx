@@ -22,7 +22,7 @@ import { useReadPlayback } from "../../pictures/lathe/use-playback.ts";
 import { downloadText } from "../../base/download.ts";
 import { FileNote } from "./FileNote.tsx";
 import { useFileKind, useShownText } from "../../document/output.ts";
-import { ProgramMore } from "./ProgramMore.tsx";
+import { ProgramMenus } from "./ProgramMenus.tsx";
 import { ProgramText } from "./ProgramText.tsx";
 
 /** Block number at the playback position; null before and after the run. */
@@ -128,26 +128,12 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
       <div className="program-foot">
         <div className="program-buttons">
           <CopyButton main />
-          <button
-            type="button"
-            className="button"
-            aria-label={`${t.download(file)}: ${t.files[kind]}`}
-            onClick={() => void download()}
-          >
-            <Icon name="download" /> <span className="file-name">{file}</span>{" "}
-            <span className="small">{t.layouts[kind]}</span>
-          </button>
+          <ProgramMenus
+            showBlock={(_, __, number) => void chooseJobLine(read, { block: number, q: null })}
+            files={[{ name: t.download(file), icon: "download", hint: t.files[kind], go: () => void download() }]}
+            changes={[{ name: open.fromJob, hint: open.fromJobLong, go: () => openText(printedText(job), job) }]}
+          />
         </div>
-        <ProgramMore showBlock={(_, __, number) => void chooseJobLine(read, { block: number, q: null })}>
-          <button
-            type="button"
-            className="button plain"
-            title={open.fromJobLong}
-            onClick={() => openText(printedText(job), job)}
-          >
-            {open.fromJob}
-          </button>
-        </ProgramMore>
       </div>
       <CopyStatus />
     </section>

@@ -9,7 +9,8 @@ import type { JobReading } from "../../document/reading.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { followComparing } from "./compared.ts";
-import { areaDecimals, durationText, type ComparedNumber } from "./changes.ts";
+import { durationText } from "../../base/clock-text.ts";
+import { areaDecimals, type ComparedNumber } from "./changes.ts";
 import { chipArea, cutAtOnce, effectNow } from "./effect.ts";
 import { PinButton } from "./Pinned.tsx";
 import { TimeName } from "./TimeName.tsx";
@@ -50,7 +51,7 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
         {cell(t.effect.infeed, number(effect?.infeed, 3), "mm", "infeed")}
         {cell(
           <TimeName name={t.effect.time} />,
-          effect ? durationText(texts, language, effect.seconds) : t.effect.unknown,
+          effect ? durationText(t.effect.duration, language, effect.seconds) : t.effect.unknown,
           "",
           "time",
         )}

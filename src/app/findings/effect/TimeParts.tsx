@@ -7,7 +7,7 @@ import { ModalDialog } from "../../base/ModalDialog.tsx";
 import { Icon } from "../../base/Icon.tsx";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts, useTextsOrNull } from "../../base/settings/use-texts.ts";
-import { durationText } from "./changes.ts";
+import { durationText } from "../../base/clock-text.ts";
 import { timeCauses, timeContents } from "./time-contents.ts";
 import "./time-parts.css";
 
@@ -34,12 +34,12 @@ export function TimeParts() {
 }
 
 function Opened({ t, run, done }: { readonly t: MachineTexts["time"]; readonly run: Run; readonly done: () => void }) {
-  const texts = useTexts();
+  const { duration } = useTexts().page.effect;
   const language = useSettings((s) => s.language);
   const row = (name: string, seconds: number) => (
     <tr key={name}>
       <th scope="row">{name}</th>
-      <td className="number">{durationText(texts, language, seconds)}</td>
+      <td className="number">{durationText(duration, language, seconds)}</td>
     </tr>
   );
   return (

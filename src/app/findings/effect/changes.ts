@@ -1,7 +1,7 @@
-import type { Language } from "../../../i18n/languages.ts";
 import type { Lengths } from "../../../i18n/lengths.ts";
 import { formatFixed } from "../../../i18n/number.ts";
 import type { Texts } from "../../../i18n/index.ts";
+import { durationText } from "../../base/clock-text.ts";
 import type { MeasuredSetting } from "./compared.ts";
 
 /** The compared numbers, in display order. */
@@ -13,15 +13,6 @@ const valueOf = ({ effect, chip, faults }: MeasuredSetting, name: ComparedNumber
   if (name === "faults") return faults;
   return name === "time" ? effect.seconds : effect[name];
 };
-
-/** Time as it is written: tenths below a minute, then minutes and seconds, then hours and minutes. */
-export function durationText({ page }: Texts, language: Language, seconds: number): string {
-  const minutes = Math.floor(Math.round(seconds) / 60);
-  return page.effect.duration(
-    minutes,
-    formatFixed(language, minutes > 0 ? Math.max(0, seconds - minutes * 60) : seconds, minutes > 0 ? 0 : 1),
-  );
-}
 
 /** Smaller areas have more decimals, so that two digits are seen, mm². */
 const SMALL = 0.1;
@@ -39,7 +30,7 @@ export function numberText(t: Texts, lengths: Lengths, setting: MeasuredSetting,
   const { language } = lengths;
   if (name === "infeed") return lengths.fixed(value, 3);
   if (name === "chip" || name === "residual") return lengths.fixedArea(value, areaDecimals(value));
-  return name === "time" ? durationText(t, language, value) : formatFixed(language, value, 0);
+  return name === "time" ? durationText(words.duration, language, value) : formatFixed(language, value, 0);
 }
 
 /** The previous value of a changed number, for a time the difference. Null if it is the same. */
@@ -54,6 +45,7 @@ export function changeText(
   const text = numberText(t, lengths, before, name);
   if (text === numberText(t, lengths, now, name) && name !== "time") return null;
   if (name !== "time" || was === null || is === null) return text;
-  const by = durationText(t, lengths.language, Math.abs(is - was));
-  return by === durationText(t, lengths.language, 0) ? null : `${is > was ? "+" : "−"}${by}`;
+  const { duration } = t.page.effect;
+  const by = durationText(duration, lengths.language, Math.abs(is - was));
+  return by === durationText(duration, lengths.language, 0) ? null : `${is > was ? "+" : "−"}${by}`;
 }

@@ -54,7 +54,7 @@ import { useStage } from "./use-stage.ts";
 import { chooseMove } from "../selection.ts";
 import { contourAt } from "../../document/region.ts";
 import { OffscreenTool } from "./OffscreenTool.tsx";
-import { ViewBar } from "./ViewBar.tsx";
+import { LegendSwitch, ViewBar } from "./ViewBar.tsx";
 import { createViewport } from "./viewport.ts";
 import "./lathe.css";
 import { Outdated } from "./Outdated.tsx";
@@ -252,13 +252,8 @@ export function LatheView({
               ? () => ask(contourAt(proved.run, playback.get().position.step, proved.simulation.final))
               : null
           }
-        >
-          <Legend
-            shapes={scene.shapes}
-            holder={held}
-            clamping={scene.chuck && (scene.chuck.unstated ? "unstated" : "stated")}
-          />
-        </ViewBar>
+          legend={<LegendSwitch shown={tools} show={showTools} />}
+        />
         <div
           ref={stage}
           className={`lathe-stage${dimmed ? " dimmed" : ""}${measuring.on ? " measuring" : ""}${ended ? " ended" : ""}${
@@ -347,6 +342,13 @@ export function LatheView({
             {t.keys}
           </p>
         </div>
+        {tools && (
+          <Legend
+            shapes={scene.shapes}
+            holder={held}
+            clamping={scene.chuck && (scene.chuck.unstated ? "unstated" : "stated")}
+          />
+        )}
         <DeferredUntilPaint>
           <LoadPart.Strip run={run} viewport={viewport} playback={playback} pointed={pointed} shown={path.has} />
           <Readout run={run} playback={playback} chipAt={moving?.chipAt ?? null} />

@@ -1,6 +1,7 @@
 import type { Run } from "../../../program/state/run-types.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { changeSettings, useSettings } from "../../base/settings/settings.ts";
+import { useMedia } from "../../base/use-media.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { mostSteps, nearestCycle, runningSteps } from "./running.ts";
@@ -12,7 +13,9 @@ import { useReadPlayback } from "./use-playback.ts";
 export function StepList({ run, playback }: { readonly run: Run; readonly playback: PlaybackStore }) {
   const texts = useTexts(),
     t = texts.lathe.stepList,
-    open = useSettings((s) => s.stepList);
+    // On small screens the list is among the tools, which are opened for it.
+    among = useMedia("narrow"),
+    open = useSettings((s) => s.stepsOpen) || among;
   const index = useReadPlayback(playback, (store) => {
     const { operation, move } = run.steps[store.get().position.step] ?? {};
     return operation === null || move === undefined ? null : `${operation} ${move.run} ${move.step}`;
@@ -26,16 +29,18 @@ export function StepList({ run, playback }: { readonly run: Run; readonly playba
   const room = Math.max(0, mostSteps(texts, run) - steps.length);
   return (
     <div className="lathe-steps">
-      <button
-        type="button"
-        className="button icon plain"
-        aria-expanded={open}
-        aria-label={open ? t.fold : t.unfold}
-        title={open ? t.fold : t.unfold}
-        onClick={() => changeSettings({ stepList: !open })}
-      >
-        <Icon name={open ? "down" : "up"} />
-      </button>
+      {!among && (
+        <button
+          type="button"
+          className="button icon plain"
+          aria-expanded={open}
+          aria-label={open ? t.fold : t.unfold}
+          title={open ? t.fold : t.unfold}
+          onClick={() => changeSettings({ stepsOpen: !open })}
+        >
+          <Icon name={open ? "down" : "up"} />
+        </button>
+      )}
       {open && (
         <ol aria-label={t.title}>
           {steps.map(({ number, words, first, runs }) => (

@@ -1,14 +1,14 @@
-import { useCallback, useEffect, useMemo, useRef } from "react";
+import { useCallback, useEffect, useMemo, useRef, useState } from "react";
 import type { Run } from "../../../program/state/run-types.ts";
 import type { PlayPosition } from "../../../sim/simulation.ts";
 import { secondsAt, trackOf } from "../../../view/playback.ts";
-import { timeBar, type TimedStep } from "../../../view/timeline.ts";
+import { operationAt, timeBar, toolTones, type TimedStep } from "../../../view/timeline.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
-import { clockText } from "../../base/clock-text.ts";
+import { durationText } from "../../base/clock-text.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { glide } from "../../calculation/glide.ts";
-import { useEachReading, usePlayback } from "./use-playback.ts";
+import { useEachReading, usePlayback, useReadPlayback } from "./use-playback.ts";
 
 /** Data of a timeline: a run, or the part of one that a view shows. */
 export interface TimedRun extends Pick<Run, "operations"> {
@@ -18,17 +18,32 @@ export interface TimedRun extends Pick<Run, "operations"> {
 /** Playhead updates per second. */
 export const JERKS = 10;
 
-/** Timeline of the whole run: cutting and rapids, boundaries of moves, names of operations. Dragging scrubs. */
+/** Timeline of the whole run: cutting and rapids, boundaries of moves, numbers of operations. Dragging scrubs. */
 export function Timeline({ run, playback }: { readonly run: TimedRun; readonly playback: PlaybackStore }) {
-  const t = useTexts().lathe,
+  const {
+      lathe: t,
+      page: {
+        effect: { duration },
+      },
+    } = useTexts(),
     language = useSettings((s) => s.language);
   const bar = useMemo(() => timeBar(run.steps, trackOf(run.steps)), [run]);
+  const tones = useMemo(() => toolTones(run.operations.map(({ tool }) => tool.T)), [run]);
   const input = useRef<HTMLInputElement>(null),
     head = useRef<HTMLDivElement>(null),
     time = useRef<HTMLSpanElement>(null);
+  const running = useReadPlayback(playback, (store) => run.steps[store.get().position.step]?.operation ?? null);
+  const [pointed, point] = useState<number | null>(null);
+  const named = run.operations[pointed ?? running ?? -1];
   const spoken = usePlayback(playback, (store) => {
     const { track, position, playing } = store.get();
-    return playing ? "" : t.timeOf(clockText(language, secondsAt(track, position)), clockText(language, track.total));
+    if (playing) return "";
+    const at = t.timeOf(
+      durationText(duration, language, secondsAt(track, position)),
+      durationText(duration, language, track.total),
+    );
+    const here = run.operations[run.steps[position.step]?.operation ?? -1];
+    return here ? `${at}, ${t.operation(String(here.cycle), String(here.tool.T))}` : at;
   });
   useEffect(() => {
     const at = (position: PlayPosition) => {
@@ -43,58 +58,72 @@ export function Timeline({ run, playback }: { readonly run: TimedRun; readonly p
       const { track, position } = playback.get(),
         seconds = secondsAt(track, position);
       if (input.current) input.current.value = String(track.total > 0 ? (1000 * seconds) / track.total : 0);
-      const text = `${clockText(language, seconds)} / ${clockText(language, track.total)}`;
+      const text = `${durationText(duration, language, seconds)} / ${durationText(duration, language, track.total)}`;
       if (time.current && time.current.textContent !== text) time.current.textContent = text;
-    }, [playback, language]),
+    }, [playback, language, duration]),
   );
   const marks = bar.boundaries.map((b) => `M${b * 1000} 0V1`).join("");
   return (
     <div className="lathe-timeline">
-      <div className="lathe-timeline-names" aria-hidden="true">
-        {bar.operations.map(({ operation, from, to }, i) => {
-          const named = run.operations[operation];
-          return (
-            named && (
-              <span
-                key={i}
-                style={{
-                  left: `${from * 100}%`,
-                  width: `max(0px, min(${(to - from) * 100}%, ${(1 - from) * 100}% - var(--clock)))`,
-                }}
-              >
-                <b>{named.cycle}</b>
-                <b>· T{named.tool.T}</b>
-              </span>
-            )
-          );
-        })}
+      <div className="lathe-timeline-bar">
+        <div className="lathe-timeline-names" aria-hidden="true">
+          {bar.operations.map(({ operation, from, to }, i) => (
+            <span
+              key={i}
+              className={`tool-tone-${tones[operation] ?? 0}`}
+              data-running={operation === (pointed ?? running)}
+              style={{ left: `${from * 100}%`, width: `${(to - from) * 100}%` }}
+            >
+              <b>{operation + 1}</b>
+            </span>
+          ))}
+        </div>
+        <svg className="lathe-timebar" viewBox="0 0 1 1" preserveAspectRatio="none" aria-hidden="true">
+          <path className="rapid" d={bar.rapid} />
+          <path className="cutting" d={bar.cutting} />
+        </svg>
+        <svg className="lathe-timemarks" viewBox="0 0 1000 1" preserveAspectRatio="none" aria-hidden="true">
+          <path d={marks} />
+        </svg>
+        <div ref={head} className="lathe-playhead" aria-hidden="true" />
+        <input
+          ref={input}
+          type="range"
+          min={0}
+          max={1000}
+          step={0.01}
+          defaultValue={0}
+          aria-label={t.timeline}
+          {...(spoken && { "aria-valuetext": spoken })}
+          disabled={run.steps.length === 0}
+          onPointerMove={({ clientX, currentTarget }) => {
+            const { left, width } = currentTarget.getBoundingClientRect();
+            point(width > 0 ? operationAt(bar, (clientX - left) / width) : null);
+          }}
+          onPointerLeave={() => point(null)}
+          onInput={(event) =>
+            playback.dispatch({
+              do: "seekSeconds",
+              seconds: (Number(event.currentTarget.value) / 1000) * playback.get().track.total,
+            })
+          }
+        />
       </div>
-      <span ref={time} className="lathe-time number" aria-hidden="true" />
-      <svg className="lathe-timebar" viewBox="0 0 1 1" preserveAspectRatio="none" aria-hidden="true">
-        <path className="rapid" d={bar.rapid} />
-        <path className="cutting" d={bar.cutting} />
-      </svg>
-      <svg className="lathe-timemarks" viewBox="0 0 1000 1" preserveAspectRatio="none" aria-hidden="true">
-        <path d={marks} />
-      </svg>
-      <div ref={head} className="lathe-playhead" aria-hidden="true" />
-      <input
-        ref={input}
-        type="range"
-        min={0}
-        max={1000}
-        step={0.01}
-        defaultValue={0}
-        aria-label={t.timeline}
-        {...(spoken && { "aria-valuetext": spoken })}
-        disabled={run.steps.length === 0}
-        onInput={(event) =>
-          playback.dispatch({
-            do: "seekSeconds",
-            seconds: (Number(event.currentTarget.value) / 1000) * playback.get().track.total,
-          })
-        }
-      />
+      <p className="lathe-time number" aria-hidden="true">
+        <span ref={time} />
+        {run.operations.length > 0 && (
+          <span className="lathe-named">
+            {named && (
+              <>
+                <b className={`tool-tone-${tones[run.operations.indexOf(named)] ?? 0}`}>
+                  {run.operations.indexOf(named) + 1}
+                </b>{" "}
+                {named.cycle} · T{named.tool.T} {named.tool.NAME}
+              </>
+            )}
+          </span>
+        )}
+      </p>
     </div>
   );
 }

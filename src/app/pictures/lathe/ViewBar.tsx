@@ -60,16 +60,18 @@ export function ViewBar({
   viewport,
   measuring,
   onWhich,
-  children,
+  legend,
 }: {
   readonly viewport: Viewport;
   readonly measuring: MeasuringShown;
   /** Finds a cycle for the contour; null without a contour. */
   readonly onWhich: (() => void) | null;
-  /** Content between the switches and the zoom. */
-  readonly children: React.ReactNode;
+  readonly legend: React.ReactNode;
 }) {
-  const t = useTexts().lathe,
+  const {
+      lathe: t,
+      page: { start },
+    } = useTexts(),
     section = useSettings((s) => s.section),
     down = useSettings((s) => s.xDown);
   const paths = useSettings((s) => s.paths),
@@ -121,23 +123,38 @@ export function ViewBar({
         onPress={measuring.toggle}
         {...(solid && { hint: t.rulerFlat })}
       />
-      <GlyphButton glyph="which" name={t.which} disabled={onWhich === null} onPress={() => onWhich?.()} />
-      <div className="lathe-gap">
-        <div className="lathe-told">
-          {children}
-          <dl className="lathe-letters small soft">
-            {Object.entries(t.chip).map(([letter, means]) => (
-              <div key={letter}>
-                <dt className="number">{letter}</dt>
-                <dd>{means}</dd>
-              </div>
-            ))}
-          </dl>
-        </div>
-      </div>
+      <GlyphButton
+        glyph="which"
+        name={t.which}
+        text={start.which}
+        disabled={onWhich === null}
+        onPress={() => onWhich?.()}
+      />
+      {legend}
+      <ZoomKeys viewport={viewport} />
+    </Toolbar>
+  );
+}
+
+/** Shows what lines and letters mean; small screens have a button for all tools instead. */
+export function LegendSwitch({ shown, show }: { readonly shown: boolean; readonly show: (on: boolean) => void }) {
+  const t = useTexts().lathe;
+  return (
+    <span className="legend-switch">
+      <GlyphButton glyph="view" name={t.legend} text={t.legend} pressed={shown} onPress={() => show(!shown)} />
+    </span>
+  );
+}
+
+/** Zoom and fit, at the end of the bar. */
+export function ZoomKeys({ viewport }: { readonly viewport: Pick<Viewport, "zoom" | "fit"> }) {
+  const t = useTexts().lathe;
+  return (
+    <>
+      <div className="lathe-gap" />
       <GlyphButton glyph="zoomOut" name={t.zoomOut} onPress={() => viewport.zoom(1 / ZOOM)} />
       <GlyphButton glyph="zoomIn" name={t.zoomIn} onPress={() => viewport.zoom(ZOOM)} />
       <GlyphButton glyph="fit" name={t.fit} onPress={viewport.fit} />
-    </Toolbar>
+    </>
   );
 }

@@ -20,7 +20,7 @@ import { useFindingFocus } from "../lathe/use-finding-focus.ts";
 import { useStage } from "../lathe/use-stage.ts";
 import { usePlayback } from "../lathe/use-playback.ts";
 import { createViewport } from "../lathe/viewport.ts";
-import { ZOOM } from "../lathe/ViewBar.tsx";
+import { LegendSwitch, ZoomKeys } from "../lathe/ViewBar.tsx";
 import { Measurements } from "../measure/Measurements.tsx";
 import { useMeasuring } from "../measure/measuring.ts";
 import { reducedMotion } from "../../base/settings/appearance.ts";
@@ -166,23 +166,8 @@ export function PlaneView({
     >
       <Toolbar className="lathe-viewbar" aria-label={t.viewTools}>
         <GlyphButton glyph="ruler" name={t.ruler} text={t.ruler} pressed={measuring.on} onPress={toggle} />
-        <div className="lathe-gap">
-          <div className="lathe-told">
-            <ul className="lathe-legend small" aria-label={t.legend}>
-              {there.map((role) => (
-                <li key={role}>
-                  <svg width={pageLength(26)} height={pageLength(8)} viewBox="0 0 26 8" aria-hidden="true">
-                    <path className={`plane-${role}`} d="M1 4H25" />
-                  </svg>
-                  {lines[role]}
-                </li>
-              ))}
-            </ul>
-          </div>
-        </div>
-        <GlyphButton glyph="zoomOut" name={t.zoomOut} onPress={() => viewport.zoom(1 / ZOOM)} />
-        <GlyphButton glyph="zoomIn" name={t.zoomIn} onPress={() => viewport.zoom(ZOOM)} />
-        <GlyphButton glyph="fit" name={t.fit} onPress={viewport.fit} />
+        <LegendSwitch shown={tools} show={showTools} />
+        <ZoomKeys viewport={viewport} />
       </Toolbar>
       <div
         ref={stage}
@@ -215,6 +200,20 @@ export function PlaneView({
           {t.keys}
         </p>
       </div>
+      {tools && (
+        <div className="lathe-told">
+          <ul className="lathe-legend small" aria-label={t.legend}>
+            {there.map((role) => (
+              <li key={role}>
+                <svg width={pageLength(26)} height={pageLength(8)} viewBox="0 0 26 8" aria-hidden="true">
+                  <path className={`plane-${role}`} d="M1 4H25" />
+                </svg>
+                {lines[role]}
+              </li>
+            ))}
+          </ul>
+        </div>
+      )}
       <DeferredUntilPaint>
         <DepthPicture steps={steps} playback={playback} />
         <PlaneReadout steps={steps} approaches={approaches} playback={playback} />

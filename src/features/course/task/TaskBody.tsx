@@ -6,10 +6,12 @@ import { formatNumber } from "../../../i18n/number.ts";
 import { writer } from "../../../i18n/write.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { useEditor } from "../../../app/document/store.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { WorkshopDrawing } from "../drawing/WorkshopDrawing.tsx";
 import { Paragraphs } from "../Paragraphs.tsx";
 import { PredictionResult } from "./PredictionResult.tsx";
+import { durationText } from "../../../app/base/clock-text.ts";
 import { goalText } from "./goal-words.ts";
 import { placedText } from "./mark-words.ts";
 import { TaskHelp } from "./TaskHelp.tsx";
@@ -56,6 +58,7 @@ function DrawnSizes({
   known,
 }: Omit<Props, "words"> & { readonly drawn: readonly DrawnGoal[]; readonly known: boolean }) {
   const language = useSettings((s) => s.language);
+  const { duration } = useTexts("first").page.effect;
   const wrong = drawn.filter(({ marks }) => marks.length > 0).length;
   const met = known ? wrong === 0 : undefined;
   return (
@@ -70,7 +73,7 @@ function DrawnSizes({
           {drawn.map(({ goal, marks }, i) => (
             <li key={i} data-met={known ? marks.length === 0 : undefined}>
               <Ticked met={known ? marks.length === 0 : undefined} t={t}>
-                {goalText(t, language, goal)}
+                {goalText(t, duration, language, goal)}
                 {marks.map((mark, k) => (
                   <span key={k} className="task-measured">
                     {placedText(mark, { t, language, task })}
@@ -88,6 +91,7 @@ function DrawnSizes({
 /** The goals of the task, ticked after the first check. The sizes on a drawing are one goal. */
 function Goals({ task, t, hasDrawing }: Omit<Props, "words"> & { readonly hasDrawing: boolean }) {
   const language = useSettings((s) => s.language);
+  const { duration } = useTexts("first").page.effect;
   const { live, comparedAnswers } = useTaskView();
   const rights = (comparedAnswers ?? []).map(({ right }) => right);
   const all = goalsOf(task),
@@ -99,7 +103,7 @@ function Goals({ task, t, hasDrawing }: Omit<Props, "words"> & { readonly hasDra
     return (
       <li key={`${goal.kind} ${i}`} data-met={met}>
         <Ticked met={met} t={t}>
-          {goalText(t, language, goal)}
+          {goalText(t, duration, language, goal)}
         </Ticked>
       </li>
     );
@@ -119,6 +123,7 @@ function Goals({ task, t, hasDrawing }: Omit<Props, "words"> & { readonly hasDra
 /** The score of a drawing task, and how to improve it. */
 function Scored({ t }: Pick<Props, "t">) {
   const language = useSettings((s) => s.language);
+  const { duration } = useTexts("first").page.effect;
   const score = useTaskView((v) => v.checked?.judgement.score);
   if (!score) return null;
   const write = writer(language);
@@ -127,7 +132,10 @@ function Scored({ t }: Pick<Props, "t">) {
       <h3>{t.score.of(String(score.total))}</h3>
       <ul className="task-score">
         {score.parts.map(({ what, points, of, value, par }) => {
-          const number = (each: number) => (what === "residue" ? write.area(each) : formatNumber(language, each, 0));
+          const number = (each: number) => {
+            if (what === "time") return durationText(duration, language, each);
+            return what === "residue" ? write.area(each) : formatNumber(language, each, 0);
+          };
           return (
             <li key={what}>
               <span>{t.score.parts[what]}</span>{" "}

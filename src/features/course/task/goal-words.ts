@@ -4,6 +4,7 @@ import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import type { Language } from "../../../i18n/languages.ts";
 import { formatNumber, formatSigned } from "../../../i18n/number.ts";
 import { writer } from "../../../i18n/write.ts";
+import { durationText, type DurationWords } from "../../../app/base/clock-text.ts";
 
 /** A deviation with its sign; 0 has none. */
 const deviation = (language: Language, value: number) => (value === 0 ? "0" : formatSigned(language, value));
@@ -50,7 +51,7 @@ function listed(t: CourseTaskTexts, all: readonly string[]): string {
 }
 
 /** A goal in words, with its numbers. */
-export function goalText(t: CourseTaskTexts, language: Language, goal: TaskGoal): string {
+export function goalText(t: CourseTaskTexts, duration: DurationWords, language: Language, goal: TaskGoal): string {
   const number = (value: number) => formatNumber(language, value);
   const { is } = t;
   switch (goal.kind) {
@@ -63,9 +64,10 @@ export function goalText(t: CourseTaskTexts, language: Language, goal: TaskGoal)
     case "safe":
     case "clean":
       return is[goal.kind];
+    case "seconds":
+      return is.seconds(durationText(duration, language, goal.limit));
     case "depth":
     case "speed":
-    case "seconds":
       return is[goal.kind](number(goal.limit));
     case "mostTools":
     case "passes":

@@ -7,6 +7,7 @@ import type { Language } from "../../../i18n/languages.ts";
 import { formatNumber, formatSigned } from "../../../i18n/number.ts";
 import { toDiameter } from "../../../kernel/units.ts";
 import { thicknessOf } from "../../../sim/extent.ts";
+import { durationText } from "../../../app/base/clock-text.ts";
 import { issueText } from "../../../app/calculation/issue-text.ts";
 import { sizeGoal, toleranced, valueGoal } from "./goal-words.ts";
 
@@ -70,6 +71,8 @@ function what(mark: TaskMark, { t, texts, language, task, answer }: MarkWording)
   const { rule, value, limit, about, rings = [] } = mark;
   const number = (n: number | undefined, decimals = 3) => (n === undefined ? "–" : formatNumber(language, n, decimals));
   const { wrong } = t;
+  const time = (seconds: number | undefined) =>
+    seconds === undefined ? "–" : durationText(texts.page.effect.duration, language, seconds);
   const thick = () => number(Math.max(thicknessOf(rings), 10 ** -THICK), THICK);
   switch (rule) {
     case "errors":
@@ -101,7 +104,7 @@ function what(mark: TaskMark, { t, texts, language, task, answer }: MarkWording)
     case "depth":
       return wrong.depth(number(value), number(limit));
     case "seconds":
-      return wrong.seconds(number(value, 0), number(limit));
+      return wrong.seconds(time(value), time(limit));
     case "mostTools":
       return wrong.mostTools(number(value), number(limit));
     case "tools":

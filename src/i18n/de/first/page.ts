@@ -33,6 +33,12 @@ export const page = {
   lathe: "Drehmaschine",
   timeline: "Zeitleiste",
 
+  columns: {
+    left: "Breite der linken Spalte",
+    right: "Breite des Programmtexts",
+    hint: "Ziehen oder Pfeiltasten. Doppelklick oder Enter: Standardbreite",
+  },
+
   start: {
     which: "Zyklus suchen",
     title: "HEIDENHAIN-Drehzyklen programmieren und jeden Schnitt sehen",
@@ -166,6 +172,7 @@ export const page = {
     download: (file) => `${file} herunterladen`,
     fold: "Programm einklappen",
     unfold: "Programm zeigen",
+    exportMenu: "Exportieren",
     setupSheet: "Einrichteblatt",
     clamping: "Spannung",
     workshopDrawing: "Werkstattzeichnung",

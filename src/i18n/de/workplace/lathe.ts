@@ -27,7 +27,7 @@ export const lathe = {
   stopped: "Abgebrochen. Text und letzte Simulation bleiben erhalten.",
   workAgain: "Berechnen",
 
-  viewTools: "Ansicht",
+  viewTools: "Ansichtswerkzeuge",
   section: "Schnitt",
   sections: { title: "Ansicht", half: "Halbschnitt", full: "Vollschnitt", outside: "Außenansicht", solid: "3D" },
   xUp: "X nach oben",
@@ -38,7 +38,7 @@ export const lathe = {
   which: "Zyklus für diese Kontur suchen",
   ruler: "Messen",
   rulerFlat: "Messen im Schnitt; danach wieder 3D",
-  legend: "Linien",
+  legend: "Legende",
   holder: "Halter",
   held: {
     stated: "Angegebene Spannung",
@@ -55,7 +55,7 @@ export const lathe = {
   },
   colours: {
     title: "Farbdarstellung",
-    none: "Aus",
+    none: "Ohne Farben",
     roughness: "Rautiefe Rz",
     depth: "Schnitttiefe",
     chip: "Spanquerschnitt",

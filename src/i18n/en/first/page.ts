@@ -33,6 +33,12 @@ export const page = {
   lathe: "Lathe",
   timeline: "Timeline",
 
+  columns: {
+    left: "Width of the left column",
+    right: "Width of the program text",
+    hint: "Drag, or use the arrow keys. Double-click or Enter: default width",
+  },
+
   start: {
     which: "Find a cycle",
     title: "Program HEIDENHAIN turning cycles and see every cut",
@@ -169,6 +175,7 @@ export const page = {
     download: (file: string) => `Download ${file}`,
     fold: "Hide program",
     unfold: "Show program",
+    exportMenu: "Export",
     setupSheet: "Setup sheet",
     clamping: "Clamping",
     workshopDrawing: "Workshop drawing",

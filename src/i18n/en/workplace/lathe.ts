@@ -27,7 +27,7 @@ export const lathe = {
   workAgain: "Calculate",
 
   /* the view */
-  viewTools: "View",
+  viewTools: "View tools",
   section: "Section",
   sections: { title: "View", half: "Half section", full: "Full section", outside: "Outside view", solid: "3D" },
   xUp: "X up",
@@ -38,7 +38,7 @@ export const lathe = {
   which: "Find a cycle for this contour",
   ruler: "Ruler",
   rulerFlat: "Measures in the section; 3D returns afterwards",
-  legend: "Lines",
+  legend: "Legend",
   holder: "Holder",
   held: { stated: "Specified clamping", unstated: "Rear end: clamping not specified", note: "Clamping not specified" },
   paths: {
@@ -51,7 +51,7 @@ export const lathe = {
   },
   colours: {
     title: "Colour map",
-    none: "Off",
+    none: "No colour map",
     roughness: "Roughness Rz",
     depth: "Depth of cut",
     chip: "Chip area",

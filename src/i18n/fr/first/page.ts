@@ -33,6 +33,12 @@ export const page = {
   lathe: "Tour",
   timeline: "Chronologie",
 
+  columns: {
+    left: "Largeur de la colonne de gauche",
+    right: "Largeur du texte du programme",
+    hint: "Glisser, ou touches fléchées. Double-clic ou Entrée : largeur par défaut",
+  },
+
   start: {
     which: "Trouver un cycle",
     title: "Programmer les cycles de tournage HEIDENHAIN et voir chaque passe",
@@ -169,6 +175,7 @@ export const page = {
     download: (file) => `Télécharger ${file}`,
     fold: "Masquer le programme",
     unfold: "Afficher le programme",
+    exportMenu: "Exporter",
     setupSheet: "Fiche de réglage",
     clamping: "Serrage",
     workshopDrawing: "Dessin d’atelier",

@@ -29,7 +29,7 @@ export const lathe = {
   stopped: "Arrêté. Le texte et la dernière simulation sont conservés.",
   workAgain: "Calculer",
 
-  viewTools: "Vue",
+  viewTools: "Outils d’affichage",
   section: "Coupe",
   sections: { title: "Vue", half: "Demi-coupe", full: "Coupe complète", outside: "Vue extérieure", solid: "3D" },
   xUp: "X vers le haut",
@@ -40,7 +40,7 @@ export const lathe = {
   which: "Trouver un cycle pour ce contour",
   ruler: "Mesurer",
   rulerFlat: "Mesure dans la coupe ; retour à la 3D ensuite",
-  legend: "Traits",
+  legend: "Légende",
   holder: "Porte-outil",
   held: { stated: "Serrage indiqué", unstated: "Extrémité arrière : serrage non indiqué", note: "Serrage non indiqué" },
   paths: {
@@ -53,7 +53,7 @@ export const lathe = {
   },
   colours: {
     title: "Carte de couleurs",
-    none: "Désactivée",
+    none: "Sans carte de couleurs",
     roughness: "Rugosité Rz",
     depth: "Profondeur de passe",
     chip: "Section de copeau",

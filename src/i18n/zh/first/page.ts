@@ -32,6 +32,12 @@ export const page = {
   lathe: "车床",
   timeline: "时间轴",
 
+  columns: {
+    left: "左栏宽度",
+    right: "程序文本宽度",
+    hint: "拖动或用方向键调整；双击或按 Enter 恢复默认宽度",
+  },
+
   start: {
     which: "查找循环",
     title: "HEIDENHAIN 车削循环对话编程，每次切削清晰可见",
@@ -164,6 +170,7 @@ export const page = {
     download: (file) => `下载 ${file}`,
     fold: "收起程序",
     unfold: "显示程序",
+    exportMenu: "导出",
     setupSheet: "调机单",
     clamping: "装夹",
     workshopDrawing: "零件图",

@@ -25,7 +25,7 @@ export const lathe = {
   stopped: "已停止。文本和上一次仿真保留。",
   workAgain: "计算",
 
-  viewTools: "视图",
+  viewTools: "视图工具",
   section: "剖视",
   sections: { title: "视图", half: "半剖", full: "全剖", outside: "外形", solid: "3D" },
   xUp: "X 向上",
@@ -36,7 +36,7 @@ export const lathe = {
   which: "查找加工此轮廓的循环",
   ruler: "测量",
   rulerFlat: "在剖面上测量，之后返回 3D",
-  legend: "线型",
+  legend: "图例",
   holder: "刀杆",
   held: { stated: "已指定的装夹", unstated: "后端：未指定装夹", note: "未指定装夹" },
   paths: {
@@ -49,7 +49,7 @@ export const lathe = {
   },
   colours: {
     title: "颜色图",
-    none: "关闭",
+    none: "无颜色图",
     roughness: "粗糙度 Rz",
     depth: "切削深度",
     chip: "切屑截面积",

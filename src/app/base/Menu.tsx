@@ -1,0 +1,152 @@
+import { useId, useLayoutEffect, useRef, useState, type KeyboardEvent } from "react";
+import { Icon, type IconName } from "./Icon.tsx";
+import "./menu.css";
+
+export interface MenuItem {
+  readonly name: string;
+  readonly icon?: IconName;
+  /** Longer explanation, as tooltip. */
+  readonly hint?: string;
+  /** Opens a dialog. */
+  readonly opens?: "dialog";
+  readonly go: () => void;
+}
+
+/** Space between button and list, CSS pixels. */
+const GAP = 4;
+
+/** Shows the list beside its button, in the top layer: above it if there is more room, and within the window. */
+function place(list: HTMLElement, { left, right, top, bottom }: DOMRect): void {
+  list.showPopover?.();
+  const [width, height] = [list.offsetWidth, list.offsetHeight];
+  const begin = left + width + GAP > innerWidth ? right - width : left;
+  const under = bottom + GAP + height <= innerHeight || bottom + top < innerHeight;
+  list.style.left = `${Math.max(GAP, begin)}px`;
+  list.style.top = `${Math.max(GAP, under ? bottom + GAP : top - GAP - height)}px`;
+}
+
+/** The item that a key goes to: by arrows, to the ends, or by its first letter. */
+export function itemByKey(key: string, at: number, names: readonly string[]): number | null {
+  const all = names.length;
+  switch (key) {
+    case "ArrowDown":
+      return (at + 1) % all;
+    case "ArrowUp":
+      return (Math.max(at, 0) + all - 1) % all;
+    case "Home":
+      return 0;
+    case "End":
+      return all - 1;
+    default: {
+      if ([...key].length !== 1) return null;
+      const order = names.map((_, i) => (at + 1 + i) % all);
+      return order.find((i) => names[i]?.toLowerCase().startsWith(key.toLowerCase())) ?? null;
+    }
+  }
+}
+
+/** A button with a menu of actions, in groups. */
+export function Menu({
+  name,
+  icon,
+  groups,
+}: {
+  readonly name: string;
+  readonly icon: IconName;
+  readonly groups: readonly (readonly MenuItem[])[];
+}) {
+  const id = useId();
+  const [open, setOpen] = useState(false);
+  const button = useRef<HTMLButtonElement>(null),
+    list = useRef<HTMLDivElement>(null);
+  useLayoutEffect(() => {
+    if (!open || !list.current || !button.current) return undefined;
+    place(list.current, button.current.getBoundingClientRect());
+    list.current.querySelector<HTMLElement>("[role=menuitem]")?.focus();
+    const close = () => setOpen(false);
+    addEventListener("resize", close);
+    return () => removeEventListener("resize", close);
+  }, [open]);
+  /** Closes before the list leaves the page, so that the focus is never lost. */
+  const close = () => {
+    button.current?.focus();
+    setOpen(false);
+  };
+  const pressKey = (event: KeyboardEvent) => {
+    event.stopPropagation();
+    if (event.key === "Escape" || event.key === "Tab") {
+      if (event.key === "Escape") event.preventDefault();
+      return close();
+    }
+    const items = [...(list.current?.querySelectorAll<HTMLElement>("[role=menuitem]") ?? [])];
+    const at = items.indexOf(document.activeElement as HTMLElement);
+    const next = itemByKey(
+      event.key,
+      at,
+      items.map((item) => item.textContent.trim()),
+    );
+    if (next === null || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    items[next]?.focus();
+  };
+  return (
+    <>
+      <button
+        ref={button}
+        type="button"
+        className="button menu-button"
+        aria-haspopup="menu"
+        aria-expanded={open}
+        aria-controls={open ? id : undefined}
+        onPointerDown={(event) => open && event.preventDefault()}
+        onClick={() => (open ? close() : setOpen(true))}
+        onKeyDown={(event) => {
+          if (event.key !== "ArrowDown" || open) return;
+          event.preventDefault();
+          setOpen(true);
+        }}
+      >
+        <Icon name={icon} /> {name} <Icon name="down" />
+      </button>
+      {open && (
+        <div
+          ref={list}
+          id={id}
+          className="menu"
+          popover="manual"
+          role="menu"
+          aria-label={name}
+          onKeyDown={pressKey}
+          onBlur={({ relatedTarget, currentTarget }) => {
+            if (!currentTarget.contains(relatedTarget)) setOpen(false);
+          }}
+        >
+          {groups
+            .filter((group) => group.length > 0)
+            .map((group, i) => (
+              <div key={i} role="group" className="menu-group">
+                {group.map((item) => (
+                  <button
+                    key={item.name}
+                    type="button"
+                    role="menuitem"
+                    className="menu-item"
+                    tabIndex={-1}
+                    title={item.hint}
+                    aria-haspopup={item.opens}
+                    onClick={() => {
+                      close();
+                      item.go();
+                    }}
+                  >
+                    {item.icon && <Icon name={item.icon} />}
+                    <span>{item.name}</span>
+                  </button>
+                ))}
+              </div>
+            ))}
+        </div>
+      )}
+    </>
+  );
+}

@@ -1,0 +1,120 @@
+import { Suspense, useState, type ReactNode } from "react";
+import { flushEdits, useEditor } from "../../document/store.ts";
+import type { ShownVerdict } from "../../findings/verdict.ts";
+import { showComparison, type ShowBlock, showSheet } from "../../place/place.ts";
+import { Menu, type MenuItem } from "../../base/Menu.tsx";
+import { confirmExport } from "../leaving/confirm-export.ts";
+import { lazyPart } from "../../base/parts.ts";
+import { drawingSlot, exportSlot, shareSlot, exerciseSlot } from "../slots.ts";
+import { printedText, programName } from "../../document/printed.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
+import { isProgram, type Work } from "../../document/work.ts";
+
+/** Loaded when first opened. */
+const HandOnDialog = lazyPart(async () => ({ default: await shareSlot.fetch() }));
+const PartExport = lazyPart(async () => ({ default: await exportSlot.fetch() }));
+const TurnRound = lazyPart(async () => ({ default: (await import("./SecondSideDialog.tsx")).SecondSideDialog }));
+const ProgramDrawing = lazyPart(async () => ({ default: await drawingSlot.fetch() }));
+const ClampingDialog = lazyPart(async () => ({ default: (await import("./ClampingDialog.tsx")).ClampingDialog }));
+const OutputDialog = lazyPart(async () => ({ default: (await import("./OutputDialog.tsx")).OutputDialog }));
+const TeachDialog = lazyPart(async () => ({ default: await exerciseSlot.fetch() }));
+
+/** A work to share, with its verdict. */
+interface Leaving {
+  readonly open: Work;
+  readonly verdict: ShownVerdict;
+}
+
+/** The open work with its verdict; null if sharing was cancelled. */
+async function leaving(): Promise<Leaving | null> {
+  flushEdits();
+  const { job, program } = useEditor.getState();
+  const open = job ?? program;
+  const verdict = open && (await confirmExport("share", isProgram(open) ? open.text : printedText(open)));
+  return open && verdict && { open, verdict };
+}
+
+/** The text of what is open. */
+function openText(): string {
+  flushEdits();
+  const { job, program } = useEditor.getState();
+  if (program) return program.text;
+  return job ? printedText(job) : "";
+}
+
+/** Name of the open program without extension, for files made from it. */
+function openStem(): string {
+  flushEdits();
+  const { job, program } = useEditor.getState();
+  if (program) return program.name.replace(/\.[^.]*$/, "");
+  return job ? programName(printedText(job)) : "";
+}
+
+/** What can be made of the open program, and what can be done with it; the workplace adds its own actions. */
+export function ProgramMenus({
+  showBlock,
+  files,
+  changes = [],
+}: {
+  readonly showBlock: ShowBlock;
+  /** The files of the program itself. */
+  readonly files: readonly MenuItem[];
+  readonly changes?: readonly MenuItem[];
+}) {
+  const {
+    page: { text: t, program },
+  } = useTexts();
+  const [dialog, show] = useState<ReactNode>(null);
+  const ofProgram = useEditor((s) => s.program !== null);
+  const done = () => show(null);
+  const opens = "dialog";
+  const sheet = () => {
+    flushEdits();
+    showSheet();
+  };
+  const share = async () => {
+    const handed = await leaving();
+    if (handed) show(<HandOnDialog {...handed} done={done} />);
+  };
+  const exercise = () => show(<TeachDialog text={openText()} work={useEditor.getState().work ?? ""} done={done} />);
+  return (
+    <div className="program-more">
+      <Menu
+        name={t.exportMenu}
+        icon="download"
+        groups={[
+          files,
+          [
+            { name: t.setupSheet, icon: "print", go: sheet },
+            {
+              name: t.workshopDrawing,
+              icon: "drawing",
+              opens,
+              go: () => show(<ProgramDrawing stem={openStem()} done={done} />),
+            },
+            { name: t.exportPart, icon: "solid", opens, go: () => show(<PartExport stem={openStem()} done={done} />) },
+          ],
+          [
+            { name: t.handOn, icon: "share", opens, go: () => void share() },
+            { name: t.makeTask, icon: "rename", opens, go: exercise },
+          ],
+        ]}
+      />
+      <Menu
+        name={program}
+        icon="settings"
+        groups={[
+          [
+            { name: t.compare, icon: "compare", opens, go: () => showComparison(showBlock) },
+            { name: t.turnRound, icon: "turn", opens, go: () => show(<TurnRound text={openText()} done={done} />) },
+            ...(ofProgram
+              ? [{ name: t.clamping, opens, go: () => show(<ClampingDialog done={done} />) } as const]
+              : []),
+          ],
+          [{ name: t.output, icon: "settings", opens, go: () => show(<OutputDialog done={done} />) }, ...changes],
+        ]}
+      />
+      <Suspense>{dialog}</Suspense>
+    </div>
+  );
+}
