@@ -95,7 +95,9 @@ export function StartPage({ course }: { readonly course: ReactNode }) {
   const pictures = usePictures();
   const chooser = useStartChooser();
   // Returning visitors come for their works, so the lathe comes after them. It keeps its place during the visit.
-  const [returns] = useState(() => useSavedWorks.getState().works.length > 0);
+  const hasWorks = useSavedWorks((k) => k.works.length > 0);
+  const [returns, setReturns] = useState(hasWorks);
+  if (hasWorks && !returns) setReturns(true);
   useEffect(() => {
     void refreshWorks();
   }, []);
@@ -129,7 +131,7 @@ export function StartPage({ course }: { readonly course: ReactNode }) {
         {chooser.others}
         {!chooser.found && chooser.recent}
       </div>
-      {!chooser.found && (
+      {!chooser.finds && (
         <>
           <div className="start-first">
             {returns ? <SavedPrograms /> : hero}

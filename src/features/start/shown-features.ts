@@ -29,12 +29,14 @@ export async function showCompared(): Promise<void> {
   showComparison(showTextBlock, { name: "SHAFT.h", text });
 }
 
+/** The workshop drawing of an example. */
 export async function showExampleDrawing(): Promise<void> {
   await openExample("shaft");
   showDrawing();
 }
 
+/** Shares an example: a short one, whose link fits a QR code. */
 export async function showExampleShared(): Promise<void> {
-  await openExample("shaft");
+  await openExample("shoulder");
   showShare();
 }

@@ -50,8 +50,10 @@ export interface CycleChooserParts {
   };
   /** The search field and its status. */
   readonly search: ReactNode;
-  /** What the search found; null while nothing is typed. */
+  /** The cycles that the search found; null while nothing is typed. */
   readonly found: ReactNode;
+  /** The search found something, here or among the other rows. */
+  readonly finds: boolean;
   readonly recent: ReactNode;
   /** All cycles in their groups. */
   readonly groups: ReactNode;
@@ -166,6 +168,7 @@ export function useCycleChooser({
         ))}
       </ul>
     ),
+    finds: count > 0,
     recent: <RecentCycles offered={cycles} ways={ways} />,
     groups: (
       <>

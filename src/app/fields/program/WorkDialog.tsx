@@ -12,7 +12,9 @@ function ShareOpen({ done }: { readonly done: () => void }) {
   useEffect(() => {
     let here = true;
     void leaving().then((made) => {
-      if (here) made ? hand(made) : done();
+      if (!here) return;
+      if (made) hand(made);
+      else done();
     });
     return () => {
       here = false;
