@@ -139,7 +139,7 @@ const WORK = ["src/shell/Workplace.tsx", "src/features/start/begin.ts"].map(modu
  */
 const EARLY = [
   "src/features/course/CourseEntrance.tsx",
-  "src/features/start/Welcome.tsx",
+  "src/features/start/Hero.tsx",
   "src/app/records/keep-pictures.ts",
   "src/app/records/keep-steps.ts",
   "src/app/records/files/kept-handles.ts",

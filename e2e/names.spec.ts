@@ -39,7 +39,7 @@ test("every control of every screen has the name listed for it, and no other con
 
   await start.button(812, true).waitFor();
   await course.entrance.waitFor();
-  await page.getByRole("button", { name: t.page.start.live.pause, exact: true }).waitFor();
+  await page.getByRole("button", { name: t.start.hero.pause, exact: true }).waitFor();
   await look("start");
   await page.getByRole("button", { name: t.page.start.which, exact: true }).click();
   await expect(page.getByRole("dialog").getByRole("list").first()).toHaveAttribute("aria-busy", "false");

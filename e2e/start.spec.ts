@@ -20,7 +20,7 @@ test("the start page is right at every size, on the first visit and with stored 
       await expectFineInBothThemes(page, `${visit} at ${width} by ${height}`);
     }
   };
-  await expect(page.getByRole("img", { name: t.page.start.live.name(812) })).toBeVisible();
+  await expect(page.getByRole("img", { name: t.start.hero.name(10) })).toBeVisible();
   await atEverySize("the first visit");
   await start.beginWithExample(812);
   await turnwise.effect.proved();
@@ -29,22 +29,25 @@ test("the start page is right at every size, on the first visit and with stored 
   await atEverySize("the start with work");
 });
 
-test("the picture on the start page plays, pauses, and stands still with reduced motion", async ({ page }) => {
+test("the lathe on the start page plays, pauses, and stands still with reduced motion", async ({ page }) => {
   const { t, lathe } = await Turnwise.open(page, { heldClock: true });
-  const tool = page.locator("[data-live=tool]");
-  const { live } = t.page.start;
-  await expect(tool).toHaveAttribute("transform", /translate/);
-  const first = await tool.getAttribute("transform");
+  const { hero } = t.start;
+  const tool = page.locator(".hero .tool-carrier").first();
+  const doing = page.locator(".hero-doing");
+  await expect(tool).toHaveAttribute("style", /translate/);
+  const [first, begun] = [await tool.getAttribute("style"), await doing.textContent()];
   await lathe.advance(2400);
-  await expect(tool).not.toHaveAttribute("transform", first ?? "");
-  await expect(page.getByText(live.pass(2, 5))).toBeVisible();
-  await page.getByRole("button", { name: live.pause, exact: true }).click();
-  const held = await tool.getAttribute("transform");
+  await expect(tool).not.toHaveAttribute("style", first ?? "");
+  await expect(doing).not.toHaveText(begun ?? "");
+  await page.getByRole("button", { name: hero.pause, exact: true }).click();
+  const held = await tool.getAttribute("style");
   await lathe.advance(900);
-  await expect(tool).toHaveAttribute("transform", held ?? "");
+  await expect(tool).toHaveAttribute("style", held ?? "");
   await page.emulateMedia({ reducedMotion: "reduce" });
   await page.reload();
-  await expect(page.getByRole("button", { name: live.play, exact: true })).toBeVisible();
+  await expect(page.getByRole("button", { name: hero.play, exact: true })).toBeVisible();
+  await expect(page.locator(".hero-still")).toBeVisible();
+  await expect(tool).toHaveCount(0);
 });
 
 test("stored works come first, open with one click, and are deleted with an undo", async ({ page }) => {
@@ -54,7 +57,8 @@ test("stored works come first, open with one click, and are deleted with an undo
   await page.getByRole("link", { name: t.page.home }).click();
   const kept = page.getByRole("region", { name: t.page.start.kept });
   await expect(kept).toContainText(t.cycles.of[852].name);
-  const [top, cycles] = [await settledBox(kept), await settledBox(start.search)];
+  const cyclesOf = page.getByRole("region", { name: t.page.start.choose });
+  const [top, cycles] = [await settledBox(kept), await settledBox(cyclesOf)];
   expect(top.y).toBeLessThan(cycles.y);
   const name = (await kept.locator("b.kept-name").first().textContent()) ?? "";
   await kept.getByRole("button", { name: t.page.start.forget(name) }).click();

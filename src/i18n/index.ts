@@ -11,6 +11,7 @@ import type { MessagesTexts } from "./message-texts.ts";
 import type { OperationsTexts } from "./en/workplace/operations.ts";
 import type { OwnTexts } from "./en/tables/own.ts";
 import type { PageTexts } from "./en/first/page.ts";
+import type { StartTexts } from "./en/first/start.ts";
 import type { ParamsTexts } from "./param-text.ts";
 import type { SetupTexts } from "./en/workplace/setup.ts";
 import type { ToolsTexts } from "./en/tables/tools.ts";
@@ -20,6 +21,7 @@ import { LANGUAGES, type Language } from "./languages.ts";
 export interface FirstTexts {
   readonly page: PageTexts;
   readonly chooser: ChooserTexts;
+  readonly start: StartTexts;
 }
 
 /**

@@ -69,7 +69,7 @@ test("every screen opens in a language that has been added", async () => {
   const { page, setup, params, findings } = texts(added),
     { tools, own } = texts(added, "tables"),
     guide = texts(added, "guide");
-  await shows("#/", page.start.lead);
+  await shows("#/", page.start.title);
   if (cycle) startWork(exampleJob(cycle));
   await waitFor(() => expect(useEditor.getState().work).not.toBeNull());
   const work = `#/work/${useEditor.getState().work ?? ""}`;

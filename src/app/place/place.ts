@@ -62,13 +62,14 @@ export interface OtherText {
   readonly text: string;
 }
 /**
- * A dialog over the page: which cycle makes a shape (`region` null: any), or the open program compared with another
- * text.
+ * A dialog over the page: which cycle makes a shape (`region` null: any), the open program compared with another text,
+ * its drawing, or sharing it.
  */
 export type Over =
   | { readonly dialog: "which"; readonly region: WhichRegion | null }
   | { readonly dialog: "comparison"; readonly showBlock: ShowBlock; readonly against: OtherText | null }
-  | { readonly dialog: "keys"; readonly place: KeyPlace };
+  | { readonly dialog: "keys"; readonly place: KeyPlace }
+  | { readonly dialog: "drawing" | "share" };
 
 /** Where the operator is. It is no part of the work, so undo does not touch it. */
 export interface Place {
@@ -173,6 +174,9 @@ export const closeOver = (): void => set({ over: null });
 export const showWhich = (region: WhichRegion | null = null): void => showOver({ dialog: "which", region });
 export const showComparison = (showBlock: ShowBlock, against: OtherText | null = null): void =>
   showOver({ dialog: "comparison", showBlock, against });
+/** Shows the workshop drawing of the open work, or shares it. */
+export const showDrawing = (): void => showOver({ dialog: "drawing" });
+export const showShare = (): void => showOver({ dialog: "share" });
 export const showKeys = (place: KeyPlace): void => showOver({ dialog: "keys", place });
 
 export const showSheet = (): void => cover({ page: "sheet" });

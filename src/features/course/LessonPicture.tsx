@@ -1,4 +1,4 @@
-import { Suspense, useEffect, useMemo, useRef, useState } from "react";
+import { Suspense, useEffect, useMemo, useState } from "react";
 import { operationsPlayed, stepsPlayed, type StepRange } from "../../course/playback-range.ts";
 import type { Run } from "../../program/state/run-types.ts";
 import { boundsOf, common, grownBounds, joined, mirrored } from "../../view/bounds.ts";
@@ -18,7 +18,8 @@ import { statusText } from "../../app/pictures/lathe/Readout.tsx";
 import { useMaterial } from "../../app/pictures/lathe/use-material.ts";
 import { stretchesOf } from "../../app/pictures/lathe/use-paths.ts";
 import { usePlayback } from "../../app/pictures/lathe/use-playback.ts";
-import { createViewport, type Viewport } from "../../app/pictures/lathe/viewport.ts";
+import { createViewport } from "../../app/pictures/lathe/viewport.ts";
+import { useViewportSize } from "../../app/pictures/lathe/use-viewport-size.ts";
 import { LoadLines } from "../../app/pictures/load/LoadLines.tsx";
 import { LoadMark } from "../../app/pictures/load/LoadMark.tsx";
 import type { LoadQuantity } from "../../app/pictures/load/use-load.ts";
@@ -27,7 +28,6 @@ import { reducedMotion } from "../../app/base/settings/appearance.ts";
 import { CountedIn, useLengths } from "../../app/calculation/lengths.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
-import { sizeOf, usePageUnit } from "../../app/base/unit.ts";
 import { LessonBar } from "./LessonBar.tsx";
 import { LessonFacts } from "./LessonFacts.tsx";
 import { useLessonPlaces } from "./use-lesson-places.ts";
@@ -46,25 +46,6 @@ const SOON = 300;
 
 const EVERY = () => true;
 const NOTHING: readonly Ring[] = [];
-
-/** The size of the picture's element sets the size of the viewport. */
-function useViewportSize(viewport: Viewport) {
-  const stage = useRef<HTMLDivElement>(null),
-    unit = usePageUnit();
-  useEffect(() => {
-    const element = stage.current;
-    if (!element) return undefined;
-    const measure = () => {
-      const size = sizeOf(element);
-      if (size.width > 0 && size.height > 0) viewport.setSize(size);
-    };
-    measure();
-    const sizes = new ResizeObserver(measure);
-    sizes.observe(element);
-    return () => sizes.disconnect();
-  }, [viewport, unit]);
-  return stage;
-}
 
 /** The scene of a run: its blank and contours, its path, and the chuck. */
 const sceneOfRun = (run: Run, path: Parameters<typeof sceneOf>[0]["path"]) =>

@@ -1,11 +1,7 @@
 import { useEffect, useState } from "react";
-import { shippedList } from "../../program/tools/tool-list.ts";
 import type { Outcome } from "../../app/calculation/outcome.ts";
-import { askAgain } from "../../app/calculation/worker-life.ts";
-import { toolsOnDevice } from "../../app/document/tool-store.ts";
+import { runWithShippedTools } from "../../app/calculation/shipped-run.ts";
 
-/** Rapid rate of the lessons, mm/min. */
-const RAPID = 10_000;
 /** Cached runs, so that previous pages are there at once. */
 const MOST_KEPT = 24;
 
@@ -16,12 +12,6 @@ function cacheRun(text: string, outcome: Outcome): void {
   cachedRuns.set(text, outcome);
   const [oldest] = cachedRuns.keys();
   if (cachedRuns.size > MOST_KEPT && oldest !== undefined) cachedRuns.delete(oldest);
-}
-
-/** Runs a program with the default tools as on a TNC 640: the lesson looks the same on every device. */
-function runWithShippedTools(text: string): Promise<Outcome> {
-  const { table } = toolsOnDevice(shippedList);
-  return askAgain((engine) => engine.update({ version: 0, text, table, rapid: RAPID, control: "TNC 640" }));
 }
 
 /** The results of a lesson's programs. */

@@ -1,5 +1,4 @@
 import { useEffect, useMemo, useRef, useState } from "react";
-import type { ShowBlock } from "../../app/place/place.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { Message } from "../../app/base/Message.tsx";
 import { useVerdict } from "../../app/findings/use-findings.ts";
@@ -20,24 +19,16 @@ import { downloadBytes } from "../../app/base/download.ts";
 import {
   editProgram,
   flushText,
-  openBlock,
-  readWhole,
   sessionDom,
   sessionText,
   sessionView,
   useSession,
 } from "../../app/fields/blocks/session.ts";
-import { shownFile, showFile, useShownName } from "../../app/document/shown-file.ts";
+import { shownFile, useShownName } from "../../app/document/shown-file.ts";
+import { showTextBlock } from "../../app/fields/blocks/show-text-block.ts";
 import { SaveButton } from "./SaveButton.tsx";
 import { SkipSwitch } from "./SkipSwitch.tsx";
 import { WorkFiles } from "./WorkFiles.tsx";
-
-const showTextBlock: ShowBlock = (file, index) => {
-  showFile(file);
-  readWhole();
-  openBlock(index);
-  sessionView()?.focus();
-};
 
 /** The text of the program, with the actions on its file. */
 export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {

@@ -1,149 +1,117 @@
-import { useEffect, useId, useRef, useState } from "react";
+import { useEffect, useMemo, useState } from "react";
 import { clock } from "../../app/base/clock.ts";
-import { Icon } from "../../app/base/Icon.tsx";
 import { reducedMotion } from "../../app/base/settings/appearance.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
-import { useTexts } from "../../app/base/settings/use-texts.ts";
-import { durationOf, livePlace } from "./live-place.ts";
-import type { LiveRun } from "./pictures.ts";
+import { CountedIn } from "../../app/calculation/lengths.ts";
+import type { Outcome } from "../../app/calculation/outcome.ts";
+import { createPlaybackStore } from "../../app/calculation/playback-store.ts";
+import { runWithShippedTools } from "../../app/calculation/shipped-run.ts";
+import { Picture } from "../../app/pictures/lathe/Picture.tsx";
+import { useMaterial } from "../../app/pictures/lathe/use-material.ts";
+import { stretchesOf, useShownPath } from "../../app/pictures/lathe/use-paths.ts";
+import { usePlayback } from "../../app/pictures/lathe/use-playback.ts";
+import { useViewportSize } from "../../app/pictures/lathe/use-viewport-size.ts";
+import { createViewport } from "../../app/pictures/lathe/viewport.ts";
+import { sceneOf } from "../../view/scene.ts";
+import { trackOf } from "../../view/playback.ts";
+import type { Hero } from "./pictures.ts";
+import { runningPass, type RunningPass } from "./running-pass.ts";
 
-/** Least time between two frames, ms: other things run as well. */
-const PICTURE = 30;
-/** Where the paused picture stands: in the middle of roughing, as a share of the run. */
-const STILL = 0.34;
+/** Duration of the whole run on the screen, seconds. */
+const LASTS = 70;
+/** Pause on the finished part before the run repeats, ms. */
+const END_PAUSE = 3000;
 
-/** Shows a run at a time by changing the DOM directly, without React. */
-function showRunAt(svg: SVGSVGElement, run: LiveRun, time: number): number {
-  const { z, r, inwards, before, after, pass } = livePlace(run, time);
-  const [left, top, width, height] = run.box;
-  const within = <E extends SVGElement>(name: string) => svg.querySelectorAll<E>(`[data-live="${name}"]`);
-  const from = inwards ? left : z;
-  for (const rect of within("left")) {
-    rect.setAttribute("x", String(from));
-    rect.setAttribute("width", String(Math.max(0, (inwards ? z : left + width) - from)));
-    rect.setAttribute("y", String(top));
-    rect.setAttribute("height", String(height));
-  }
-  for (const path of within("before")) path.setAttribute("d", run.stocks[before] ?? "");
-  for (const path of within("after")) path.setAttribute("d", run.stocks[after] ?? "");
-  for (const tool of within("tool")) tool.setAttribute("transform", `translate(${z.toFixed(3)} ${(-r).toFixed(3)})`);
-  return pass;
+interface Props {
+  readonly hero: Hero;
+  readonly plays: boolean;
+  readonly name: string;
+  /** Called when another pass or cycle begins, and when the picture is there. */
+  readonly onRunning: (now: RunningPass) => void;
 }
 
-/**
- * A real program on the lathe: the tool moves and removes material. It can be paused, and stands still with reduced
- * motion.
- */
-export function LivePicture({ run }: { readonly run: LiveRun | undefined }) {
-  const {
-    page: {
-      start: { live: t },
-      effect,
-    },
-  } = useTexts("first");
-  const language = useSettings((s) => s.language);
-  const still = useSettings(reducedMotion);
-  const [chosen, choose] = useState<boolean | null>(null);
-  const [pass, say] = useState(0);
-  const svg = useRef<SVGSVGElement>(null);
-  const time = useRef<number | null>(null);
-  const id = useId();
-  const plays = run !== undefined && (chosen ?? !still);
-
+/** The lathe view of the hero, once the worker has run its program. */
+export function LivePicture(props: Props) {
+  const { text } = props.hero;
+  const [outcome, take] = useState<Outcome | null>(null);
   useEffect(() => {
-    if (!run || !svg.current) return undefined;
-    const whole = durationOf(run);
-    time.current ??= still ? whole * STILL : 0;
-    const show = (now: number) => {
-      if (svg.current) say(showRunAt(svg.current, run, now));
+    let here = true;
+    // Without an answer the still picture stays.
+    void runWithShippedTools(text).then(
+      (made) => here && take(made),
+      () => undefined,
+    );
+    return () => {
+      here = false;
     };
-    show(time.current);
-    if (!plays) return undefined;
-    let before = clock.now();
-    let cancel = () => undefined as void;
-    const next = (now: number) => {
-      if (now - before >= PICTURE) {
-        // Out of view no frames are requested; the run resumes where it was.
-        time.current = ((time.current ?? 0) + Math.min(now - before, 4 * PICTURE)) % whole;
-        before = now;
-        show(time.current);
-      }
-      cancel = clock.frame(next);
-    };
-    cancel = clock.frame(next);
-    return () => cancel();
-  }, [run, plays, still]);
+  }, [text]);
+  return outcome && <RunningLathe {...props} outcome={outcome} />;
+}
 
-  const number = new Intl.NumberFormat(language, { maximumFractionDigits: 3 });
-  const doing = pass > 0 ? t.pass(pass, run?.passes ?? 0) : t[pass < 0 ? "finish" : "position"];
-  const seconds = String((run?.seconds ?? 0) % 60).padStart(2, "0");
+/** Plays a run again and again on the lathe view, with the path of the running operation. */
+function RunningLathe({ hero, plays, name, onRunning, outcome }: Props & { readonly outcome: Outcome }) {
+  const xDown = useSettings((s) => s.xDown);
+  const still = useSettings(reducedMotion);
+  const [viewport] = useState(() => createViewport(!xDown));
+  const [playback] = useState(() => createPlaybackStore(clock));
+  const stage = useViewportSize(viewport);
+  const { run } = outcome;
+  const { moving } = useMaterial(outcome, playback);
+  const passes = stretchesOf(run);
+  const path = useShownPath(run, passes.stretches, playback, "operation");
+  const scene = useMemo(
+    () =>
+      sceneOf({
+        blank: run.blank,
+        clamping: run.clamping,
+        contours: run.operations.map((o) => o.plan.contour),
+        steps: run.steps,
+        path: passes.whole,
+      }),
+    [run, passes],
+  );
+  useEffect(() => {
+    viewport.setBounds(hero.frame);
+    viewport.fit();
+  }, [viewport, hero.frame]);
+  useEffect(() => {
+    const track = trackOf(run.steps);
+    playback.dispatch({ do: "load", track });
+    playback.dispatch({ do: "rate", rate: track.total / LASTS });
+    playback.dispatch({ do: "seek", position: hero.at });
+  }, [playback, run, hero.at]);
+  useEffect(() => playback.setStill(still), [playback, still]);
+  const ended = usePlayback(playback, (s) => s.get().position.step >= run.steps.length);
+  useEffect(() => {
+    playback.dispatch({ do: plays && !ended ? "play" : "pause" });
+    if (!plays || !ended) return undefined;
+    const again = setTimeout(() => playback.dispatch({ do: "play" }), END_PAUSE);
+    return () => clearTimeout(again);
+  }, [playback, plays, ended]);
+  useEffect(() => () => playback.dispatch({ do: "pause" }), [playback]);
+
+  const now = usePlayback(playback, (s) => JSON.stringify(runningPass(run, s.get().position.step)));
+  useEffect(() => onRunning(JSON.parse(now) as RunningPass), [now, onRunning]);
   return (
-    <figure className="live-picture">
-      <svg
-        ref={svg}
-        viewBox={(run?.box ?? [-119, -51, 127, 102]).join(" ")}
-        role="img"
-        aria-label={run ? t.name(run.cycle) : undefined}
-        aria-hidden={run ? undefined : true}
-      >
-        {run && (
-          <>
-            <pattern id={`${id}hatch`} width="3" height="3" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">
-              <rect className="live-ground" width="3" height="3" />
-              <path className="live-hatch" d="M0 0V3" />
-            </pattern>
-            <linearGradient id={`${id}steel`} gradientUnits="userSpaceOnUse" x1="0" y1="0" x2="0" y2={run.box[1]}>
-              <stop className="live-steel" offset="0" />
-              <stop className="live-light" offset="0.3" />
-              <stop className="live-shade" offset="0.95" />
-            </linearGradient>
-            <clipPath id={`${id}left`}>
-              <rect data-live="left" />
-            </clipPath>
-            {[1, -1].map((side) => (
-              <g key={side} transform={`scale(1 ${side})`}>
-                <path className="live-held" d={run.held} />
-                <g className="live-stock" fill={`url(#${id}${side > 0 ? "hatch" : "steel"})`}>
-                  <path data-live="after" />
-                  <path data-live="before" clipPath={`url(#${id}left)`} />
-                </g>
-              </g>
-            ))}
-            <path className="live-feed" d={run.feeds} />
-            <path className="live-rapid" d={run.rapids} />
-            <path className="part-axis" d={`M${run.box[0]} 0H${run.box[0] + run.box[2]}`} />
-            <path className="live-insert" data-live="tool" d={run.insert} />
-          </>
-        )}
-      </svg>
-      <figcaption>
-        {run && (
-          <>
-            <button
-              type="button"
-              className="button icon plain"
-              aria-label={plays ? t.pause : t.play}
-              title={plays ? t.pause : t.play}
-              onClick={() => choose(!plays)}
-            >
-              <Icon name={plays ? "pause" : "play"} />
-            </button>
-            <span className="live-doing">
-              <b className="number card-number">{run.cycle}</b> {doing}
-            </span>
-            <span className="live-facts small soft number">
-              {effect.passes} {run.passes} · {number.format(run.infeed)} {effect.infeedUnit} ·{" "}
-              {effect.duration(Math.floor(run.seconds / 60), seconds)}
-              {run.proved && ` · ${t.proved}`}
-              {run.proved && (
-                <span className="live-proved">
-                  <Icon name="check" />
-                </span>
-              )}
-            </span>
-          </>
-        )}
-      </figcaption>
-    </figure>
+    <CountedIn value={run.program.unit}>
+      <div ref={stage} className={`lathe-stage${ended ? " ended" : ""}`}>
+        <Picture
+          viewport={viewport}
+          scene={scene}
+          moving={moving}
+          waiting={null}
+          gouges={[]}
+          residual={[]}
+          section="half"
+          name={name}
+          path={path.stretches}
+          ghosts={null}
+          chosen={null}
+          hovered={null}
+        >
+          {null}
+        </Picture>
+      </div>
+    </CountedIn>
   );
 }

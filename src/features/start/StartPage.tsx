@@ -1,18 +1,22 @@
 import { Suspense, useEffect, useRef, useState, type ReactNode } from "react";
 import type { ExampleId } from "../../examples/index.ts";
-import { CycleChooser, type OtherRows } from "../../app/fields/chooser/CycleChooser.tsx";
-import { useRecent } from "../../app/fields/chooser/recent.ts";
+import type { OtherRows } from "../../app/fields/chooser/use-cycle-chooser.tsx";
+import { useCycleChooser } from "../../app/fields/chooser/use-cycle-chooser.tsx";
 import { lazyPart } from "../../app/base/parts.ts";
 import { prefetchIdle } from "../../app/base/idle.ts";
 import { refreshWorks, useSavedWorks } from "../../app/records/keep.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
+import { useMedia } from "../../app/base/use-media.ts";
 import { findOtherResults } from "./other-results.ts";
 import { SavedPrograms, openSaved } from "../../app/fields/kept/SavedPrograms.tsx";
-import { openExample, ProgramStart } from "./ProgramStart.tsx";
+import { Beyond } from "./Beyond.tsx";
+import { Doors } from "./Doors.tsx";
+import { Examples } from "./Examples.tsx";
+import { openExample } from "./open-example.ts";
 import { usePictures } from "./use-pictures.ts";
 
 /** Loaded after the rest, into reserved space. */
-const Welcome = lazyPart(async () => ({ default: (await import("./Welcome.tsx")).Welcome }));
+const Hero = lazyPart(async () => ({ default: (await import("./Hero.tsx")).Hero }));
 
 /** Needs the catalogue, which is loaded in the background. */
 const fetchBegin = () => import("./begin.ts");
@@ -56,25 +60,13 @@ function useOtherResults(): OtherRows {
   };
 }
 
-/** The first screen: stored works, an introduction, and the ways to start a work. */
-export function StartPage({ course }: { readonly course: ReactNode }) {
+/** The search of the start page, with its ways to start a cycle. */
+function useStartChooser() {
   const t = useTexts("first");
+  const { start: words } = t.page;
   const going = useRef(false);
-  const pictures = usePictures();
   const more = useOtherResults();
-  // Returning visitors come for their works, so the introduction comes after them. It keeps its place during the visit.
-  const [returns] = useState(() => useSavedWorks.getState().works.length > 0 || useRecent.getState().cycles.length > 0);
-  useEffect(() => {
-    void refreshWorks();
-  }, []);
-  useEffect(() => prefetchIdle(fetchBegin), []);
-  const page = useRef<HTMLElement>(null);
-  useEffect(() => {
-    const onKey = (event: KeyboardEvent) => page.current && typeIntoSearch(page.current, event);
-    document.addEventListener("keydown", onKey);
-    return () => document.removeEventListener("keydown", onKey);
-  }, []);
-
+  const byFinger = useMedia("coarse");
   /** Clicked twice while the catalogue is loading, the button still starts one work. */
   const start = async (cycle: number, withExample: boolean) => {
     if (going.current) return;
@@ -85,52 +77,80 @@ export function StartPage({ course }: { readonly course: ReactNode }) {
       going.current = false;
     }
   };
+  return useCycleChooser({
+    search: words.search,
+    found: words.found,
+    more,
+    ...(!byFinger && { hint: t.start.hint }),
+    ways: [
+      { name: words.withExample, short: words.withExample, go: (cycle) => void start(cycle, true) },
+      { name: words.empty, short: t.chooser.empty, go: (cycle) => void start(cycle, false) },
+    ],
+  });
+}
+
+/** The first screen: a search, the ways to start, a program on the lathe or the stored works, and all cycles. */
+export function StartPage({ course }: { readonly course: ReactNode }) {
+  const t = useTexts("first");
+  const pictures = usePictures();
+  const chooser = useStartChooser();
+  // Returning visitors come for their works, so the lathe comes after them. It keeps its place during the visit.
+  const hasWorks = useSavedWorks((k) => k.works.length > 0);
+  const [returns, setReturns] = useState(hasWorks);
+  if (hasWorks && !returns) setReturns(true);
+  useEffect(() => {
+    void refreshWorks();
+  }, []);
+  useEffect(() => prefetchIdle(fetchBegin), []);
+  const page = useRef<HTMLElement>(null);
+  const cycles = useRef<HTMLElement>(null);
+  useEffect(() => {
+    const onKey = (event: KeyboardEvent) => page.current && typeIntoSearch(page.current, event);
+    document.addEventListener("keydown", onKey);
+    return () => document.removeEventListener("keydown", onKey);
+  }, []);
+
   const { start: words } = t.page;
-  const welcome = (
-    <div className="welcome-place">
+  const hero = (
+    <div className="hero-place">
       <Suspense>
-        <Welcome pictures={pictures} />
+        <Hero of={pictures?.hero} />
       </Suspense>
     </div>
   );
+  const toCycles = () => {
+    cycles.current?.scrollIntoView();
+    cycles.current?.querySelector<HTMLElement>("button")?.focus({ preventScroll: true });
+  };
   return (
-    <main className="start-page" ref={page}>
-      <div className="start-lead">
-        <h1>{words.title}</h1>
-        <p className="soft">{words.lead}</p>
-        <div className="course-place">
-          <Suspense>{course}</Suspense>
-        </div>
+    <main className="start-page" ref={page} {...chooser.keys}>
+      <h1>{words.title}</h1>
+      <div className="cycle-chooser" role="group" aria-label={t.chooser.cycles}>
+        {chooser.search}
+        {chooser.found}
+        {chooser.others}
+        {!chooser.found && chooser.recent}
       </div>
-      <SavedPrograms />
-      {!returns && welcome}
-      <ProgramStart pictures={pictures} />
-      <section className="start-cycles" aria-label={words.choose}>
-        <h2>{words.choose}</h2>
-        <p className="soft">{words.chooseLead}</p>
-        <CycleChooser
-          search={words.search}
-          found={words.found}
-          more={more}
-          ways={[
-            {
-              name: words.withExample,
-              short: words.withExample,
-              go: (cycle) => void start(cycle, true),
-            },
-            {
-              name: words.empty,
-              short: t.chooser.empty,
-              go: (cycle) => void start(cycle, false),
-            },
-          ]}
-        />
-      </section>
-      {returns && welcome}
-      <p className="small">
-        <a href="gallery.html">{t.page.gallery}</a>
-      </p>
-      <p className="small soft disclaimer">{t.page.disclaimer}</p>
+      {!chooser.finds && (
+        <>
+          <div className="start-first">
+            {returns ? <SavedPrograms /> : hero}
+            <Doors course={course} toCycles={toCycles} />
+          </div>
+          <Beyond />
+          {returns && hero}
+          <Examples pictures={pictures} />
+          <section className="start-section cycle-chooser" aria-label={words.choose} ref={cycles}>
+            <h2>{words.choose}</h2>
+            <p className="soft">{words.chooseLead}</p>
+            {chooser.groups}
+          </section>
+          <p className="small">
+            <a href="gallery.html">{t.page.gallery}</a>
+          </p>
+          <p className="small soft disclaimer">{t.page.disclaimer}</p>
+        </>
+      )}
     </main>
   );
 }

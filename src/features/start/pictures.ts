@@ -1,38 +1,38 @@
 import type { ExampleId } from "../../examples/index.ts";
-import type { ViewBox, Thumbnail } from "../../view/thumbnail.ts";
+import type { PlayPosition } from "../../sim/simulation.ts";
+import type { Bounds } from "../../view/camera.ts";
+import type { Thumbnail, ViewBox } from "../../view/thumbnail.ts";
+import type { RunningPass } from "./running-pass.ts";
 
-/** One waypoint of the tool tip. */
-export type Waypoint = readonly [
-  milliseconds: number,
-  z: number,
-  r: number,
-  /** Index of the stock after the tool has passed. */
-  stock: number,
-  /** Roughing pass from 1; 0 while the tool is positioned, -1 while it finishes. */
-  pass: number,
-];
+/** Themes of the page. */
+export type Theme = "light" | "dark";
 
-/** The run of a program, for an animated picture. */
-export interface LiveRun {
-  readonly cycle: number;
+/** A drawing of the lathe view as SVG elements. */
+export interface StillPicture {
+  /** The frame of the view in the drawing, which reaches beyond it. */
   readonly box: ViewBox;
-  /** The rear end face of the blank, with its hatch. */
-  readonly held: string;
-  /** Path data, from the blank to the finished part. */
-  readonly stocks: readonly string[];
-  readonly insert: string;
-  /** The complete tool path. */
-  readonly rapids: string;
-  readonly feeds: string;
-  readonly way: readonly Waypoint[];
-  /** Results of the values: passes, infeed in mm, seconds, and whether it is verified. */
-  readonly passes: number;
-  readonly infeed: number;
+  readonly material: Readonly<Record<Theme, string>>;
+  /** Path, contour and tool, in the colours of the style sheets. */
+  readonly lines: string;
+}
+
+/** A program that is played on the lathe view of the start page. */
+export interface Hero {
+  readonly text: string;
+  /** The section of the lathe that is shown. */
+  readonly frame: Bounds;
+  /** Where playback begins: the moment of the still picture. */
+  readonly at: PlayPosition;
+  readonly running: RunningPass;
+  /** Facts of the program: operations, tools, seconds, and whether it is verified. */
+  readonly operations: number;
+  readonly tools: number;
   readonly seconds: number;
   readonly proved: boolean;
+  readonly still: StillPicture;
 }
 
 export interface StartPictures {
-  readonly live: LiveRun;
+  readonly hero: Hero;
   readonly examples: Readonly<Partial<Record<ExampleId, Thumbnail>>>;
 }

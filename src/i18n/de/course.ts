@@ -6,7 +6,7 @@ export const course = {
     "Drehen mit den Zyklen der Steuerung, vom ersten Absatz bis zum fertigen Teil. Jede Lektion hat einige Seiten mit animiertem Bild und " +
     "Aufgaben im echten Editor.",
   entrance: {
-    name: "Kurs",
+    name: "Lernen",
     about: "Lektionen mit Aufgaben, vom ersten Absatz bis zum fertigen Teil",
     goOn: (lesson) => `Weiter mit Lektion ${lesson}`,
   },

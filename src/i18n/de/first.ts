@@ -1,5 +1,6 @@
 import type { FirstTexts } from "../index.ts";
 import { chooser } from "./first/chooser.ts";
 import { page } from "./first/page.ts";
+import { start } from "./first/start.ts";
 
-export const first: FirstTexts = { page, chooser };
+export const first: FirstTexts = { page, chooser, start };

@@ -10,7 +10,7 @@ export const course = {
     "Turning with the cycles of the control, from the first shoulder to a complete part. Each lesson has a few pages with an animated " +
     "picture, and exercises in the real editor.",
   entrance: {
-    name: "Course",
+    name: "Learn",
     about: "Lessons with exercises, from the first shoulder to a complete part",
     goOn: (lesson: string) => `Continue with lesson ${lesson}`,
   },

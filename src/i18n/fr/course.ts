@@ -6,7 +6,7 @@ export const course = {
     "Tourner avec les cycles de la commande, du premier épaulement à la pièce complète. Chaque leçon comprend quelques pages avec une " +
     "image animée, et des exercices dans le véritable éditeur.",
   entrance: {
-    name: "Cours",
+    name: "Apprendre",
     about: "Leçons et exercices, du premier épaulement à la pièce complète",
     goOn: (lesson) => `Continuer la leçon ${lesson}`,
   },

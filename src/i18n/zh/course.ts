@@ -4,7 +4,7 @@ export const course = {
   title: "课程",
   lead: "用数控系统的循环车削，从第一个台阶到完整零件。每课几页，配有动态图，并在真实编辑器中做练习。",
   entrance: {
-    name: "课程",
+    name: "学习",
     about: "课程与练习，从第一个台阶到完整零件",
     goOn: (lesson) => `继续第 ${lesson} 课`,
   },

@@ -1,6 +1,8 @@
 import type { KeyboardEvent } from "react";
 
 const ROW = ".cycle-take";
+/** Parts of the chooser; a page may show something else between them. */
+const OWN = ".cycle-search, .recent-cycles, .cycle-group, .cycle-row";
 const isText = (key: string) => key.length === 1 && key !== " " && key !== "?";
 
 /** Elements whose edges differ by less than this stand in one line, px. */
@@ -27,6 +29,7 @@ function nearest(from: DOMRect, all: readonly HTMLElement[], down: boolean): HTM
 export function onChooserKey(event: KeyboardEvent<HTMLElement>, search: HTMLInputElement | null): void {
   const { key, target, currentTarget: box } = event;
   if (!(target instanceof HTMLElement) || event.ctrlKey || event.metaKey || event.altKey) return;
+  if (!target.closest(OWN)) return;
   const stops = [...box.querySelectorAll<HTMLElement>(`${ROW}, .cycle-group-head`)];
   const inRow = target.closest<HTMLElement>(".cycle-row");
   if (key === "ArrowDown" || key === "ArrowUp") {

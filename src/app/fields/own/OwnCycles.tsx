@@ -1,5 +1,5 @@
 import { Suspense, useId, useState, type ReactNode } from "react";
-import type { OtherRows } from "../chooser/CycleChooser.tsx";
+import type { OtherRows } from "../chooser/use-cycle-chooser.tsx";
 import { Drawing } from "../chooser/Drawing.tsx";
 import { withoutAccents } from "../chooser/search.ts";
 import type { OwnCycle } from "../../../program/edits/own-cycle.ts";

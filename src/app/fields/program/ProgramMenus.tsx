@@ -20,13 +20,13 @@ const OutputDialog = lazyPart(async () => ({ default: (await import("./OutputDia
 const TeachDialog = lazyPart(async () => ({ default: await exerciseSlot.fetch() }));
 
 /** A work to share, with its verdict. */
-interface Leaving {
+export interface Leaving {
   readonly open: Work;
   readonly verdict: ShownVerdict;
 }
 
 /** The open work with its verdict; null if sharing was cancelled. */
-async function leaving(): Promise<Leaving | null> {
+export async function leaving(): Promise<Leaving | null> {
   flushEdits();
   const { job, program } = useEditor.getState();
   const open = job ?? program;
@@ -43,7 +43,7 @@ function openText(): string {
 }
 
 /** Name of the open program without extension, for files made from it. */
-function openStem(): string {
+export function openStem(): string {
   flushEdits();
   const { job, program } = useEditor.getState();
   if (program) return program.name.replace(/\.[^.]*$/, "");

@@ -1,5 +1,5 @@
 import { useMemo } from "react";
-import { markedBy, runningPart, type MoveSpan } from "../../../program/run/path-index.ts";
+import { markedBy, runningPart, type MoveSpan, type RunningPart } from "../../../program/run/path-index.ts";
 import type { Run } from "../../../program/state/run-types.ts";
 import { MOST_STRETCHES, pathStretches, wholePath, type KnownLines, type PathStretch } from "../../../view/passes.ts";
 import type { Shape, TipWays } from "../../../view/scene.ts";
@@ -43,11 +43,17 @@ export function stretchesOf(run: Run): Passes {
 plannedAheadListeners.add(stretchesOf);
 
 /**
- * The part of a run that the settings show. `all`: all of its passes. The lines change only where another call, phase
- * or pass begins.
+ * The part of a run that the settings show, or the given one. `all`: all of its passes. The lines change only where
+ * another call, phase or pass begins.
  */
-export function useShownPath(run: Run, all: readonly PathStretch[], playback: PlaybackStore): ShownPath {
-  const asked = useSettings((s) => s.paths);
+export function useShownPath(
+  run: Run,
+  all: readonly PathStretch[],
+  playback: PlaybackStore,
+  part?: RunningPart,
+): ShownPath {
+  const set = useSettings((s) => s.paths),
+    asked = part ?? set;
   const running = usePlayback(playback, (store) => {
     if (asked === "all" || asked === "none") return "";
     return JSON.stringify(runningPart(run, store.get().position.step, asked));

@@ -41,31 +41,13 @@ export const page = {
 
   start: {
     which: "Zyklus suchen",
-    title: "HEIDENHAIN-Drehzyklen programmieren und jeden Schnitt sehen",
-    lead: "Für TNC 640 und TNC7. Eingaben wie an der Steuerung, Bearbeitung simulieren, Schnitt prüfen, Programm exportieren.",
+    title: "HEIDENHAIN-Drehzyklen für TNC 640 und TNC7 programmieren und jeden Schnitt sehen",
     choose: "Zyklus wählen",
     chooseLead: "Zyklus wählen: beginnt mit Beispielwerten, „Ohne Werte“ beginnt leer.",
     search: "Zyklen, Beispiele und eigene Programme suchen",
     found: (n) => `${n} gefunden.`,
     foundWork: (name) => `Gespeichertes Programm: ${name}`,
     foundExample: (title) => `Beispiel: ${title}`,
-    beyond: "Mehr, als die Steuerung zeigt",
-    beyondAll: {
-      typing: { what: "Beim Eingeben", how: "Schnitte, tatsächliche Zustellung, Zeit und Spanquerschnitt" },
-      residue: { what: "Restmaterial", how: "wo, warum und welches Werkzeug es erreicht" },
-      proof: { what: "Prüfung", how: "keine Konturverletzung, kein Eilgang im Material; sonst der verursachende Satz" },
-      steps: { what: "Schritt für Schritt", how: "der Ablauf aus dem Handbuch, im Takt des Werkzeugs" },
-      approach: { what: "APPR und DEP", how: "alle acht Funktionen, an der eigenen Kontur" },
-    },
-    live: {
-      name: (cycle) => `Zyklus ${cycle} bearbeitet sein Beispiel: Das Werkzeug fährt und trägt Material ab`,
-      play: "Abspielen",
-      pause: "Anhalten",
-      pass: (n, of) => `Schnitt ${n} von ${of}`,
-      finish: "Schlichten",
-      position: "Positionieren",
-      proved: "geprüft",
-    },
     withExample: "Mit Beispielwerten beginnen",
     empty: "Ohne Werte beginnen",
     cycle: (number, name) => `Zyklus ${number}, ${name}`,
@@ -81,8 +63,7 @@ export const page = {
 
   programs: {
     title: "NC-Programme",
-    lead: "Ein Klartext-Programm öffnen, verstehen, im Dialog ändern und exportieren; unberührte Sätze bleiben unverändert.",
-    openFile: "Dateien öffnen",
+    openFile: "Programm öffnen",
     openFolder: "Ordner öffnen",
     paste: "Programm einfügen",
     create: "Neues Programm",
@@ -101,7 +82,7 @@ export const page = {
   },
   examples: {
     flange: "Flansch: sechs Werkzeuge, acht Zyklen",
-    shaft: "Welle: zehn Bearbeitungen, sieben Werkzeuge; Kegel, Freistich, Einstiche, Außen- und Innengewinde",
+    shaft: "Welle: zehn Bearbeitungen, zehn Werkzeuge; Kegel, Freistich, Einstiche, Außen- und Innengewinde",
     shoulder: "Handbuchbeispiel 812 (französisch)",
     contour: "Handbuchbeispiel 820 (französisch)",
     contourEnglish: "Handbuchbeispiel 820 (englisch)",

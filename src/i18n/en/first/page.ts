@@ -41,34 +41,13 @@ export const page = {
 
   start: {
     which: "Find a cycle",
-    title: "Program HEIDENHAIN turning cycles and see every cut",
-    lead: "For TNC 640 and TNC7. Answer the prompts as on the control, watch the lathe, check the cut, export the program.",
+    title: "Program HEIDENHAIN turning cycles for TNC 640 and TNC7 and see every cut",
     choose: "Choose a cycle",
     chooseLead: "Select a cycle to start with example values, or “Blank” for no values.",
     search: "Search cycles, examples and your programs",
     found: (n: number) => (n === 1 ? "1 found." : `${n} found.`),
     foundWork: (name: string) => `Saved program: ${name}`,
     foundExample: (title: string) => `Example: ${title}`,
-    beyond: "More than the control shows",
-    beyondAll: {
-      typing: { what: "While you type", how: "passes, actual infeed, time and chip area" },
-      residue: { what: "Residual material", how: "where, why, and which tool reaches it" },
-      proof: {
-        what: "Check",
-        how: "no contour damage, no rapid traverse in the stock; otherwise the block that causes it",
-      },
-      steps: { what: "Step by step", how: "the manual’s steps, highlighted as the tool moves" },
-      approach: { what: "APPR and DEP", how: "all eight functions, on your own contour" },
-    },
-    live: {
-      name: (cycle: number) => `Cycle ${cycle} machines its example: the tool moves and removes material`,
-      play: "Play",
-      pause: "Pause",
-      pass: (n: number, of: number) => `Pass ${n} of ${of}`,
-      finish: "Finishing",
-      position: "Positioning",
-      proved: "verified",
-    },
     withExample: "Start with example values",
     empty: "Start blank",
     cycle: (number: number, name: string) => `Cycle ${number}, ${name}`,
@@ -84,8 +63,7 @@ export const page = {
 
   programs: {
     title: "NC programs",
-    lead: "Open a Klartext program, understand it, change it by dialog, and export it; untouched blocks stay unchanged.",
-    openFile: "Open files",
+    openFile: "Open a program",
     openFolder: "Open folder",
     paste: "Paste a program",
     create: "New program",
@@ -104,7 +82,7 @@ export const page = {
   },
   examples: {
     flange: "Flange: six tools, eight cycles",
-    shaft: "Shaft: ten operations, seven tools; taper, undercut, recesses, external and internal threads",
+    shaft: "Shaft: ten operations, ten tools; taper, undercut, recesses, external and internal threads",
     shoulder: "Manual example 812 (French)",
     contour: "Manual example 820 (French)",
     contourEnglish: "Manual example 820 (English)",

@@ -41,34 +41,13 @@ export const page = {
 
   start: {
     which: "Trouver un cycle",
-    title: "Programmer les cycles de tournage HEIDENHAIN et voir chaque passe",
-    lead: "Pour TNC 640 et TNC7. Répondre aux questions comme sur la commande, simuler l’usinage, contrôler la coupe, exporter le programme.",
+    title: "Programmer les cycles de tournage HEIDENHAIN pour TNC 640 et TNC7 et voir chaque passe",
     choose: "Choisir un cycle",
     chooseLead: "Choisir un cycle pour commencer avec ses valeurs d’exemple, ou « Sans valeurs ».",
     search: "Chercher dans les cycles, les exemples et vos programmes",
     found: (n) => (n === 1 ? "1 trouvé." : `${n} trouvés.`),
     foundWork: (name) => `Programme enregistré : ${name}`,
     foundExample: (title) => `Exemple : ${title}`,
-    beyond: "Plus que ce que montre la commande",
-    beyondAll: {
-      typing: { what: "Pendant la saisie", how: "passes, prise de passe réelle, temps et section de copeau" },
-      residue: { what: "Matière résiduelle", how: "où, pourquoi, et quel outil l’atteint" },
-      proof: {
-        what: "Vérification",
-        how: "ni violation de contour ni avance rapide dans la matière ; sinon la séquence en cause",
-      },
-      steps: { what: "Pas à pas", how: "les étapes du manuel, au rythme de l’outil" },
-      approach: { what: "APPR et DEP", how: "les huit fonctions, sur votre contour" },
-    },
-    live: {
-      name: (cycle) => `Le cycle ${cycle} usine son exemple : l’outil se déplace et enlève la matière`,
-      play: "Lecture",
-      pause: "Pause",
-      pass: (n, of) => `Passe ${n} sur ${of}`,
-      finish: "Finition",
-      position: "Positionnement",
-      proved: "vérifié",
-    },
     withExample: "Commencer avec les valeurs d’exemple",
     empty: "Commencer sans valeurs",
     cycle: (number, name) => `Cycle ${number}, ${name}`,
@@ -84,8 +63,7 @@ export const page = {
 
   programs: {
     title: "Programmes CN",
-    lead: "Ouvrir un programme Klartext, le comprendre, le modifier par dialogue et l’exporter ; les séquences non touchées restent inchangées.",
-    openFile: "Ouvrir des fichiers",
+    openFile: "Ouvrir un programme",
     openFolder: "Ouvrir un dossier",
     paste: "Coller un programme",
     create: "Nouveau programme",
@@ -104,7 +82,7 @@ export const page = {
   },
   examples: {
     flange: "Bride : six outils, huit cycles",
-    shaft: "Arbre : dix opérations, sept outils ; cône, dégagement, gorges, filetages extérieur et intérieur",
+    shaft: "Arbre : dix opérations, dix outils ; cône, dégagement, gorges, filetages extérieur et intérieur",
     shoulder: "Exemple du manuel 812 (français)",
     contour: "Exemple du manuel 820 (français)",
     contourEnglish: "Exemple du manuel 820 (anglais)",

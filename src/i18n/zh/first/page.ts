@@ -40,31 +40,13 @@ export const page = {
 
   start: {
     which: "查找循环",
-    title: "HEIDENHAIN 车削循环对话编程，每次切削清晰可见",
-    lead: "适用于 TNC 640 和 TNC7：像在数控系统上一样回答提问，仿真车削，检查切削，导出程序。",
+    title: "为 TNC 640 和 TNC7 编写 HEIDENHAIN 车削循环，每次切削清晰可见",
     choose: "选择循环",
     chooseLead: "选择循环以示例值开始，选“无数值”则不带值开始。",
     search: "搜索循环、示例和自己的程序",
     found: (n) => `找到 ${n} 项。`,
     foundWork: (name) => `已存程序：${name}`,
     foundExample: (title) => `示例：${title}`,
-    beyond: "比数控系统显示得更多",
-    beyondAll: {
-      typing: { what: "输入时", how: "走刀次数、实际进刀量、时间和切屑截面积" },
-      residue: { what: "残余材料", how: "在哪里、为什么、哪把刀能切到" },
-      proof: { what: "检查", how: "无轮廓损伤，材料内无快移；否则指出程序段" },
-      steps: { what: "逐步", how: "手册中的步骤随刀具同步显示" },
-      approach: { what: "APPR 和 DEP", how: "全部八种功能，用于您的轮廓" },
-    },
-    live: {
-      name: (cycle) => `循环 ${cycle} 加工其示例：刀具运动，材料被切除`,
-      play: "播放",
-      pause: "暂停",
-      pass: (n, of) => `第 ${n} 刀，共 ${of} 刀`,
-      finish: "精加工",
-      position: "定位",
-      proved: "已验证",
-    },
     withExample: "用示例值开始",
     empty: "无数值开始",
     cycle: (number, name) => `循环 ${number}，${name}`,
@@ -80,8 +62,7 @@ export const page = {
 
   programs: {
     title: "NC 程序",
-    lead: "打开 Klartext 程序，看懂它，用对话修改并导出；未改动的程序段保持不变。",
-    openFile: "打开文件",
+    openFile: "打开程序",
     openFolder: "打开文件夹",
     paste: "粘贴程序",
     create: "新建程序",
@@ -100,7 +81,7 @@ export const page = {
   },
   examples: {
     flange: "法兰：六把刀具，八个循环",
-    shaft: "轴：十道工序、七把刀具；含锥面、退刀槽、凹槽及内外螺纹",
+    shaft: "轴：十道工序、十把刀具；含锥面、退刀槽、凹槽及内外螺纹",
     shoulder: "手册示例 812（法语）",
     contour: "手册示例 820（法语）",
     contourEnglish: "手册示例 820（英语）",

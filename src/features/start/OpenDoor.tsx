@@ -1,5 +1,4 @@
 import { useRef, useState } from "react";
-import type { ExampleId } from "../../examples/index.ts";
 import {
   canOpenFiles,
   ENDINGS,
@@ -11,25 +10,17 @@ import {
 import type * as FolderPart from "../../app/records/files/folder.ts";
 import { retryImport } from "../../app/base/parts.ts";
 import { openFiles, openFolder, openText, type OpenResult } from "../../app/fields/open/open-program.ts";
+import { Door } from "./Door.tsx";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
-import { WhichButton } from "../../app/document/WhichButton.tsx";
-import { CreateProgram } from "./CreateProgram.tsx";
-import { PartPicture } from "../../app/fields/kept/PartPicture.tsx";
-import type { StartPictures } from "./pictures.ts";
 
-/** Opens one of the built-in example programs. */
-export async function openExample(id: string): Promise<void> {
-  const { examples } = await import("../../examples/index.ts");
-  const found = examples.find((example) => example.id === id);
-  if (found) openText(found.text);
-}
-
-/** Ways to get an NC program: a file, a paste, a new one, an example. */
-export function ProgramStart({ pictures }: { readonly pictures: StartPictures | null }) {
-  const t = useTexts("first").page;
+/** The door to an NC program: a file, a folder, a paste. */
+export function OpenDoor() {
+  const {
+    page: t,
+    start: { doors },
+  } = useTexts("first");
   const [opening, setOpening] = useState<OpenResult>("opened");
-  const [creating, create] = useState(false);
   const [pasted, paste] = useState(false);
   const area = useRef<HTMLTextAreaElement>(null);
   const file = useRef<HTMLInputElement>(null);
@@ -50,44 +41,33 @@ export function ProgramStart({ pictures }: { readonly pictures: StartPictures | 
   };
 
   return (
-    <section className="program-start" aria-label={t.programs.title}>
-      <h2>{t.programs.title}</h2>
-      <p className="soft">{t.programs.lead}</p>
-      <div className="program-ways">
-        <button type="button" className="button primary" onClick={() => void ask()}>
-          {t.programs.openFile}
-        </button>
-        <input
-          ref={file}
-          type="file"
-          multiple
-          hidden
-          accept={[...ENDINGS, "text/plain", ".zip", ".json"].join(",")}
-          onChange={(event) => void take(plainFiles(event.currentTarget.files))}
-        />
-        <button type="button" className="button" onClick={() => void askFolder()}>
-          {t.programs.openFolder}
-        </button>
-        <input
-          ref={folder}
-          type="file"
-          multiple
-          hidden
-          {...{ webkitdirectory: "" }}
-          onChange={(event) => {
-            const list = [...(event.currentTarget.files ?? [])];
-            if (list.length > 0) void takeFolder(({ filesOfList }) => filesOfList(list));
-          }}
-        />
-        <button type="button" className="button" onClick={() => dialog.current?.showModal()}>
-          {t.programs.paste}
-        </button>
-        <button type="button" className="button" onClick={() => create(true)}>
-          {t.programs.create}
-        </button>
-        <WhichButton className="button" name={t.start.which} />
-        <span className="soft small">{t.programs.drop}</span>
-      </div>
+    <Door name={t.programs.openFile} how={doors.openHow} go={() => void ask()}>
+      <input
+        ref={file}
+        type="file"
+        multiple
+        hidden
+        accept={[...ENDINGS, "text/plain", ".zip", ".json"].join(",")}
+        onChange={(event) => void take(plainFiles(event.currentTarget.files))}
+      />
+      <button type="button" className="door-way" onClick={() => void askFolder()}>
+        {t.programs.openFolder}
+      </button>
+      <input
+        ref={folder}
+        type="file"
+        multiple
+        hidden
+        {...{ webkitdirectory: "" }}
+        onChange={(event) => {
+          const list = [...(event.currentTarget.files ?? [])];
+          if (list.length > 0) void takeFolder(({ filesOfList }) => filesOfList(list));
+        }}
+      />
+      <button type="button" className="door-way" onClick={() => dialog.current?.showModal()}>
+        {t.programs.paste}
+      </button>
+      <span className="soft small">{t.programs.drop}</span>
       <p role="status" className="program-unreadable">
         {opening !== "opened" && (
           <>
@@ -95,23 +75,6 @@ export function ProgramStart({ pictures }: { readonly pictures: StartPictures | 
           </>
         )}
       </p>
-      <h3>{t.programs.examples}</h3>
-      <ul className="program-examples">
-        {Object.entries(t.examples as Readonly<Record<ExampleId, string>>).map(([id, title]) => (
-          <li key={id}>
-            <button
-              type="button"
-              className="button program-example"
-              aria-label={t.programs.example(title)}
-              onClick={() => void openExample(id)}
-            >
-              <PartPicture of={pictures?.examples[id as ExampleId]} />
-              <span>{title}</span>
-            </button>
-          </li>
-        ))}
-      </ul>
-      {creating && <CreateProgram done={() => create(false)} />}
       <dialog ref={dialog} className="paste-program" aria-label={t.programs.pasteTitle}>
         <h2>{t.programs.pasteTitle}</h2>
         <textarea
@@ -147,6 +110,6 @@ export function ProgramStart({ pictures }: { readonly pictures: StartPictures | 
           </button>
         </div>
       </dialog>
-    </section>
+    </Door>
   );
 }

@@ -1,0 +1,14 @@
+import { retryImport } from "../../app/base/parts.ts";
+import { openText } from "../../app/fields/open/open-program.ts";
+
+/** The text of a built-in example program. */
+export async function exampleText(id: string): Promise<string | undefined> {
+  const { examples } = await retryImport(() => import("../../examples/index.ts"));
+  return examples.find((example) => example.id === id)?.text;
+}
+
+/** Opens one of the built-in example programs. */
+export async function openExample(id: string): Promise<void> {
+  const text = await exampleText(id);
+  if (text !== undefined) openText(text);
+}
