@@ -29,6 +29,8 @@ interface Props {
   readonly narrow?: boolean;
   /** The chosen cycle is inserted into a program. */
   readonly inProgram?: boolean;
+  /** Lists only some cycles; the search finds all of them. */
+  readonly among?: (cycle: number) => boolean;
   /** Focuses the search at once. */
   readonly focus?: boolean;
   readonly more?: OtherRows;
@@ -42,6 +44,7 @@ export function CycleChooser({
   ways: given,
   narrow = false,
   inProgram = false,
+  among,
   focus = false,
   more,
   search: searchName,
@@ -59,6 +62,7 @@ export function CycleChooser({
   const words = useMenuWords(searching);
   const sought = typed.trim();
   const cycles = useMemo(() => offeredCycles(inProgram), [inProgram]);
+  const listed = among ? cycles.filter(({ number }) => among(number)) : cycles;
   const verified = cycles.filter(({ recalled }) => !recalled).map(({ number }) => number);
   const found = useMemo(() => (sought === "" ? null : findCycles(cycles, sought, words)), [cycles, sought, words]);
   const others = more?.(found && sought, turn, found?.length === 0);
@@ -145,8 +149,8 @@ export function CycleChooser({
         </ul>
       ) : (
         <>
-          <RecentCycles offered={cycles} ways={ways} />
-          {menuGroups(cycles).map(([group, own]) => (
+          <RecentCycles offered={listed} ways={ways} />
+          {menuGroups(listed).map(([group, own]) => (
             <CycleGroup key={group} group={group} cycles={own} ways={ways} turn={turn} startsOpen={!narrow && !phone} />
           ))}
           <p className="small soft cycle-evidence">

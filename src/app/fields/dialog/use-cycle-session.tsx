@@ -3,6 +3,7 @@ import { isRecalled, type Param } from "../../../cycles/params.ts";
 import type { ParamTextId } from "../../../cycles/index.ts";
 import { formatNumber } from "../../../i18n/number.ts";
 import { anyNumber, readText } from "../../../program/values/field.ts";
+import type { Draft } from "../../../program/job/read-draft.ts";
 import type { SetupPlace } from "../../../program/job/setup.ts";
 import { suggestedValue, type SuggestionContext } from "../../../program/values/suggestion.ts";
 import { setPrompt, setPrompts } from "../../document/edits.ts";
@@ -27,6 +28,8 @@ export interface PromptedBlock {
   /** Its program is in inches. */
   readonly inches: boolean;
   readonly set: (q: string, text: string) => void;
+  /** Sizes that follow from the stock, suggested at open prompts. */
+  readonly sizes?: Draft;
   /** Several prompts in one step of undo. */
   readonly setAll: (texts: Readonly<Record<string, string>>) => void;
 }
@@ -79,7 +82,7 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
     const { prompt, label, explanation, ...words } = t.params[param.text as ParamTextId];
     const meanings: Readonly<Record<number, string>> = "choices" in words ? words.choices : {};
     const idle = hasNoEffect(param, reading.partial);
-    const suggested = param.optional ? null : suggestedValue(cycle, q, context);
+    const suggested = block?.sizes?.[q] ?? (param.optional ? null : suggestedValue(cycle, q, context));
     return promptOf(
       { id: q, optional: param.optional, decimals: param.decimals },
       { prompt, label, about: explanation },
