@@ -15,6 +15,8 @@ import { kindOf } from "../../app/fields/blocks/block-kind.ts";
 import { Palette } from "./Palette.tsx";
 import { countsInches } from "../../app/fields/blocks/block-prompts.ts";
 import { setBlockPrompt, setBlockPrompts, useOpenBlock } from "../../app/fields/blocks/open-block.ts";
+import { askForOperation } from "../../app/document/inserting.ts";
+import { operationAt } from "../../program/edits/operations.ts";
 import { useSuggestedSizes } from "../../app/fields/blocks/suggested-sizes.ts";
 import { editProgram, ofText, openBlock, useSession } from "../../app/fields/blocks/session.ts";
 
@@ -60,6 +62,7 @@ export function BlockPanel() {
         problems,
         inches: countsInches(program),
         sizes,
+        onInsert: () => askForOperation(operationAt(program, index)),
         set: setBlockPrompt,
         setAll: setBlockPrompts,
       };

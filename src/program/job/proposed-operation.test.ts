@@ -15,6 +15,7 @@ import { emptyProgram } from "./empty-program.ts";
 import { operationsOf } from "../edits/operations.ts";
 import { proposedOperation, sitesOf, usualSurface } from "./proposed-operation.ts";
 import { readDraft } from "./read-draft.ts";
+import { surfacesOf } from "./stock-surface.ts";
 import { readRows } from "./contour-rows.ts";
 import { run } from "../run/run.ts";
 import { shippedTools } from "../tools/shipped-tools.ts";
@@ -37,7 +38,7 @@ function proposalIn(program: Program, number: number, site: Site, start: SetJob[
   const cycle = cycleOf(number);
   const made = runOf(program);
   const stock = simulate(made).final;
-  const surface = usualSurface(cycle, site, stock);
+  const surface = usualSurface(cycle, surfacesOf(stock, site));
   if (!surface) throw new Error(`${number}: no surface ${site}`);
   const along = cycle.group === "thread" ? [surface.from, surface.to] : site === "inside" ? BORE : CONTOUR;
   const contour = cycle.contour === "free" ? chain(along) : [];
@@ -95,8 +96,10 @@ describe("an inserted operation", () => {
 
   test.each(places)("%i %s: no size of the drawing is written, and the run says so", (number, site) => {
     const cycle = cycleOf(number);
-    const { job } = proposalIn(site === "inside" ? bored : begun, number, site);
-    const open = Object.entries<Param>(cycle.params).filter(([, p]) => isOfDrawing(p) && !hasNoEffect(p, {}));
+    const { job, placed } = proposalIn(site === "inside" ? bored : begun, number, site);
+    const open = Object.entries<Param>(cycle.params).filter(
+      ([q, p]) => isOfDrawing(p) && !hasNoEffect(p, {}) && placed[q] === undefined,
+    );
     for (const [q] of open) expect([q, job.drafts[number]?.[q]]).toEqual([q, ""]);
     if (cycle.contour === "free") return;
     const program = withOperation(begun, { ...job, start: { x: "75.1", z: "3.2" } }, ncLabels("en"));
@@ -106,18 +109,20 @@ describe("an inserted operation", () => {
   });
 
   test.each([
-    [812, "outside", { Q491: "73.4", Q492: "0" }, { x: "73.4", z: "3.3" }],
-    [811, "outside", {}, { x: "73.4", z: "3.3" }],
-    [812, "inside", { Q491: "31.7", Q492: "0" }, { x: "31.7", z: "3.3" }],
-    [822, "face", { Q491: "73.4", Q492: "1.3", Q493: "29.7", Q494: "0" }, { x: "77.4", z: "1.3" }],
-    [862, "outside", { Q491: "73.4" }, { x: "77.4", z: "" }],
-    [872, "face", { Q492: "1.3" }, { x: "", z: "3.3" }],
-    [831, "outside", { Q491: "73.4", Q492: "0" }, { x: "83.4", z: "6.3" }],
-    [831, "inside", { Q492: "0" }, { x: "21.7", z: "6.3" }],
-  ] as const)("%i %s: sizes that follow from the stock are suggested", (number, site, sizes, start) => {
+    [812, "outside", { Q491: "73.4", Q492: "0" }, {}, { x: "73.4", z: "3.3" }],
+    [811, "outside", {}, {}, { x: "73.4", z: "3.3" }],
+    [812, "inside", { Q491: "31.7", Q492: "0" }, {}, { x: "31.7", z: "3.3" }],
+    [822, "face", { Q491: "73.4", Q492: "1.3" }, { Q493: "29.7", Q494: "0" }, { x: "77.4", z: "1.3" }],
+    [862, "outside", { Q491: "73.4" }, {}, { x: "77.4", z: "" }],
+    [872, "face", { Q492: "1.3" }, {}, { x: "", z: "3.3" }],
+    [831, "outside", { Q491: "73.4", Q492: "0" }, {}, { x: "83.4", z: "6.3" }],
+    [831, "inside", { Q492: "0" }, {}, { x: "21.7", z: "6.3" }],
+  ] as const)("%i %s: the surface gives the start, the stock suggests sizes", (number, site, placed, sizes, start) => {
     const made = proposalIn(bored, number, site);
+    expect(made.placed).toEqual(placed);
     expect(made.sizes).toEqual(sizes);
     expect(made.job.start).toEqual(start);
+    expect(made.job.drafts[number]).toMatchObject(placed);
   });
 
   test("a face of solid stock ends on the axis", () =>
@@ -129,10 +134,9 @@ describe("an inserted operation", () => {
         "4 FUNCTION TURNDATA SPIN VCONST:OFF S731\n5 M136\n6 L X+90 Z+4 R0 FMAX M303\n7 L Z-21 FMAX\n8 L X+66 F0.1\n" +
         "9 L X+90 FMAX\n10 L Z-20 FMAX\n11 L X+66 F0.1\n12 L X+90 FMAX\n13 M30\n14 END PGM A MM\n",
     );
-    const { sizes, job } = proposalIn(turned, 831, "outside");
-    expect(sizes).toMatchObject({ Q491: "73.4", Q492: "0", Q474: "0" });
-    expect(Number(sizes["Q494"])).toBeLessThan(-17.9);
-    expect(Number(sizes["Q494"])).toBeGreaterThan(-21);
+    const { placed, sizes, job } = proposalIn(turned, 831, "outside");
+    expect(placed).toEqual({ Q491: "73.4", Q492: "0" });
+    expect(sizes).toEqual({ Q494: "-19", Q474: "0" });
     expect(job.spindle).toMatchObject({ mode: "constant", speed: "520" });
   });
 

@@ -1,4 +1,5 @@
 import type { Cycle, TurnedShape } from "../../cycles/define.ts";
+import { cycleByNumber } from "../../cycles/index.ts";
 import { useOf, worksAcross } from "../../cycles/use.ts";
 import { beginsAtTip, type Corner, type ShapeRequest, type Site } from "../../cycles/shape-request.ts";
 import type { Param } from "../../cycles/params.ts";
@@ -11,22 +12,14 @@ import type { SetJob, SpindleDraft } from "./job.ts";
 import type { Draft } from "./read-draft.ts";
 import { jobFor } from "./requested-job.ts";
 import { boxAroundContour } from "./requested-shape.ts";
-import {
-  faceOf,
-  frontOf,
-  longestOf,
-  reliefBehind,
-  startOnSurface,
-  surfacesOf,
-  type StockSurface,
-} from "./stock-surface.ts";
+import { faceOf, frontOf, longestOf, reliefBehind, startOnSurface, type StockSurface } from "./stock-surface.ts";
 
 /** Context of a new operation: the stock left by the previous operations, and where in it the operation starts. */
 export interface OperationContext {
   readonly stock: readonly Ring[];
   readonly surface: StockSurface;
   /** Previous operations, in order. */
-  readonly before: readonly Pick<Operation, "spindle">[];
+  readonly before: readonly Pick<Operation, "spindle" | "cycle">[];
   /** The contour of a cycle that takes one. */
   readonly contour: readonly Segment[];
   /** The start point as typed; an empty coordinate is proposed where the stock determines it. */
@@ -37,7 +30,9 @@ export interface OperationContext {
 export interface ProposedOperation {
   /** The job to write. */
   readonly job: SetJob;
-  /** Sizes that follow from the stock: suggestions for open prompts. */
+  /** Sizes of the chosen surface, which the job has: where the contour starts. */
+  readonly placed: Draft;
+  /** Other sizes that follow from the stock: suggestions for open prompts. */
   readonly sizes: Draft;
   /** The same job with likely sizes: only to compare tools, never written. */
   readonly likely: SetJob;
@@ -48,10 +43,10 @@ export function sitesOf(cycle: Cycle): readonly Site[] {
   return worksAcross(cycle) ? ["face"] : ["outside", "inside"];
 }
 
-/** Where an operation of a cycle starts, unless another surface is chosen: threads at the front, others on the longest. */
-export function usualSurface(cycle: Cycle, site: Site, stock: readonly Ring[]): StockSurface | null {
-  const all = surfacesOf(stock, site);
-  return cycle.group === "thread" || site === "face" ? (all[0] ?? null) : longestOf(all);
+/** Where an operation starts, unless another surface is chosen: threads and faces at the front, others on the longest. */
+export function usualSurface({ group }: Cycle, surfaces: readonly StockSurface[]): StockSurface | null {
+  const [first] = surfaces;
+  return first && group !== "thread" && first.site !== "face" ? longestOf(surfaces) : (first ?? null);
 }
 
 /** Set-up clearance of a start point, mm; of a cut that begins at the tip; of a thread; overlap of a face over a bore. */
@@ -80,11 +75,12 @@ function knownSizes(cycle: Cycle, { stock, surface, start }: OperationContext): 
   const put = (q: string, { value }: { readonly value?: number }) => (value === undefined ? {} : { [q]: value });
   switch (shapeOf(cycle)) {
     case "thread": {
+      // The thread ends where its cylinder ends; the insert runs out in the relief.
       const relief = reliefBehind(surface, stock);
       return {
         ...(site === "outside" ? { Q491: d } : {}),
         Q492: startOnSurface(surface, stock),
-        ...(relief ? { Q494: rounded((relief.from + relief.to) / 2), Q474: 0 } : {}),
+        ...(relief ? { Q494: Math.round(10 * relief.from) / 10, Q474: 0 } : {}),
       };
     }
     case "groove":
@@ -154,44 +150,46 @@ function startOf(cycle: Cycle, { stock, surface, start }: OperationContext, like
   return { x: or(start.x, proposed.x), z: or(start.z, proposed.z) };
 }
 
-/**
- * Values of the prompts: those that the drawing does not decide are usual ones, a typed start counts as a size, and the
- * rest stays open.
- */
-function writtenValues(cycle: Cycle, { surface, start }: OperationContext, sizes: Draft): Draft {
+/** Parameters of the start of a contour. */
+const OF_START: ReadonlySet<string> = new Set(["Q491", "Q492"]);
+
+/** Values of the prompts: the sizes of the surface, and usual ones where the drawing does not decide; the rest is open. */
+function writtenValues(cycle: Cycle, { site }: StockSurface, placed: Draft): Draft {
   const blank = { outside: null, bore: null, front: null };
-  const { thread } = cycle;
-  const ofStart = shapeOf(cycle) === "groove" || shapeOf(cycle) === "plunge";
-  const typed = ofStart ? (surface.site === "face" ? { Q491: start.x } : { Q492: start.z }) : {};
   return Object.fromEntries(
     Object.entries<Param>(cycle.params).map(([q, param]) => {
-      if (thread?.position === q) return [q, surface.site === "inside" ? "1" : "0"];
-      if ((typed as Draft)[q]?.trim()) return [q, sizes[q] ?? ""];
+      if (cycle.thread?.position === q) return [q, site === "inside" ? "1" : "0"];
       const open = isOfDrawing(param) || param.text === "startZ";
       const value = open ? null : suggestedValue(cycle, q, { blank, perRevolution: true });
-      return [q, value === null ? "" : String(value)];
+      return [q, placed[q] ?? (value === null ? "" : String(value))];
     }),
   );
 }
 
+/** The spindle of the last operation of the same kind: a thread is cut at a constant speed, regardless of other cuts. */
+function spindleFor(cycle: Cycle, context: OperationContext, usual: SpindleDraft): SpindleDraft {
+  const isThread = (number: number) => cycleByNumber(number)?.group === "thread";
+  const last = context.before.findLast((o) => isThread(o.cycle) === (cycle.group === "thread"))?.spindle;
+  const fits = last && (cycle.group !== "thread" || last.kind === "constant");
+  return fits ? spindleAsTyped(usual, last) : usualSpindle(cycle, context, usual);
+}
+
 /** Proposes an operation of a cycle on a surface of the stock. Nothing is invented: unknown sizes stay open. */
 export function proposedOperation(cycle: Cycle, context: OperationContext): ProposedOperation {
-  const { before, stock } = context;
-  const made = jobFor(cycle, likelyShape(cycle, context), stock);
+  const made = jobFor(cycle, likelyShape(cycle, context), context.stock);
   const start = startOf(cycle, context, made);
-  const last = before.at(-1)?.spindle;
-  // A thread is cut at a constant speed, regardless of earlier cuts.
-  const fits = last && (cycle.group !== "thread" || last.kind === "constant");
-  const spindle = fits ? spindleAsTyped(made.spindle, last) : usualSpindle(cycle, context, made.spindle);
   const known = Object.entries(knownSizes(cycle, { ...context, start })).filter(([q]) => cycle.params[q]);
-  const sizes: Draft = Object.fromEntries(known.map(([q, value]) => [q, String(rounded(value))]));
-  const values = writtenValues(cycle, { ...context, start }, sizes);
-  const likely = {
-    ...made.drafts[cycle.number],
-    ...Object.fromEntries([...Object.entries(values), ...Object.entries(sizes)].filter(([, text]) => text !== "")),
-  };
+  const sized = (isOfStart: boolean): Draft =>
+    Object.fromEntries(
+      known.filter(([q]) => OF_START.has(q) === isOfStart).map(([q, value]) => [q, String(rounded(value))]),
+    );
+  const [placed, sizes] = [sized(true), sized(false)];
+  const values = writtenValues(cycle, context.surface, placed);
+  const typed = Object.entries({ ...values, ...sizes }).filter(([, text]) => text !== "");
+  const likely = { ...made.drafts[cycle.number], ...Object.fromEntries(typed) };
+  const spindle = spindleFor(cycle, context, made.spindle);
   const job: SetJob = { ...made, start, spindle, drafts: { [cycle.number]: values } };
-  return { job, sizes, likely: { ...job, drafts: { [cycle.number]: likely } } };
+  return { job, placed, sizes, likely: { ...job, drafts: { [cycle.number]: likely } } };
 }
 
 /** Usual cutting speed of a thread, m/min, and the fastest spindle for it, rpm. */

@@ -30,6 +30,8 @@ export interface PromptedBlock {
   readonly set: (q: string, text: string) => void;
   /** Sizes that follow from the stock, suggested at open prompts. */
   readonly sizes?: Draft;
+  /** Inserts an operation behind its own. */
+  readonly onInsert?: () => void;
   /** Several prompts in one step of undo. */
   readonly setAll: (texts: Readonly<Record<string, string>>) => void;
 }

@@ -2,6 +2,7 @@ import { Suspense, useEffect, useMemo, useRef, useState } from "react";
 import type { Cycle } from "../../../cycles/define.ts";
 import type { Site } from "../../../cycles/shape-request.ts";
 import type { InsertTexts } from "../../../i18n/en/insert.ts";
+import { diameter, toRadius } from "../../../kernel/units.ts";
 import { ncLanguageOf } from "../../../i18n/languages.ts";
 import { ncLabels } from "../../../i18n/nc-labels.ts";
 import type { Label } from "../../../nc/words.ts";
@@ -26,6 +27,29 @@ import type { StateBefore } from "./stock-before.ts";
 import { UNKNOWN_STOCK } from "./unknown-stock.ts";
 
 const ContourTable = lazyPart(async () => ({ default: await contourTableSlot.fetch() }));
+
+/** The values of a job without the sizes of a surface that is not known. */
+const emptied = ({ cycle, drafts }: SetJob, placed: Draft): SetJob["drafts"] => ({
+  ...drafts,
+  [cycle]: { ...drafts[cycle], ...Object.fromEntries(Object.keys(placed).map((q) => [q, ""])) },
+});
+
+const listed = (sizes: Draft): string =>
+  Object.entries(sizes)
+    .map(([q, text]) => `${q} = ${text}`)
+    .join(", ");
+
+/** The first field that needs a value, or else the title. */
+const firstField = (form: HTMLElement | null): HTMLElement | null | undefined =>
+  form?.querySelector<HTMLElement>("[aria-invalid=true]") ?? form?.querySelector<HTMLElement>("input");
+
+/** The surface on which a typed start lies. */
+const surfaceAt = (surfaces: readonly StockSurface[], { x = "", z = "" }: TypedStart): StockSurface | undefined =>
+  surfaces.find(({ site, from, to }) => {
+    const [typed, high, low] =
+      site === "face" ? [toRadius(diameter(Number(x))), from.r, to.r] : [Number(z), from.z, to.z];
+    return (site === "face" ? x : z).trim() !== "" && typed <= high && typed >= low;
+  });
 
 /** What the form hands over. */
 export interface InsertedOperation {
@@ -70,11 +94,12 @@ export function OperationForm({ words, cycle, site, before, onSite, onBack, onIn
 
   const isKnown = before.stock.length > 0;
   const stock = isKnown ? before.stock : UNKNOWN_STOCK;
-  const surfaces = useMemo(() => (isKnown ? surfacesOf(stock, site) : []), [isKnown, stock, site]);
-  const surface = useMemo(
-    () => (picked && surfaces.includes(picked) ? picked : usualSurface(cycle, site, stock)),
-    [picked, surfaces, cycle, site, stock],
-  );
+  const surfaces = useMemo(() => surfacesOf(stock, site), [stock, site]);
+  const surface = useMemo(() => {
+    if (picked && surfaces.includes(picked)) return picked;
+    const at = surfaceAt(surfaces, typed);
+    return at ?? usualSurface(cycle, surfaces);
+  }, [picked, surfaces, typed, cycle]);
   const contourRows = contours.find(({ label }) => label === named)?.rows ?? rows;
   const contour = useMemo(() => readRows(contourRows).contour.segments, [contourRows]);
   const undrawn = cycle.contour === "free" && contour.length === 0;
@@ -87,13 +112,15 @@ export function OperationForm({ words, cycle, site, before, onSite, onBack, onIn
   const chosen = tool ?? best;
   const job = made && {
     ...made.job,
+    drafts: isKnown ? made.job.drafts : emptied(made.job, made.placed),
     start: isKnown ? { ...made.job.start, ...typed } : { x: "", z: "", ...typed },
     spindle: spindle ?? made.job.spindle,
     contour: named === null ? rows : [],
   };
+  const placed = isKnown ? (made?.placed ?? {}) : {};
   const sizes = isKnown ? (made?.sizes ?? {}) : {};
-  const usable = job !== null && !undrawn && (surfaces.length > 0 || !isKnown) && arePlaceFieldsUsable(job);
-  const openQs = made ? readDraft(cycle, made.job.drafts[cycle.number] ?? {}).issues.flatMap(({ at }) => at ?? []) : [];
+  const usable = job !== null && !undrawn && arePlaceFieldsUsable(job);
+  const openQs = made ? readDraft(cycle, job?.drafts[cycle.number] ?? {}).issues.flatMap(({ at }) => at ?? []) : [];
   const unknown = openQs.filter((q) => sizes[q] === undefined);
 
   const insert = () => {
@@ -104,7 +131,7 @@ export function OperationForm({ words, cycle, site, before, onSite, onBack, onIn
   useEffect(() => {
     if (waiting && fits) insert();
   });
-  useEffect(() => form.current?.querySelector<HTMLElement>("input[type=text]")?.focus(), []);
+  useEffect(() => firstField(form.current)?.focus(), []);
   const sites = sitesOf(cycle);
 
   return (
@@ -208,15 +235,8 @@ export function OperationForm({ words, cycle, site, before, onSite, onBack, onIn
         )}
         {made && (
           <p className="small operation-sizes" role="status">
-            {Object.keys(sizes).length > 0 && (
-              <span>
-                {words.fromStock(
-                  Object.entries(sizes)
-                    .map(([q, text]) => `${q} = ${text}`)
-                    .join(", "),
-                )}
-              </span>
-            )}
+            {listed(placed) !== "" && <span>{words.fromSurface(listed(placed))}</span>}
+            {listed(sizes) !== "" && <span>{words.fromStock(listed(sizes))}</span>}
             {unknown.length > 0 && <span className="soft">{words.open(unknown.join(", "))}</span>}
           </p>
         )}
