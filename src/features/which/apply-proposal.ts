@@ -5,10 +5,11 @@ import { ncLabels } from "../../i18n/nc-labels.ts";
 import { parse } from "../../nc/parse.ts";
 import { print } from "../../nc/program.ts";
 import { withOperation } from "../../program/edits/added-operation.ts";
+import { operationsOf } from "../../program/edits/operations.ts";
 import { requestedText } from "../../program/job/requested-text.ts";
 import type { Proposal } from "../../report/which/ways.ts";
 import { openText } from "../../app/fields/open/open-program.ts";
-import { openPrompt } from "../../app/place/place.ts";
+import { openPrompt, showSection } from "../../app/place/place.ts";
 import { printedText } from "../../app/document/printed.ts";
 import { startWork } from "../../app/records/keep.ts";
 import { outputInUse } from "../../app/document/output.ts";
@@ -24,16 +25,25 @@ export async function applyProposal(
   const ncLanguage = ncLanguageOf(language),
     labels = ncLabels(ncLanguage);
   const made = { ...job, ncLanguage, output: outputInUse() };
-  if (adds && program) {
-    const [{ editProgram, sessionText }, { showFile }] = await Promise.all([
+  if (adds && (program || open)) {
+    const [session, { showFile }, { openingBlock }] = await Promise.all([
       import("../../app/fields/blocks/session.ts"),
       import("../../app/document/shown-file.ts"),
+      import("../../app/fields/blocks/operation-rows.ts"),
     ]);
-    showFile(null);
-    return editProgram(withOperation(parse(sessionText() ?? program.text), made, labels), null);
+    const layout = open ? { layout: open.layout } : {};
+    const before = parse(open ? printedText(open) : (session.sessionText() ?? program?.text ?? ""));
+    const next = withOperation(before, { ...made, ...layout }, labels);
+    const index = openingBlock(next, operationsOf(next).units.length - 1);
+    showSection("block");
+    if (program) {
+      showFile(null);
+      return session.editProgram(next, null, index);
+    }
+    openText(print(next));
+    if (index !== null) session.openBlockWhenRead(index);
+    return;
   }
-  if (adds && open)
-    return openText(print(withOperation(parse(printedText(open)), { ...made, layout: open.layout }, labels)));
   if (wanted.allowance > 0) return openText(requestedText(made, wanted, labels));
   startWork(made);
   const [first] = Object.keys(cycleByNumber(made.cycle)?.params ?? {});
