@@ -1,6 +1,4 @@
 import { readFileSync } from "node:fs";
-import { provedIn } from "./pages/effect.ts";
-import { tabTo } from "./pages/keyboard.ts";
 import { expectAccessibleAndFits } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
@@ -47,45 +45,6 @@ test("operations of the flange are duplicated, moved, skipped and restored byte 
   await expect(editor.total(t.editor.operations)).toHaveText("7");
   await editor.operationTool("switchOn").click();
   expect(await text()).toBe(flange);
-});
-
-test("a program of three operations from nothing, by keyboard alone", async ({ page }) => {
-  const turnwise = await Turnwise.open(page);
-  const { editor, t } = turnwise;
-  const { keyboard } = page;
-  await tabTo(page, page.getByRole("button", { name: t.page.programs.create, exact: true }));
-  await keyboard.press("Enter");
-  await expect(page.getByRole("textbox", { name: t.operations.programName })).toBeFocused();
-  await keyboard.type("SPINDLE");
-  await keyboard.press("Tab");
-  await keyboard.type("62.5");
-  await keyboard.press("Enter");
-  const put = async (cycle: number) => {
-    await expect(editor.inserting.getByRole("searchbox")).toBeFocused();
-    await keyboard.type(String(cycle));
-    await keyboard.press("Enter");
-    await expect(editor.inserting.getByRole("textbox", { name: t.operations.title })).toBeFocused();
-    await expectAccessibleAndFits(page);
-    await keyboard.press("Enter");
-    await expect(editor.inserting).toHaveCount(0);
-    await expect(page.getByRole("form", { name: t.dialog.form })).toBeVisible();
-  };
-  await put(822);
-  for (const [done, cycle] of [
-    [1, 812],
-    [2, 862],
-  ] as const) {
-    await expect(editor.total(t.editor.operations)).toHaveText(String(done));
-    await tabTo(page, page.getByRole("tab", { name: t.editor.sections.block, exact: true }), "Shift+Tab");
-    await keyboard.press("ArrowRight");
-    await tabTo(page, page.getByRole("button", { name: t.operations.insert, exact: true }));
-    await keyboard.press("Enter");
-    await put(cycle);
-  }
-  await expect(editor.total(t.editor.operations)).toHaveText("3");
-  await expect(editor.total(t.findings.verdict.title)).toHaveText(provedIn(t));
-  await turnwise.undo();
-  await expect(editor.total(t.editor.operations)).toHaveText("2");
 });
 
 test("a new program cancelled at its first operation is valid, and offers the operation again", async ({ page }) => {

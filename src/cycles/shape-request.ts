@@ -24,6 +24,8 @@ export interface ShapeRequest {
   readonly pitch: number;
   /** The section of a free contour, in either direction. */
   readonly contour: readonly Segment[] | null;
+  /** Chamfer of 45° at the front edge of a step, mm; absent or 0: none. */
+  readonly chamfer?: Length | 0;
   /** Stock allowance square to the shape, mm; 0: turned from solid. */
   readonly allowance: Length | 0;
 }
@@ -42,8 +44,12 @@ function angleFor(text: string, q: string, { shape, angle }: ShapeRequest): numb
 const depthOfBox = (from: Corner, to: Corner) =>
   rounded(Math.min(Math.abs(toRadius(from.diameter) - toRadius(to.diameter)), Math.abs(from.z - to.z)));
 
+/** The chamfer of a step on the circumference or in a bore; other shapes have none. */
+export const chamferOf = ({ site, shape, chamfer = 0 }: ShapeRequest): number =>
+  shape === "step" && site !== "face" ? chamfer : 0;
+
 /** Geometry values by their Q, with the same meaning in each cycle. */
-const GEOMETRY: Readonly<Record<string, (wanted: ShapeRequest, text: string) => number>> = {
+const GEOMETRY: Readonly<Record<string, (wanted: ShapeRequest, text: string, example: number) => number>> = {
   Q491: ({ from }) => from.diameter,
   Q492: ({ from }) => from.z,
   Q493: ({ to }) => to.diameter,
@@ -51,7 +57,8 @@ const GEOMETRY: Readonly<Record<string, (wanted: ShapeRequest, text: string) => 
   Q495: (wanted, text) => angleFor(text, "Q495", wanted),
   Q496: (wanted, text) => angleFor(text, "Q496", wanted),
   Q500: () => 0,
-  Q501: () => 0,
+  Q501: (wanted) => (chamferOf(wanted) > 0 ? 1 : 0),
+  Q502: (wanted, _, example) => chamferOf(wanted) || example,
   Q503: () => 0,
   Q461: ({ site }) => (site === "face" ? 1 : 0),
   Q464: () => 0,
@@ -66,8 +73,12 @@ const GEOMETRY: Readonly<Record<string, (wanted: ShapeRequest, text: string) => 
 /** The values of a cycle for a requested shape, by Q; all other values as in its printed example. */
 export const valuesFor = ({ params }: Cycle, wanted: ShapeRequest): Readonly<Record<string, number>> =>
   Object.fromEntries(
-    Object.entries(params).map(([q, { text, example }]) => [q, GEOMETRY[q]?.(wanted, text) ?? example]),
+    Object.entries(params).map(([q, { text, example }]) => [q, GEOMETRY[q]?.(wanted, text, example) ?? example]),
   );
+
+/** Whether a cycle can make the requested chamfer. */
+export const canMakeChamfer = ({ contour, params }: Cycle, wanted: ShapeRequest): boolean =>
+  chamferOf(wanted) === 0 || contour === "free" || params["Q501"] !== undefined;
 
 /** Whether a cycle can make the requested angle. */
 export const canMakeAngle = (cycle: Cycle, wanted: ShapeRequest): boolean => {

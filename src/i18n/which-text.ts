@@ -11,7 +11,7 @@ export interface WhichTexts {
   readonly site: { readonly label: string; readonly of: Readonly<Record<Site, string>> };
   readonly shape: { readonly label: string; readonly of: Readonly<Record<TurnedShape, string>> };
   readonly stock: { readonly label: string; readonly of: Readonly<Record<"solid" | "preturned" | "now", string>> };
-  readonly measures: Readonly<Record<"d1" | "d2" | "z1" | "z2" | "angle" | "pitch" | "allowance", string>>;
+  readonly measures: Readonly<Record<"d1" | "d2" | "z1" | "z2" | "angle" | "chamfer" | "pitch" | "allowance", string>>;
   readonly threadDiameter: string;
   readonly degrees: string;
   /** Faults between two numbers. */
@@ -23,14 +23,15 @@ export interface WhichTexts {
     readonly last: string;
     readonly picture: (first: number, last: number, of: number) => string;
   };
+  /** The drawing of the shape. */
+  readonly sketch: string;
   readonly ways: string;
   readonly trying: (done: number, of: number) => string;
   readonly none: string;
   readonly noneWorks: string;
   readonly best: string;
-  readonly becauseLeast: string;
-  readonly becauseFast: string;
-  readonly becauseOnly: string;
+  /** Why an option is the best. */
+  readonly because: Readonly<Record<"only" | "tool" | "least" | "fast" | "passes" | "equal", string>>;
   readonly bestIs: (name: string, why: string) => string;
   readonly passes: string;
   readonly time: string;
@@ -41,7 +42,14 @@ export interface WhichTexts {
   readonly proved: string;
   readonly problems: Readonly<
     Record<
-      "gouge" | "rapidInStock" | "holderContact" | "clampContact" | "nothingCut" | "unproved" | "leavesMost",
+      | "gouge"
+      | "rapidInStock"
+      | "holderContact"
+      | "clampContact"
+      | "nothingCut"
+      | "unproved"
+      | "leavesMost"
+      | "finishingInsert",
       string
     >
   >;

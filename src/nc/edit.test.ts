@@ -44,6 +44,12 @@ describe("one block changes", () => {
     expect(set(text, 0, "Q488", "max")).toBe(text.replace("F 0.2", "FMAX"));
     expect(set(text, 0, "Q499", 2)).toBe(text.replace("+1", "+2"));
   });
+  test("an empty value: the blank before its label stays there", () => {
+    const text = "1 CYCL DEF 99 N ~\nQ491= ;A ~\nQ492=;B ~\nQ493 =\n";
+    expect(set(text, 0, "Q491", 70)).toBe(text.replace("Q491= ", "Q491=+70 "));
+    expect(set(text, 0, "Q492", -15)).toBe(text.replace("Q492=", "Q492=-15"));
+    expect(set(text, 0, "Q493", 1)).toBe(text.replace("Q493 =", "Q493 =+1"));
+  });
   test("in the style around it: two blanks, comma, no plus, F MAX", () => {
     const wide = "7 L  X+75 Z-20\r\n8 L  X+50 ;here\r\n";
     expect(print(withBlock(parse(wide), 1, line(x(12.5))))).toBe("7 L  X+75 Z-20\r\n8 L  X+12.5 FMAX ;here\r\n");

@@ -29,7 +29,14 @@ function withValues(raw: string, before: CycleStatement, after: CycleStatement, 
     if (!at) return null;
     const written = parameterValueText(p.value, style);
     const front = (at[1] ?? "").includes("=") ? (at[1] ?? "") : `${(at[1] ?? "").trimEnd()}=`;
-    text = text.slice(0, at.index) + front + written + text.slice(at.index + at[0].length);
+    // The blanks behind an empty value stay behind the new one.
+    const gap = at[2] === "" ? front.slice(front.trimEnd().length) : "";
+    text =
+      text.slice(0, at.index) +
+      front.slice(0, front.length - gap.length) +
+      written +
+      gap +
+      text.slice(at.index + at[0].length);
   }
   return text;
 }

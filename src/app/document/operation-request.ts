@@ -11,7 +11,7 @@ import { boxAroundContour, rowsOf } from "../../program/job/requested-shape.ts";
 /** The stock in the chuck: solid, the shape with an oversize, or what earlier operations have left. */
 export type StockChoice = "solid" | "preturned" | "now";
 /** The numbers of the request. */
-export type AskedMeasure = "d1" | "d2" | "z1" | "z2" | "angle" | "pitch" | "allowance";
+export type AskedMeasure = "d1" | "d2" | "z1" | "z2" | "angle" | "chamfer" | "pitch" | "allowance";
 
 /** A request for an operation: choices, and numbers as typed. */
 export interface OperationRequest {
@@ -38,6 +38,7 @@ export const REQUEST_FIELDS: Readonly<Record<AskedMeasure, Field>> = {
   z1: field("z1", [-99_999.999, 99_999.999]),
   z2: field("z2", [-99_999.999, 99_999.999]),
   angle: field("angle", [0, 89.9999]),
+  chamfer: field("chamfer", [0, 99.999]),
   pitch: field("pitch", [MORE, 999.999]),
   allowance: field("allowance", [MORE, 99.999]),
 };
@@ -55,15 +56,20 @@ export interface OperationRequestReading {
 }
 
 /** The numbers that a shape needs, in display order. */
-export function measuresOf({ shape, stock }: Pick<OperationRequest, "shape" | "stock">): readonly AskedMeasure[] {
+export function measuresOf({
+  site,
+  shape,
+  stock,
+}: Pick<OperationRequest, "site" | "shape" | "stock">): readonly AskedMeasure[] {
   const allowance: readonly AskedMeasure[] = stock === "preturned" && canBePreturned(shape) ? ["allowance"] : [];
+  const hasChamfer = shape === "step" && site !== "face";
   switch (shape) {
     case "free":
       return allowance;
     case "thread":
       return ["d1", "z1", "z2", "pitch"];
     default:
-      return ["d1", "d2", "z1", "z2", "angle", ...allowance];
+      return ["d1", "d2", "z1", "z2", "angle", ...(hasChamfer ? (["chamfer"] as const) : []), ...allowance];
   }
 }
 
@@ -95,6 +101,7 @@ export function readOperationRequest(asking: OperationRequest): OperationRequest
     shape,
     angle: shape === "free" || shape === "thread" ? 0 : value("angle"),
     pitch: value("pitch"),
+    chamfer: asked.includes("chamfer") ? length(value("chamfer")) : 0,
     allowance: asked.includes("allowance") && stock === "preturned" ? length(value("allowance")) : 0,
   } as const;
   if (shape === "free") {
@@ -121,6 +128,7 @@ const numbers = (d1: string, d2: string, z1: string, z2: string, angle = "0"): T
   z1,
   z2,
   angle,
+  chamfer: "0",
   pitch: "2",
   allowance: "2",
 });
@@ -142,6 +150,27 @@ export function usualNumbers(site: Site, shape: TurnedShape): Typed {
         ? numbers("75", "40", "0", "-6")
         : numbers(open, inside ? "50" : "50", "0", inside ? "-25" : "-40");
   }
+}
+
+/**
+ * A request after a change. Typed numbers stay as long as they fit the new shape; the others are the usual ones of that
+ * shape.
+ */
+export function changedRequest(
+  before: OperationRequest,
+  change: Partial<OperationRequest>,
+  typed: ReadonlySet<AskedMeasure>,
+): OperationRequest {
+  const next = { ...before, ...change };
+  const stock = next.stock === "preturned" && !canBePreturned(next.shape) ? "solid" : next.stock;
+  if (change.typed !== undefined || (change.site === undefined && change.shape === undefined))
+    return { ...next, stock };
+  let fitting: OperationRequest = { ...next, stock, typed: usualNumbers(next.site, next.shape) };
+  for (const measure of typed) {
+    const tried = { ...fitting, typed: { ...fitting.typed, [measure]: before.typed[measure] } };
+    if (readOperationRequest(tried).fault === null) fitting = tried;
+  }
+  return fitting;
 }
 
 /** A number of a drawing, as typed. */

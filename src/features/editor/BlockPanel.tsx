@@ -15,6 +15,9 @@ import { kindOf } from "../../app/fields/blocks/block-kind.ts";
 import { Palette } from "./Palette.tsx";
 import { countsInches } from "../../app/fields/blocks/block-prompts.ts";
 import { setBlockPrompt, setBlockPrompts, useOpenBlock } from "../../app/fields/blocks/open-block.ts";
+import { askForOperation } from "../../app/document/inserting.ts";
+import { operationAt } from "../../program/edits/operations.ts";
+import { useSuggestedSizes } from "../../app/fields/blocks/suggested-sizes.ts";
 import { editProgram, ofText, openBlock, useSession } from "../../app/fields/blocks/session.ts";
 
 /** The name of a cycle on the screen; null for an unknown one. */
@@ -32,6 +35,7 @@ export function BlockPanel() {
   } = useSession();
   const isOpen = useSession(ofText);
   const { read, own, problems } = useOpenBlock();
+  const sizes = useSuggestedSizes(index, read?.cycle.number ?? null);
   const [choosing, choose] = useState(false);
   const panel = useRef<HTMLDivElement>(null);
   const block = program.blocks[index];
@@ -53,7 +57,15 @@ export function BlockPanel() {
   const line = startLines(program)[index] ?? 1;
   const dialogOf = () => {
     if (read) {
-      const prompted = { line, problems, inches: countsInches(program), set: setBlockPrompt, setAll: setBlockPrompts };
+      const prompted = {
+        line,
+        problems,
+        inches: countsInches(program),
+        sizes,
+        onInsert: () => askForOperation(operationAt(program, index)),
+        set: setBlockPrompt,
+        setAll: setBlockPrompts,
+      };
       return <CycleDialog key={index} read={read} block={prompted} />;
     }
     if (own)

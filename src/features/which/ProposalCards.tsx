@@ -39,7 +39,7 @@ function problemsOf(
   t: Texts,
   words: WhichTexts,
   language: Language,
-  { issues, judged, leavesMost }: TriedOption,
+  { issues, judged, leavesMost, suitsDepth }: TriedOption,
   cycle: number,
 ) {
   const found = judged.reasons.flatMap(({ kind }) => {
@@ -48,7 +48,14 @@ function problemsOf(
     return [kind in words.problems ? words.problems[kind as keyof typeof words.problems] : words.problems.unproved];
   });
   const said = issues.map((issue) => issueText(t, language, issue, cycle));
-  return [...new Set([...said, ...found, ...(leavesMost ? [words.problems.leavesMost] : [])])].slice(0, MOST);
+  return [
+    ...new Set([
+      ...said,
+      ...found,
+      ...(leavesMost ? [words.problems.leavesMost] : []),
+      ...(suitsDepth ? [] : [words.problems.finishingInsert]),
+    ]),
+  ].slice(0, MOST);
 }
 
 /** The proposals: time, residual material, and the button that uses one. */
@@ -60,7 +67,6 @@ export function ProposalCards({ words, compared: { ways, tried, isStale }, adds,
   const best = bestOf(tried);
   const whole = tried.length === ways.length;
   const nameOf = (way: Proposal) => `${way.job.cycle} ${t.cycles.of[way.job.cycle as CycleNumber].name}`;
-  const because = { only: words.becauseOnly, least: words.becauseLeast, fast: words.becauseFast };
   const bestWay = best && ways.find((way) => way.id === best.id);
   const order = [...bestFirst(tried).map((each) => each.id), ...ways.map((way) => way.id)];
   const sorted = ways.toSorted((a, b) => order.indexOf(a.id) - order.indexOf(b.id));
@@ -75,7 +81,7 @@ export function ProposalCards({ words, compared: { ways, tried, isStale }, adds,
             <Icon name="check" />{" "}
             {words.bestIs(
               `${nameOf(bestWay)}, ${words.tool(bestWay.tool.T, bestWay.tool.NAME)}`,
-              because[best.because],
+              words.because[best.because],
             )}
           </>
         )}

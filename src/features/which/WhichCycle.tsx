@@ -5,15 +5,18 @@ import { contourTableSlot } from "../../app/fields/slots.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTextsOrNull } from "../../app/base/settings/use-texts.ts";
 import {
-  canBePreturned,
+  REQUEST_FIELDS,
+  changedRequest,
   readOperationRequest,
   operationRequestAt,
   usualNumbers,
+  type AskedMeasure,
   type OperationRequest,
 } from "../../app/document/operation-request.ts";
 import type { WhichRegion } from "../../app/place/place.ts";
 import type { Comparer } from "../../app/calculation/comparison.ts";
 import { ShapeQuestion } from "./ShapeQuestion.tsx";
+import { ShapeSketch } from "./ShapeSketch.tsx";
 import { ContourSection } from "./ContourSection.tsx";
 import { applyProposal } from "./apply-proposal.ts";
 import { useComparison } from "./use-comparison.ts";
@@ -36,17 +39,8 @@ function initialQuestion(region: WhichRegion | null): OperationRequest {
   return operationRequestAt(region);
 }
 
-/** A change of the question: until a number is typed, each shape starts with default numbers. */
-function changedQuestion(
-  before: OperationRequest,
-  change: Partial<OperationRequest>,
-  isTyped: boolean,
-): OperationRequest {
-  const next = { ...before, ...change };
-  const stock = next.stock === "preturned" && !canBePreturned(next.shape) ? "solid" : next.stock;
-  const reshaped = change.site !== undefined || change.shape !== undefined;
-  return { ...next, stock, typed: reshaped && !isTyped ? usualNumbers(next.site, next.shape) : next.typed };
-}
+const ALL: ReadonlySet<AskedMeasure> = new Set(Object.keys(REQUEST_FIELDS) as AskedMeasure[]);
+const NONE: ReadonlySet<AskedMeasure> = new Set();
 
 /** Asks for the shape and compares the cycles that turn it. */
 export function WhichCycle({ done, region, comparison = byWorker }: Props) {
@@ -54,14 +48,15 @@ export function WhichCycle({ done, region, comparison = byWorker }: Props) {
   const words = useTextsOrNull("which");
   const [place, pick] = useState(region);
   const [asking, ask] = useState(() => initialQuestion(region));
-  const [isTyped, type] = useState(false);
+  const [typed, type] = useState<ReadonlySet<AskedMeasure>>(() => (region ? ALL : NONE));
   const { wanted, fault } = useMemo(() => readOperationRequest(asking), [asking]);
   const stock = asking.stock === "now" ? (place?.stock ?? null) : null;
   const compared = useComparison(wanted, stock, comparison);
 
   const onAsk = (change: Partial<OperationRequest>) => {
-    if (change.typed) type(true);
-    ask((before) => changedQuestion(before, change, isTyped || region !== null));
+    const { typed: now } = change;
+    if (now) type((known) => new Set([...known, ...[...ALL].filter((m) => now[m] !== asking.typed[m])]));
+    ask((before) => changedRequest(before, change, typed));
   };
   return (
     <ModalDialog className="modal which" title={words?.title} done={done}>
@@ -69,6 +64,7 @@ export function WhichCycle({ done, region, comparison = byWorker }: Props) {
         <>
           <p className="soft">{words.lead}</p>
           <ShapeQuestion words={words} asking={asking} fault={fault} inWork={place !== null} onAsk={onAsk} />
+          {wanted && !place && <ShapeSketch words={words} wanted={wanted} />}
           {place && (
             <ContourSection
               words={words}

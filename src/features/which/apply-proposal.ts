@@ -25,20 +25,24 @@ export async function applyProposal(
   const ncLanguage = ncLanguageOf(language),
     labels = ncLabels(ncLanguage);
   const made = { ...job, ncLanguage, output: outputInUse() };
-  if (adds && program) {
-    const [{ editProgram, sessionText }, { showFile }, { openingBlock }] = await Promise.all([
+  if (adds && (program || open)) {
+    const [session, { showFile }, { openingBlock }] = await Promise.all([
       import("../../app/fields/blocks/session.ts"),
       import("../../app/document/shown-file.ts"),
       import("../../app/fields/blocks/operation-rows.ts"),
     ]);
-    showFile(null);
-    const next = withOperation(parse(sessionText() ?? program.text), made, labels);
-    editProgram(next, null, openingBlock(next, operationsOf(next).units.length - 1));
-    return enterSection("block");
-  }
-  if (adds && open) {
-    openText(print(withOperation(parse(printedText(open)), { ...made, layout: open.layout }, labels)));
-    return enterSection("structure");
+    const layout = open ? { layout: open.layout } : {};
+    const before = parse(open ? printedText(open) : (session.sessionText() ?? program?.text ?? ""));
+    const next = withOperation(before, { ...made, ...layout }, labels);
+    const index = openingBlock(next, operationsOf(next).units.length - 1);
+    enterSection("block");
+    if (program) {
+      showFile(null);
+      return session.editProgram(next, null, index);
+    }
+    openText(print(next));
+    if (index !== null) session.openBlockWhenRead(index);
+    return;
   }
   if (wanted.allowance > 0) return openText(requestedText(made, wanted, labels));
   startWork(made);

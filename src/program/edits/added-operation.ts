@@ -2,7 +2,7 @@ import { cycleByNumber } from "../../cycles/index.ts";
 import type { Program } from "../../nc/program.ts";
 import { withBlocks } from "../../nc/replace.ts";
 import type { Statement } from "../../nc/statement.ts";
-import { noWords } from "../../nc/words.ts";
+import { noWords, type Label } from "../../nc/words.ts";
 import type { SetJob } from "../job/job.ts";
 import { blocksOfStatements, withAddedBehind } from "./operation-edits.ts";
 import { endsMain, operationsOf } from "./operations.ts";
@@ -15,6 +15,8 @@ export interface OperationPlace {
   readonly behind?: number | null;
   /** Words of its structure comment. */
   readonly title?: string;
+  /** A contour of the program that the cycle takes; absent: its own contour is added. */
+  readonly contour?: Label;
 }
 
 /** Lowest free label number of a program. */
@@ -49,14 +51,15 @@ export function withOperation(
   program: Program,
   job: SetJob,
   labels: Labels,
-  { behind, title }: OperationPlace = {},
+  { behind, title, contour }: OperationPlace = {},
 ): Program {
   const cycle = cycleByNumber(job.cycle);
   if (!cycle) return program;
-  const label = freeLabel(program);
+  const label = contour ?? freeLabel(program);
+  const named = typeof label === "number" ? String(label) : `"${label}"`;
   const output = outputIn(program, job.output);
   const all = jobStatements({ ...job, output }, cycle, labels).map((s): Statement => {
-    if (s.kind === "cycleLine" && s.line === 1) return { ...s, text: `${labels.contour.label}${label}` };
+    if (s.kind === "cycleLine" && s.line === 1) return { ...s, text: `${labels.contour.label}${named}` };
     return s.kind === "label" && s.label !== 0 ? { ...s, label } : s;
   });
   const ending = all.findIndex(endsMain);
@@ -82,7 +85,7 @@ export function withOperation(
       .filter((s) => !stops(s)),
   ];
   const operated = withAddedBehind(ended, place < 0 ? null : place, blocksOfStatements(ended, from, main));
-  const subprogram = all.slice(ending + 1).filter((s) => s.kind !== "end");
+  const subprogram = contour === undefined ? all.slice(ending + 1).filter((s) => s.kind !== "end") : [];
   const end = operated.blocks.findLastIndex(({ statement: s }) => s.kind === "end");
   const at = end < 0 ? operated.blocks.length : end;
   const behindIt = [

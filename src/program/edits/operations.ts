@@ -275,6 +275,12 @@ export function wholeOf({ sections, units }: Operations, unit: number): BlockRan
   return { from: isFirst ? section.from : own.from, to: isLast ? section.to : own.to };
 }
 
+/** Index of the operation that has a block, or of the last one before it; null without one. */
+export function operationAt(program: Program, index: number): number | null {
+  const found = operationsOf(program).units.findLastIndex(({ from }) => from <= index);
+  return found < 0 ? null : found;
+}
+
 /** True for an operation whose cycles and calls all have a skip mark. */
 export function isOff({ blocks }: Program, { from, to }: BlockRange): boolean {
   const acting = blocks.slice(from, to).filter(({ statement: s }) => definesCycle(s) || callsCycle(s));

@@ -1,6 +1,6 @@
 import type { Program } from "../../nc/program.ts";
 import type { Statement } from "../../nc/statement.ts";
-import type { AxisWord, Words } from "../../nc/words.ts";
+import type { AxisWord, Label, Words } from "../../nc/words.ts";
 import { newRow, type ContourRow } from "./job.ts";
 import { valueAsTyped } from "../values/typed-value.ts";
 
@@ -61,3 +61,25 @@ export function contourBefore(program: Program, index: number): readonly Contour
   if (first < 0) return [];
   return rowsFrom(program, first + 1);
 }
+
+/** A contour subprogram as table rows. */
+export interface LabelledContour {
+  readonly label: Label;
+  readonly rows: readonly ContourRow[];
+}
+
+/** Least elements of a contour: a start point and one line. */
+const LEAST = 2;
+
+/** The subprograms of a program that are contours: labels with elements only, in the order of the text. */
+export const contoursIn = (program: Program): readonly LabelledContour[] =>
+  program.blocks.flatMap(({ statement: s }, i): readonly LabelledContour[] => {
+    if (s.kind !== "label" || s.label === 0) return [];
+    const end = program.blocks.findIndex((b, k) => k > i && b.statement.kind === "label");
+    const rows = rowsFrom(program, i + 1);
+    const between = program.blocks.slice(i + 1, end < 0 ? undefined : end);
+    const isPlain = between.every((b) =>
+      ["path", "chamfer", "undercut", "groove", "comment", "empty"].includes(b.statement.kind),
+    );
+    return end > i && isPlain && rows.length >= LEAST ? [{ label: s.label, rows }] : [];
+  });

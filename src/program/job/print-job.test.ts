@@ -15,7 +15,8 @@ import {
 } from "../machine/nc-output.ts";
 import { outputIn } from "../edits/output-in.ts";
 import { printJob } from "./print-job.ts";
-import { proposedOperation } from "./proposed-operation.ts";
+import { proposedOperation, usualSurface } from "./proposed-operation.ts";
+import { surfacesOf } from "./stock-surface.ts";
 import { run } from "../run/run.ts";
 import { shippedTools } from "../tools/shipped-tools.ts";
 
@@ -123,7 +124,15 @@ describe("every text of the app obeys the rules that it checks", () => {
     if (!cycle) throw new Error("no cycle 831");
     const before = run(parse(printJob(jobOf(811), labels)), { tools: shippedTools, rapid: 10_000 });
     expect(before.operations[0]?.spindle?.kind).toBe("surface");
-    const made = proposedOperation(cycle, { blank: before.blank, before: before.operations });
+    const surface = usualSurface(cycle, surfacesOf(before.blank, "outside"));
+    if (!surface) throw new Error("no cylinder");
+    const { job: made } = proposedOperation(cycle, {
+      stock: before.blank,
+      surface,
+      before: before.operations,
+      contour: [],
+      start: { x: "", z: "" },
+    });
     expect(made.spindle.mode).toBe("constant");
   });
 });

@@ -1,167 +1,205 @@
 import type { Cycle, TurnedShape } from "../../cycles/define.ts";
+import { cycleByNumber } from "../../cycles/index.ts";
 import { useOf, worksAcross } from "../../cycles/use.ts";
-import type { Corner, Site, ShapeRequest } from "../../cycles/shape-request.ts";
-import { boxOf } from "../../kernel/area/box.ts";
-import { at, part, type Ring } from "../../kernel/geometry/point.ts";
-import { axial, diameter, radius, rounded, toDiameter, toRadius } from "../../kernel/units.ts";
-import type { SetJob, SpindleDraft } from "./job.ts";
+import { beginsAtTip, type Corner, type ShapeRequest, type Site } from "../../cycles/shape-request.ts";
+import type { Param } from "../../cycles/params.ts";
+import type { Ring, Segment } from "../../kernel/geometry/point.ts";
+import { axial, diameter, radius, rounded, toDiameter } from "../../kernel/units.ts";
 import type { Operation } from "../state/run-types.ts";
+import { isOfDrawing, suggestedValue } from "../values/suggestion.ts";
 import { positionAsTyped, valueAsTyped } from "../values/typed-value.ts";
-import { jobFor, withValue } from "./requested-job.ts";
-import { boxAroundContour, requestedContour } from "./requested-shape.ts";
+import type { SetJob, SpindleDraft } from "./job.ts";
+import type { Draft } from "./read-draft.ts";
+import { jobFor } from "./requested-job.ts";
+import { boxAroundContour } from "./requested-shape.ts";
+import { faceOf, frontOf, longestOf, reliefBehind, startOnSurface, type StockSurface } from "./stock-surface.ts";
 
-/** Context of a new operation: the blank, and the previous operations. */
+/** Context of a new operation: the stock left by the previous operations, and where in it the operation starts. */
 export interface OperationContext {
-  readonly blank: readonly Ring[];
+  readonly stock: readonly Ring[];
+  readonly surface: StockSurface;
   /** Previous operations, in order. */
-  readonly before: readonly Operation[];
+  readonly before: readonly Pick<Operation, "spindle" | "cycle">[];
+  /** The contour of a cycle that takes one. */
+  readonly contour: readonly Segment[];
+  /** The start point as typed; an empty coordinate is proposed where the stock determines it. */
+  readonly start: SetJob["start"];
 }
 
-/** Share of diameter and length in a first proposal, and its recess depth and width, mm. */
-const PART = { diameter: 0.8, length: 0.4 };
-const RECESS = { depth: 6, width: 5, behind: 10 };
-const FACE = 5;
-const PITCH = 1.5;
-/** Distance of a start point from the face, mm: more than the set-up clearance of the cycles. */
-const CLEARANCE = 3;
-/** Distance of a start point from a thread on a contour, mm. */
-const RUN_IN = 10;
-
-/** Dimensions as one would write them: whole numbers. */
-const whole = (n: number): number => Math.round(n);
-
-interface Room {
-  readonly outer: number;
-  readonly bore: number;
-  readonly front: number;
-  readonly back: number;
+/** A new operation. Sizes that only the drawing knows stay open. */
+export interface ProposedOperation {
+  /** The job to write. */
+  readonly job: SetJob;
+  /** Sizes of the chosen surface, which the job has: where the contour starts. */
+  readonly placed: Draft;
+  /** Other sizes that follow from the stock: suggestions for open prompts. */
+  readonly sizes: Draft;
+  /** The same job with likely sizes: only to compare tools, never written. */
+  readonly likely: SetJob;
 }
 
-/** The blank as diameters and Z; the usual one where a program states none. */
-function roomOf(blank: readonly Ring[]): Room {
-  if (blank.length === 0) return { outer: 80, bore: 0, front: 1, back: -99 };
-  const { left, right, low, high } = boxOf(blank.flat());
-  return {
-    outer: rounded(toDiameter(radius(high))),
-    bore: rounded(toDiameter(radius(Math.max(0, low)))),
-    front: right,
-    back: left,
-  };
+/** The site that a cycle can work on. */
+export function sitesOf(cycle: Cycle): readonly Site[] {
+  return worksAcross(cycle) ? ["face"] : ["outside", "inside"];
 }
+
+/** Where an operation starts, unless another surface is chosen: threads and faces at the front, others on the longest. */
+export function usualSurface({ group }: Cycle, surfaces: readonly StockSurface[]): StockSurface | null {
+  const [first] = surfaces;
+  return first && group !== "thread" && first.site !== "face" ? longestOf(surfaces) : (first ?? null);
+}
+
+/** Set-up clearance of a start point, mm; of a cut that begins at the tip; of a thread; overlap of a face over a bore. */
+const CLEARANCE = 2;
+const AT_TIP = 1;
+const RUN_UP = 5;
+const OVER_BORE = 1;
+/** Likely sizes, as a share of diameter and length, mm of a groove, mm of a pitch. */
+const LIKELY = { diameter: 0.8, length: 0.4, depth: 2.5, width: 5, pitch: 1.5 };
+
+const isGroove = ({ group }: Cycle) => group === "recessTurning" || group === "recessing";
+const shapeOf = (cycle: Cycle): TurnedShape =>
+  cycle.group === "thread" ? "thread" : isGroove(cycle) ? "groove" : (useOf(cycle).shapes[0] ?? "step");
 
 const corner = (d: number, z: number): Corner => ({
   diameter: diameter(rounded(Math.max(0, d))),
   z: axial(rounded(z)),
 });
+const acrossOf = (r: number) => rounded(toDiameter(radius(Math.max(0, r))));
 
-/** Corners of the last previous operation on the same site; null without one. */
-function lastOf(before: readonly Operation[], site: Site): Pick<ShapeRequest, "from" | "to"> | null {
-  const sideOf = ({ plan: { openSide } }: Operation): Site => {
-    if (Math.abs(openSide.z) > Math.abs(openSide.r)) return "face";
-    return openSide.r < 0 ? "inside" : "outside";
-  };
-  const found = before.findLast((operation) => sideOf(operation) === site && operation.plan.contour.length > 0);
-  return found ? boxAroundContour(found.plan.contour, site) : null;
-}
-
-function stepOutside(
-  { outer, front, back }: Room,
-  last: Pick<ShapeRequest, "from" | "to"> | null,
-): Pick<ShapeRequest, "from" | "to"> {
-  const length = whole((front - back) * PART.length);
-  if (!last) return { from: corner(outer, 0), to: corner(whole(outer * PART.diameter), -length) };
-  // A shoulder continues at the end of the previous one, at the next diameter.
-  const rest = Math.max(1, whole((last.to.z - back) * PART.length));
-  const inner =
-    last.from.diameter < outer ? last.from.diameter : last.to.diameter + (outer - last.to.diameter) * PART.diameter;
-  return { from: corner(outer, last.to.z), to: corner(inner, last.to.z - rest) };
-}
-
-function onFace(
-  { outer, bore, front }: Room,
-  last: Pick<ShapeRequest, "from" | "to"> | null,
-): Pick<ShapeRequest, "from" | "to"> {
-  // Material in front of Z0 is faced first.
-  if (front > 0 && !last) return { from: corner(outer, front), to: corner(bore, 0) };
-  return { from: corner(outer, 0), to: corner(whole(outer * PART.diameter), -FACE) };
-}
-
-function inRecess(
-  room: Room,
-  site: Site,
-  last: Pick<ShapeRequest, "from" | "to"> | null,
-): Pick<ShapeRequest, "from" | "to"> {
-  const { outer, front, back } = room;
-  if (site === "face") {
-    const middle = whole((outer + room.bore) * PART.length);
-    return { from: corner(middle + RECESS.depth, 0), to: corner(middle - RECESS.depth, -RECESS.width) };
+/** Sizes of an operation that its surface determines, by Q. */
+function knownSizes(cycle: Cycle, { stock, surface, start }: OperationContext): Readonly<Record<string, number>> {
+  const { site, from, to } = surface;
+  const d = acrossOf(from.r);
+  const typed = (text: string) => (text.trim() === "" || Number.isNaN(Number(text)) ? {} : { value: Number(text) });
+  const put = (q: string, { value }: { readonly value?: number }) => (value === undefined ? {} : { [q]: value });
+  switch (shapeOf(cycle)) {
+    case "thread": {
+      // The thread ends where its cylinder ends; the insert runs out in the relief.
+      const relief = reliefBehind(surface, stock);
+      return {
+        ...(site === "outside" ? { Q491: d } : {}),
+        Q492: startOnSurface(surface, stock),
+        ...(relief ? { Q494: Math.round(10 * relief.from) / 10, Q474: 0 } : {}),
+      };
+    }
+    case "groove":
+      return site === "face"
+        ? { Q492: from.z, ...put("Q491", typed(start.x)) }
+        : { Q491: d, ...put("Q492", typed(start.z)) };
+    case "plunge":
+      return site === "face"
+        ? { Q492: from.z, ...put("Q491", typed(start.x)) }
+        : { Q491: d, ...put("Q492", typed(start.z)) };
+    case "step":
+    case "free": {
+      if (site !== "face") return { Q491: d, Q492: startOnSurface(surface, stock) };
+      // Stock in front of Z0 is faced; the cut passes the edge of a bore.
+      const faces = from.z > faceOf(stock);
+      return {
+        Q491: d,
+        Q492: from.z,
+        ...(faces ? { Q493: acrossOf(to.r - (to.r > 0 ? OVER_BORE : 0)), Q494: 0 } : {}),
+      };
+    }
   }
-  const top = last ? Math.min(last.to.diameter, outer) : outer;
-  const z = Math.max(last ? last.to.z + RECESS.behind : -RECESS.behind, back + (front - back) * PART.length);
-  return { from: corner(top, z), to: corner(top - RECESS.depth, z - RECESS.width) };
 }
 
-/** Shape that a cycle would machine here: continues the last operation, within the blank. */
-function wantedHere(cycle: Cycle, { blank, before }: OperationContext): ShapeRequest {
-  const room = roomOf(blank);
-  const across = worksAcross(cycle);
-  const [shape = "step"] = useOf(cycle).shapes as readonly TurnedShape[];
-  const site: Site = across ? "face" : "outside";
-  const last = lastOf(before, site) ?? (across ? null : lastOf(before, "outside"));
-  const rest = { site, angle: 0, pitch: PITCH, contour: null, allowance: 0 } as const;
-  if (cycle.group === "thread") {
-    const { from, to } = stepOutside(room, null);
-    const on = last ?? { from, to: { ...to, diameter: from.diameter } };
-    return {
-      ...rest,
-      site: "outside",
-      shape: "thread",
-      from: corner(on.to.diameter, on.from.z),
-      to: corner(on.to.diameter, on.to.z),
-    };
-  }
-  if (shape === "groove" || cycle.group === "recessing" || cycle.group === "recessTurning")
-    return { ...rest, shape: "groove", ...inRecess(room, site, last) };
-  const corners = across ? onFace(room, last) : stepOutside(room, last);
-  return { ...rest, shape: shape === "plunge" ? "plunge" : "step", ...corners };
+/** A shape that the operation may have: its open sizes are invented, so it only serves to compare tools. */
+function likelyShape(cycle: Cycle, context: OperationContext): ShapeRequest {
+  const { surface, contour } = context;
+  const { site, from } = surface;
+  const shape = shapeOf(cycle);
+  const rest = { site, shape, angle: 0, pitch: LIKELY.pitch, contour: null, allowance: 0 } as const;
+  if (cycle.contour === "free" && contour.length > 0)
+    return { ...rest, shape: "free", contour, ...boxAroundContour(contour, site) };
+  const known = knownSizes(cycle, context);
+  const d1 = known["Q491"] ?? acrossOf(from.r);
+  const z1 = known["Q492"] ?? from.z;
+  const long = Math.max(LIKELY.width, Math.abs(from.z - surface.to.z) * LIKELY.length);
+  const deeper = site === "inside" ? d1 + 2 * LIKELY.depth : d1 * LIKELY.diameter;
+  const [d2, z2] =
+    shape === "groove"
+      ? site === "face"
+        ? [d1 - 2 * LIKELY.width, z1 - LIKELY.depth]
+        : [site === "inside" ? d1 + LIKELY.depth : d1 - LIKELY.depth, z1 - LIKELY.width]
+      : [shape === "thread" ? d1 : deeper, z1 - (site === "face" ? LIKELY.depth : long)];
+  return { ...rest, from: corner(d1, z1), to: corner(known["Q493"] ?? d2, known["Q494"] ?? z2) };
 }
 
-/** The same with a drawn contour, where the cycle takes one. */
-function drawn(cycle: Cycle, wanted: ShapeRequest): ShapeRequest {
-  if (cycle.contour !== "free") return wanted;
-  const r = toRadius(wanted.from.diameter);
-  const line = [part.line(at(wanted.from.z, r), at(wanted.to.z, r))];
-  return { ...wanted, shape: "free", contour: wanted.shape === "thread" ? line : requestedContour(wanted) };
+/** Tip at the call, clear of the stock; a coordinate that only the drawing knows stays empty. */
+function startOf(cycle: Cycle, { stock, surface, start }: OperationContext, likely: SetJob): SetJob["start"] {
+  const { site, from } = surface;
+  const out = site === "inside" ? -1 : 1;
+  const beside = (by: number) => positionAsTyped(acrossOf(from.r + out * by));
+  const ahead = (by: number) =>
+    positionAsTyped(Math.max(startOnSurface(surface, stock), from.z > 0 ? frontOf(stock) : from.z) + by);
+  const shape = shapeOf(cycle);
+  const proposed = (() => {
+    if (shape === "thread") return { x: beside(RUN_UP), z: ahead(RUN_UP) };
+    if (shape === "groove" || shape === "plunge") {
+      const clear = beginsAtTip(cycle) ? AT_TIP : CLEARANCE;
+      return site === "face" ? { x: "", z: positionAsTyped(from.z + clear) } : { x: beside(clear), z: "" };
+    }
+    if (cycle.contour === "free" && likely.contour.length > 0) return likely.start;
+    return site === "face"
+      ? { x: beside(CLEARANCE), z: positionAsTyped(from.z) }
+      : { x: beside(0), z: ahead(CLEARANCE) };
+  })();
+  const or = (typed: string, otherwise: string) => (typed.trim() === "" ? otherwise : typed);
+  return { x: or(start.x, proposed.x), z: or(start.z, proposed.z) };
 }
 
-/** Edge of a shoulder that any insert can turn. */
-const EDGE = { q: "Q500", size: 1 };
+/** Parameters of the start of a contour. */
+const OF_START: ReadonlySet<string> = new Set(["Q491", "Q492"]);
 
-function withEdge(job: SetJob, cycle: Cycle, wanted: ShapeRequest): SetJob {
-  if (cycle.params[EDGE.q] === undefined || wanted.shape !== "step" || wanted.site === "face") return job;
-  return withValue(job, EDGE.q, EDGE.size);
+/** Values of the prompts: the sizes of the surface, and usual ones where the drawing does not decide; the rest is open. */
+function writtenValues(cycle: Cycle, { site }: StockSurface, placed: Draft): Draft {
+  const blank = { outside: null, bore: null, front: null };
+  return Object.fromEntries(
+    Object.entries<Param>(cycle.params).map(([q, param]) => {
+      if (cycle.thread?.position === q) return [q, site === "inside" ? "1" : "0"];
+      const open = isOfDrawing(param) || param.text === "startZ";
+      const value = open ? null : suggestedValue(cycle, q, { blank, perRevolution: true });
+      return [q, placed[q] ?? (value === null ? "" : String(value))];
+    }),
+  );
 }
 
-/** A face is called from outside and in front of it, a thread on a contour from in front of it. */
-function withOwnStart(job: SetJob, cycle: Cycle, { site, shape, from }: ShapeRequest): SetJob {
-  if (shape === "thread" && cycle.contour === "free") {
-    const [x, z] = [from.diameter + RUN_IN, from.z + RUN_IN];
-    return { ...job, start: { x: positionAsTyped(x), z: positionAsTyped(z) } };
-  }
-  return site === "face" && shape === "step"
-    ? { ...job, start: { ...job.start, z: positionAsTyped(from.z + CLEARANCE) } }
-    : job;
-}
-
-/** Proposes a job of a cycle that fits the stock and the previous operations; everything can be changed afterwards. */
-export function proposedOperation(cycle: Cycle, here: OperationContext): SetJob {
-  const wanted = wantedHere(cycle, here);
-  const plain = jobFor(cycle, drawn(cycle, wanted), here.blank.length > 0 ? here.blank : null);
-  const job = withOwnStart(withEdge(plain, cycle, wanted), cycle, wanted);
-  const last = here.before.at(-1)?.spindle;
-  // A thread is cut at a constant speed, regardless of earlier cuts.
+/** The spindle of the last operation of the same kind: a thread is cut at a constant speed, regardless of other cuts. */
+function spindleFor(cycle: Cycle, context: OperationContext, usual: SpindleDraft): SpindleDraft {
+  const isThread = (number: number) => cycleByNumber(number)?.group === "thread";
+  const last = context.before.findLast((o) => isThread(o.cycle) === (cycle.group === "thread"))?.spindle;
   const fits = last && (cycle.group !== "thread" || last.kind === "constant");
-  return { ...job, spindle: fits ? spindleAsTyped(job.spindle, last) : job.spindle };
+  return fits ? spindleAsTyped(usual, last) : usualSpindle(cycle, context, usual);
+}
+
+/** Proposes an operation of a cycle on a surface of the stock. Nothing is invented: unknown sizes stay open. */
+export function proposedOperation(cycle: Cycle, context: OperationContext): ProposedOperation {
+  const made = jobFor(cycle, likelyShape(cycle, context), context.stock);
+  const start = startOf(cycle, context, made);
+  const known = Object.entries(knownSizes(cycle, { ...context, start })).filter(([q]) => cycle.params[q]);
+  const sized = (isOfStart: boolean): Draft =>
+    Object.fromEntries(
+      known.filter(([q]) => OF_START.has(q) === isOfStart).map(([q, value]) => [q, String(rounded(value))]),
+    );
+  const [placed, sizes] = [sized(true), sized(false)];
+  const values = writtenValues(cycle, context.surface, placed);
+  const typed = Object.entries({ ...values, ...sizes }).filter(([, text]) => text !== "");
+  const likely = { ...made.drafts[cycle.number], ...Object.fromEntries(typed) };
+  const spindle = spindleFor(cycle, context, made.spindle);
+  const job: SetJob = { ...made, start, spindle, drafts: { [cycle.number]: values } };
+  return { job, placed, sizes, likely: { ...job, drafts: { [cycle.number]: likely } } };
+}
+
+/** Usual cutting speed of a thread, m/min, and the fastest spindle for it, rpm. */
+const THREADING = { speed: 120, fastest: 1500 };
+
+/** A thread is cut at a constant speed that suits its diameter. */
+function usualSpindle(cycle: Cycle, { surface }: OperationContext, usual: SpindleDraft): SpindleDraft {
+  if (cycle.group !== "thread") return usual;
+  const turns = (1000 * THREADING.speed) / (Math.PI * Math.max(1, acrossOf(surface.from.r)));
+  return { ...usual, mode: "constant", speed: String(Math.min(THREADING.fastest, Math.round(turns / 10) * 10)) };
 }
 
 function spindleAsTyped(usual: SpindleDraft, spindle: NonNullable<Operation["spindle"]>): SpindleDraft {

@@ -1,4 +1,4 @@
-import type { Site, ShapeRequest } from "../../cycles/shape-request.ts";
+import { chamferOf, type Site, type ShapeRequest } from "../../cycles/shape-request.ts";
 import { boxOf } from "../../kernel/area/box.ts";
 import { difference, offset, union } from "../../kernel/area/clip.ts";
 import { at, part, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
@@ -40,7 +40,11 @@ function corners(wanted: ShapeRequest): Pt[] {
   const lean = Math.tan(radians(wanted.angle));
   const [across, down] = [Math.abs(r1 - r2) * lean * along, Math.abs(z1 - z2) * lean * out];
   const second = wanted.shape === "groove" ? 1 : 0;
-  if (wanted.shape === "step") return [at(z1, r2), at(z2, r2 + down), at(z2, r1)];
+  if (wanted.shape === "step") {
+    const c = chamferOf(wanted);
+    const edge = c > 0 ? [at(z1, r2 - c * out), at(z1 - c * along, r2)] : [at(z1, r2)];
+    return [...edge, at(z2, r2 + down), at(z2, r1)];
+  }
   return opensAhead(wanted)
     ? [at(z1, r1), at(z2, r1 - down), at(z2, r2 + second * down), at(z1, r2)]
     : [at(z1, r1), at(z1 - across, r2), at(z2 + second * across, r2), at(z2, r1)];

@@ -16,7 +16,7 @@ const isPlain = ({ kind, rounds, shown }: Param) =>
   rounds || (kind === "angle" && shown === "outline") || shown === "element";
 
 /** A position or dimension of the drawing: it cannot be suggested. */
-const isOfDrawing = ({ kind, shown, sizes, text }: Param) =>
+export const isOfDrawing = ({ kind, shown, sizes, text }: Param) =>
   sizes === undefined &&
   (kind === "diameter" ||
     ((kind === "axial" || kind === "length") && shown === "outline") ||

@@ -29,6 +29,10 @@ export interface TriedOption {
   readonly issues: readonly RunFinding["issue"][];
   /** Most of the shape is left: no valid option, whatever the verdict. */
   readonly leavesMost: boolean;
+  /** The residual material besides what the nose radius leaves in corners, mm²: that is for finishing. */
+  readonly unreached: number;
+  /** Its tool suits the depth. */
+  readonly suitsDepth: boolean;
   /** True when the option cuts without faults. */
   readonly works: boolean;
 }
@@ -49,7 +53,7 @@ function summed(residual: readonly { readonly reason: Reason; readonly area: num
  * plain blank.
  */
 export function tryWay(
-  { id, job }: Proposal,
+  { id, job, suitsDepth }: Proposal,
   wanted: ShapeRequest,
   stock: readonly Ring[] | null,
   shop: Shop,
@@ -66,12 +70,16 @@ export function tryWay(
   const residualArea = target ? areaOf(opened(intersection(simulation.final, [target]), SLIVER)) : null;
   const all = target ? areaOf(intersection(simulation.blank, [target])) : 0;
   const leavesMost = residualArea !== null && residualArea > all * MOST_LEFT;
+  const reasons = summed(simulation.proof.residual);
+  const corners = reasons.find(({ reason }) => reason === "insertRadius")?.area ?? 0;
   return {
     id,
+    suitsDepth,
+    unreached: Math.max(0, (residualArea ?? 0) - corners),
     passes: operation?.plan.passes ?? 0,
     seconds: made.seconds,
     residualArea,
-    reasons: summed(simulation.proof.residual),
+    reasons,
     judged,
     issues,
     leavesMost,

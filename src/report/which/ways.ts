@@ -2,13 +2,14 @@ import type { Cycle, Group } from "../../cycles/define.ts";
 import { catalogue } from "../../cycles/index.ts";
 import type { Topic } from "../../cycles/params.ts";
 import { useOf, worksAcross } from "../../cycles/use.ts";
-import { canMakeAngle, type ShapeRequest } from "../../cycles/shape-request.ts";
+import { canMakeAngle, canMakeChamfer, type ShapeRequest } from "../../cycles/shape-request.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { cuttingWidth, isBar, noseRadius } from "../../kernel/cutter/insert.ts";
 import { readRows } from "../../program/job/contour-rows.ts";
 import type { SetJob } from "../../program/job/job.ts";
 import { readDraft } from "../../program/job/read-draft.ts";
+import { requestedBox } from "../../program/job/requested-shape.ts";
 import { jobFor, tipAtCall, withValue } from "../../program/job/requested-job.ts";
 import { isUsualTool, rankTools } from "../../program/tools/which-tool.ts";
 
@@ -19,6 +20,8 @@ export interface Proposal {
   readonly tool: Tool;
   /** The value in which it differs from another option with the same cycle. */
   readonly choice: { readonly q: string; readonly value: number } | null;
+  /** Its tool suits the depth: a finishing insert does not rough. */
+  readonly suitsDepth: boolean;
 }
 
 /** Most options to compare; more would be confusing. */
@@ -47,7 +50,13 @@ function isOpenTo(cycle: Cycle, { site, shape }: ShapeRequest): boolean {
 /** Cycles that make the wanted shape, the simplest of each kind, the likeliest first. */
 export function cyclesFor(wanted: ShapeRequest): readonly Cycle[] {
   const able = catalogue.filter(
-    (c) => useOf(c).shapes.includes(wanted.shape) && isOpenTo(c, wanted) && canMakeAngle(c, wanted),
+    (c) =>
+      useOf(c).shapes.includes(wanted.shape) &&
+      isOpenTo(c, wanted) &&
+      canMakeAngle(c, wanted) &&
+      canMakeChamfer(c, wanted) &&
+      // Contour-parallel passes are for a part that already has the shape.
+      (wanted.allowance > 0 || useOf(c).preTurned !== true),
   );
   const kind = (c: Cycle) => `${c.group} ${c.contour} ${useOf(c).preTurned === true}`;
   const simplest = able.filter((c, i) => able.findIndex((other) => kind(other) === kind(c)) === i);
@@ -56,6 +65,19 @@ export function cyclesFor(wanted: ShapeRequest): readonly Cycle[] {
   return simplest.toSorted((a, b) => follows(b) - follows(a) || place(a) - place(b)).slice(0, MOST_CYCLES);
 }
 
+/** Deepest cut that a finishing insert takes, mm per side. */
+const FINISHING_DEPTH = 1;
+
+/** Material above the shape, mm: its allowance, or the depth of its box. */
+const depthOf = (wanted: ShapeRequest, across: boolean): number => {
+  const { r1, r2, z1, z2 } = requestedBox(wanted);
+  return wanted.allowance || Math.abs(across ? z1 - z2 : r1 - r2);
+};
+
+/** A finishing insert does not remove much material. */
+const suits = (cycle: Cycle, wanted: ShapeRequest, { TYPE }: Tool): boolean =>
+  TYPE !== "FINISH" || cycle.group === "thread" || depthOf(wanted, worksAcross(cycle)) <= FINISHING_DEPTH;
+
 /** The size of an insert that determines its residual material. */
 const sizeOf = (tool: Tool) => (isBar(tool) ? cuttingWidth(tool) : noseRadius(tool));
 
@@ -63,7 +85,7 @@ const sizeOf = (tool: Tool) => (isBar(tool) ? cuttingWidth(tool) : noseRadius(to
  * The tool that fits the job best, and the next one with an insert of another size. Where none fits, the usual kind
  * shows the reason.
  */
-function toolsFor(cycle: Cycle, job: SetJob, tools: readonly Tool[]): readonly Tool[] {
+function toolsFor(cycle: Cycle, job: SetJob, wanted: ShapeRequest, tools: readonly Tool[]): readonly Tool[] {
   const { values } = readDraft(cycle, job.drafts[job.cycle] ?? {});
   const start = tipAtCall(job);
   if (!values) return [];
@@ -75,7 +97,14 @@ function toolsFor(cycle: Cycle, job: SetJob, tools: readonly Tool[]): readonly T
   const usual = fits
     .filter(({ tool }) => isUsualTool(cycle.group, tool))
     .toSorted((a, b) => sizeOf(a.tool) - sizeOf(b.tool));
-  const best = fits[0]?.makesContour ? fits[0] : (usual.find(({ tool }) => stands(tool)) ?? fits[0]);
+  // Among the usual inserts that rough, the largest nose radius is the strongest.
+  const turns = cycle.group === "longitudinal" || cycle.group === "transverse";
+  const able = fits.filter((f) => f.makesContour && suits(cycle, wanted, f.tool));
+  const strong = able
+    .filter(({ tool }) => turns && tool.TYPE === able[0]?.tool.TYPE)
+    .toSorted((a, b) => noseRadius(b.tool) - noseRadius(a.tool))[0];
+  const first = strong ?? able[0] ?? fits[0];
+  const best = first?.makesContour ? first : (usual.find(({ tool }) => stands(tool)) ?? fits[0]);
   if (!best) return [];
   const other = fits.find((f) => f.makesContour && f.cuts && sizeOf(f.tool) !== sizeOf(best.tool));
   return other && best.makesContour ? [best.tool, other.tool] : [best.tool];
@@ -99,24 +128,25 @@ export function waysFor(
 ): readonly Proposal[] {
   const made = cyclesFor(wanted).map((cycle) => {
     const job = jobFor(cycle, wanted, stock);
-    return { cycle, job, tools: toolsFor(cycle, job, tools) };
+    return { cycle, job, tools: toolsFor(cycle, job, wanted, tools) };
   });
-  const one = (job: SetJob, tool: Tool, choice: Proposal["choice"]): Proposal => ({
+  const one = (cycle: Cycle, job: SetJob, tool: Tool, choice: Proposal["choice"]): Proposal => ({
     id: `${job.cycle} ${tool.T} ${choice ? `${choice.q}=${choice.value}` : ""}`,
     job: { ...(choice ? withValue(job, choice.q, choice.value) : job), tool: tool.T },
     tool,
     choice,
+    suitsDepth: suits(cycle, wanted, tool),
   });
   const first = made.flatMap(({ cycle, job, tools: [best] }) => {
     const [choice] = choicesOf(cycle);
-    return best ? [one(job, best, choice ? { q: choice.q, value: choice.plain } : null)] : [];
+    return best ? [one(cycle, job, best, choice ? { q: choice.q, value: choice.plain } : null)] : [];
   });
   const more = made.flatMap(({ cycle, job, tools: [best, other] }) => {
     const choices = choicesOf(cycle);
     const [plain] = choices;
     return [
-      ...(best ? choices.map(({ q, value }) => one(job, best, { q, value })) : []),
-      ...(other ? [one(job, other, plain ? { q: plain.q, value: plain.plain } : null)] : []),
+      ...(best ? choices.map(({ q, value }) => one(cycle, job, best, { q, value })) : []),
+      ...(other ? [one(cycle, job, other, plain ? { q: plain.q, value: plain.plain } : null)] : []),
     ];
   });
   return [...first, ...more].slice(0, MOST);

@@ -66,13 +66,53 @@ describe("the ways that are proposed", () => {
   });
 });
 
-test("the best leaves least, and among equals it is the fastest", () => {
-  const { tried } = compared(wanted({}));
+test("a roughing insert is best for a deep cut, whatever its radius leaves in the corner", () => {
+  const { ways, tried } = compared(wanted({}));
+  const typeOf = (id: string) => ways.find((way) => way.id === id)?.tool.TYPE;
   const [best, ...rest] = bestFirst(tried);
-  for (const other of rest.filter((each) => each.works)) {
-    const more = (other.residualArea ?? 0) - (best?.residualArea ?? 0);
-    expect(more > -0.05 && (more > 0.05 || other.seconds >= (best?.seconds ?? 0))).toBe(true);
+  expect(typeOf(best?.id ?? "")).toBe("ROUGH");
+  const finishing = rest.filter(({ id }) => typeOf(id) === "FINISH");
+  expect(finishing.length).toBeGreaterThan(0);
+  expect(finishing.every(({ suitsDepth, works }) => works && !suitsDepth)).toBe(true);
+  for (const other of rest.filter((each) => each.works && each.suitsDepth)) {
+    const more = other.unreached - (best?.unreached ?? 0);
+    expect(more > 0.05 || other.seconds >= (best?.seconds ?? 0) * 0.99).toBe(true);
   }
+});
+
+test("solid material is not turned by passes that follow a contour", () => {
+  const preTurned = (of: ShapeRequest) =>
+    waysFor(of, null, shippedTools).some(({ job }) => {
+      const cycle = cycleByNumber(job.cycle);
+      return cycle !== undefined && useOf(cycle).preTurned === true;
+    });
+  expect(preTurned(wanted({}))).toBe(false);
+  expect(preTurned(wanted({ allowance: length(2.1) }))).toBe(true);
+});
+
+test("a step with a chamfer is made by the cycle that has a starting element, and by a contour", () => {
+  const { ways, tried } = compared(wanted({ chamfer: length(1.7) }));
+  const own = ways.filter(({ job }) => cycleByNumber(job.cycle)?.contour === "own");
+  expect(own.length).toBeGreaterThan(0);
+  for (const { job } of own) expect(job.drafts[job.cycle]).toMatchObject({ Q501: "1", Q502: "1.7" });
+  expect(bestFirst(tried)[0]?.works).toBe(true);
+  expect(bestFirst(tried)[0]?.unreached).toBeLessThan(0.05);
+});
+
+test.each([
+  ["only", []],
+  ["tool", [{ suitsDepth: false, seconds: 1 }]],
+  ["least", [{ unreached: 0.3, seconds: 1 }]],
+  ["fast", [{ seconds: 12 }]],
+  ["passes", [{ seconds: 10.05, passes: 9 }]],
+  ["equal", [{ seconds: 10 }]],
+] as const)("the reason for the best is said: %s", (because, others) => {
+  const { tried } = compared(wanted({}));
+  const [base] = tried;
+  if (!base) throw new Error("nothing tried");
+  const plain = { ...base, works: true, suitsDepth: true, unreached: 0, seconds: 10, passes: 5 };
+  const all = [{ ...plain, id: "a" }, ...others.map((other) => ({ ...plain, ...other, id: "b" }))];
+  expect(bestOf(all)).toEqual({ id: "a", because });
 });
 
 test("a groove narrower than every tool says so with each way", () => {

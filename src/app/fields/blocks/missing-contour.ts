@@ -5,28 +5,13 @@ import type { Program } from "../../../nc/program.ts";
 import { withBlocks } from "../../../nc/replace.ts";
 import type { Statement } from "../../../nc/statement.ts";
 import type { Label } from "../../../nc/words.ts";
-import { contourStatements } from "../../../program/job/print-contour.ts";
 import { blocksOfStatements } from "../../../program/edits/operation-edits.ts";
-import { proposedOperation } from "../../../program/job/proposed-operation.ts";
-import { ringOf } from "../../../program/job/requested-job.ts";
 
-/** The cylindrical blank of a program, if its values are numbers. */
-function cylinderOf({ blocks }: Program) {
-  const s = blocks.find(({ statement }) => statement.kind === "blankCylinder")?.statement;
-  if (s?.kind !== "blankCylinder" || s.outside?.measure !== "D") return [];
-  const [outside, length, front] = [s.outside.value, s.length, s.distance ?? 0];
-  if (typeof outside !== "number" || typeof length !== "number" || typeof front !== "number") return [];
-  return [ringOf({ outside: String(outside), bore: "0", length: String(length), allowance: String(front) })];
-}
-
-/** Adds a starting contour under a label at the end of the program; null if the cycle takes no contour. */
+/** Adds an empty contour under a label at the end of the program; null if the cycle takes no contour. */
 export function withContour(program: Program, number: number, label: Label): Program | null {
-  const cycle = cycleByNumber(number);
-  if (cycle?.contour !== "free") return null;
-  const { contour } = proposedOperation(cycle, { blank: cylinderOf(program), before: [] });
+  if (cycleByNumber(number)?.contour !== "free") return null;
   const statements: readonly Statement[] = [
     { kind: "label", label },
-    ...contourStatements(contour),
     { kind: "label", label: 0 },
   ];
   const { blocks } = program;

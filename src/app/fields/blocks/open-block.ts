@@ -14,6 +14,7 @@ import { editProgram, useSession, type Session } from "./session.ts";
 import { useShownOtherFile } from "../../document/shown-file.ts";
 import { findingsShown } from "../../document/shown-findings.ts";
 import { createDeferredStore } from "../../base/typing.ts";
+import { showPrompt, showSection } from "../../place/place.ts";
 
 /** Text typed into the prompts of the open block. It is written to the program as soon as it can be read. */
 interface Typed {
@@ -100,4 +101,15 @@ export function setBlockPrompt(q: string, text: string): void {
   const draft = { ...draftIn(useTyped.getState(), session), [q]: text };
   editProgram(withPrompt(program, index, q, text), `block ${index} ${q}`);
   noteTyped(draft, index);
+}
+
+/** Opens the first prompt of the open block that still needs a value, or else its first prompt. */
+export function openFirstOpenPrompt(): void {
+  const session = useSession.getState();
+  const read = readingOfBlock(session.reading.program, session.index, untyped);
+  showSection("block");
+  if (!read) return;
+  const ids = Object.keys(read.cycle.params);
+  const id = ids.find((q) => read.reading.perField[q]?.issue) ?? ids[0];
+  if (id !== undefined) showPrompt(id, read.draft[id] ?? "");
 }

@@ -1,6 +1,7 @@
 import { blockNumbers, startLines, type Program } from "../../../nc/program.ts";
 import type { Severity } from "../../../kernel/plan/issue.ts";
 import type { Tool } from "../../../kernel/plan/tool.ts";
+import { canBeFinished } from "../../../program/edits/finishing-operation.ts";
 import { isOff, operationsOf, wholeOf, type FixedReason } from "../../../program/edits/operations.ts";
 import type { Outcome } from "../../calculation/outcome.ts";
 import { doneByLine, firstLine, type Done } from "./program-parts.ts";
@@ -21,6 +22,8 @@ export interface OperationRow {
   readonly known: Tool | null;
   readonly inherits: boolean;
   readonly isOff: boolean;
+  /** Its cycle roughs, so the same sizes can be finished with another tool. */
+  readonly canBeFinished: boolean;
   readonly tie: FixedReason | null;
   /** Block range, including opening and closing blocks that belong to this operation alone. */
   readonly from: number;
@@ -105,6 +108,7 @@ export function operationRows(
       known: isMilled ? null : (tools.find(({ T, NAME }) => String(T) === tool || NAME === tool) ?? null),
       inherits: own.inherits,
       isOff: isOff(program, own),
+      canBeFinished: canBeFinished(program, own),
       tie: own.fixedReason,
       from,
       to,

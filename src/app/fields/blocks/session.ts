@@ -317,3 +317,13 @@ export function openBlock(index: number, parameter: string | null = null, byDial
     ...(byDialog && { annotations: dialogEdit.of(true) }),
   });
 }
+
+/** Opens a block of a program that is about to be shown. */
+export function openBlockWhenRead(index: number): void {
+  if (view) return openBlock(index);
+  const stop = useSession.subscribe((now) => {
+    if (!ofText(now) || !view) return;
+    stop();
+    openBlock(index);
+  });
+}

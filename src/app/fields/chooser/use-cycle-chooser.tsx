@@ -30,6 +30,8 @@ export interface ChooserOptions {
   readonly narrow?: boolean;
   /** The chosen cycle is inserted into a program. */
   readonly inProgram?: boolean;
+  /** Lists only some cycles; the search finds all of them. */
+  readonly among?: (cycle: number) => boolean;
   /** Focuses the search at once. */
   readonly focus?: boolean;
   readonly more?: OtherRows;
@@ -66,6 +68,7 @@ export function useCycleChooser({
   ways: given,
   narrow = false,
   inProgram = false,
+  among,
   focus = false,
   more,
   search: searchName,
@@ -84,6 +87,7 @@ export function useCycleChooser({
   const words = useMenuWords(searching);
   const sought = typed.trim();
   const cycles = useMemo(() => offeredCycles(inProgram), [inProgram]);
+  const listed = among ? cycles.filter(({ number }) => among(number)) : cycles;
   const verified = cycles.filter(({ recalled }) => !recalled).map(({ number }) => number);
   const found = useMemo(() => (sought === "" ? null : findCycles(cycles, sought, words)), [cycles, sought, words]);
   const others = more?.(found && sought, turn, found?.length === 0);
@@ -169,10 +173,10 @@ export function useCycleChooser({
       </ul>
     ),
     finds: count > 0,
-    recent: <RecentCycles offered={cycles} ways={ways} />,
+    recent: <RecentCycles offered={listed} ways={ways} />,
     groups: (
       <>
-        {menuGroups(cycles).map(([group, own]) => (
+        {menuGroups(listed).map(([group, own]) => (
           <CycleGroup key={group} group={group} cycles={own} ways={ways} turn={turn} startsOpen={!narrow && !phone} />
         ))}
         <p className="small soft cycle-evidence">

@@ -62,7 +62,7 @@ export function CycleDialog({
         name={t.form}
         listName={t.list}
         head={head}
-        done={<DialogDone session={session} inBlock={block !== null} />}
+        done={<DialogDone session={session} inBlock={block !== null} onInsert={block?.onInsert} />}
       />
     </CycleInWork>
   );

@@ -12,11 +12,19 @@ import { commandsOf, openSuggestions, type PromptSession } from "./session.ts";
 
 const ICONS = { bad: "error", doubt: "warning", none: "info", plain: "check", good: "check" } as const;
 
+interface Props {
+  readonly session: PromptSession;
+  readonly inBlock: boolean;
+  /** Inserts the next operation of the program. */
+  readonly onInsert?: (() => void) | undefined;
+}
+
 /** End of the dialog: open prompts, problems, or the program to export. */
-export function DialogDone({ session, inBlock }: { readonly session: PromptSession; readonly inBlock: boolean }) {
+export function DialogDone({ session, inBlock, onInsert }: Props) {
   const {
     dialog: { done: t, active },
     findings: words,
+    operations,
   } = useTexts();
   const {
     fields,
@@ -111,6 +119,11 @@ export function DialogDone({ session, inBlock }: { readonly session: PromptSessi
           </button>
         )}
         {(kind === "complete" || kind === "checking") && <CopyButton main long />}
+        {kind !== "open" && onInsert && (
+          <button type="button" className={`button${kind === "complete" ? " primary" : ""}`} onClick={onInsert}>
+            <Icon name="add" /> {operations.insert}
+          </button>
+        )}
         {first !== null && (
           <button type="button" className="button" onClick={() => goTo(first)}>
             {t.first}

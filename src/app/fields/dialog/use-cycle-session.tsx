@@ -4,6 +4,7 @@ import type { ParamTextId } from "../../../cycles/index.ts";
 import { formatNumber } from "../../../i18n/number.ts";
 import { anyNumber, readText } from "../../../program/values/field.ts";
 import type { SetupPlace } from "../../../program/job/setup-places.ts";
+import type { Draft } from "../../../program/job/read-draft.ts";
 import { suggestedValue, type SuggestionContext } from "../../../program/values/suggestion.ts";
 import { setPrompt, setPrompts } from "../../document/edits.ts";
 import { setPlace } from "../../document/setup-edits.ts";
@@ -28,6 +29,10 @@ export interface PromptedBlock {
   /** Its program is in inches. */
   readonly inches: boolean;
   readonly set: (q: string, text: string) => void;
+  /** Sizes that follow from the stock, suggested at open prompts. */
+  readonly sizes?: Draft;
+  /** Inserts an operation behind its own. */
+  readonly onInsert?: () => void;
   /** Several prompts in one step of undo. */
   readonly setAll: (texts: Readonly<Record<string, string>>) => void;
 }
@@ -80,7 +85,7 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
     const { prompt, label, explanation, ...words } = t.params[param.text as ParamTextId];
     const meanings: Readonly<Record<number, string>> = "choices" in words ? words.choices : {};
     const idle = hasNoEffect(param, reading.partial);
-    const suggested = param.optional ? null : suggestedValue(cycle, q, context);
+    const suggested = block?.sizes?.[q] ?? (param.optional ? null : suggestedValue(cycle, q, context));
     return promptOf(
       { id: q, optional: param.optional, decimals: param.decimals },
       { prompt, label, about: explanation },

@@ -11,7 +11,7 @@ import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import type { OperationRow } from "../../../app/fields/blocks/operation-rows.ts";
 import { cycleWords, doneWords, titleOf } from "../../../app/fields/blocks/words.ts";
 
-export type OperationAct = "open" | "insert" | "duplicate" | "up" | "down" | "switch" | "retool" | "remove";
+export type OperationAct = "open" | "insert" | "duplicate" | "up" | "down" | "switch" | "retool" | "finish" | "remove";
 
 /** Edge length of the drawing of a tool, px. */
 const DRAWING = 32;
@@ -136,6 +136,7 @@ export function OperationItem({ row, last, isCurrent, isOpen, index, onAct, onDr
             {button("raise", "up", words.up, tied || row.unit === 0)}
             {button("lower", "down", words.down, tied || last)}
             {button(row.isOff ? "check" : "close", "switch", row.isOff ? words.switchOn : words.switchOff, tied)}
+            {row.canBeFinished && button("check", "finish", words.finish, tied)}
             {button("insert", "retool", words.retool, row.tie === "label" || row.tie === "tool")}
             {button("remove", "remove", words.remove, tied)}
           </div>

@@ -14,6 +14,7 @@ import { useToolList } from "../../../app/document/work-tools.ts";
 import {
   duplicateOperation,
   moveOperation,
+  finishOperation,
   removeOperation,
   retoolOperation,
   switchOperation,
@@ -43,7 +44,7 @@ export function OperationList({ filter }: { readonly filter: ReactNode }) {
   );
   const [folded, fold] = useState(false);
   const [refused, refuse] = useState<Refusal | null>(null);
-  const [retooled, retool] = useState<OperationRow | null>(null);
+  const [retooled, retool] = useState<{ readonly row: OperationRow; readonly finishes: boolean } | null>(null);
   const list = useRef<HTMLOListElement>(null);
   const goTo = useRef<number | null>(null);
   const current = rows.findLast(({ from, to }) => index >= from && index < to)?.unit ?? -1;
@@ -82,7 +83,8 @@ export function OperationList({ filter }: { readonly filter: ReactNode }) {
       case "switch":
         return tell(switchOperation(unit), unit);
       case "retool":
-        return retool(row);
+      case "finish":
+        return retool({ row, finishes: what === "finish" });
       case "remove":
         return tell(removeOperation(unit), unit);
     }
@@ -143,11 +145,16 @@ export function OperationList({ filter }: { readonly filter: ReactNode }) {
       {retooled && (
         <Suspense>
           <ToolDialog
-            title={titleOf(t, retooled)}
-            taken={retooled.tool}
-            line={retooled.opens}
+            title={titleOf(t, retooled.row)}
+            taken={retooled.finishes ? null : retooled.row.tool}
+            line={retooled.row.opens}
+            finishes={retooled.finishes}
             done={() => retool(null)}
-            onTake={(tool) => tell(retoolOperation(retooled.unit, tool), retooled.unit)}
+            onTake={(tool) => {
+              const { unit } = retooled.row;
+              if (retooled.finishes) tell(finishOperation(unit, tool), unit + 1);
+              else tell(retoolOperation(unit, tool), unit);
+            }}
           />
         </Suspense>
       )}

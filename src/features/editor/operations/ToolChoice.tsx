@@ -14,10 +14,12 @@ interface Props {
   /** The present tool, by number or name. */
   readonly taken: string | null;
   readonly onTake: (tool: number) => void;
+  /** Folds the unsuitable tools under this heading; absent: they are listed. */
+  readonly folded?: (tools: number) => string;
 }
 
 /** All tools as buttons, drawn and named: suitable ones first, the others with the residual material they leave. */
-export function ToolChoice({ fits, taken, onTake }: Props) {
+export function ToolChoice({ fits, taken, onTake, folded }: Props) {
   const t = useTexts();
   const tools = useToolList();
   const details = useToolDetails();
@@ -55,7 +57,14 @@ export function ToolChoice({ fits, taken, onTake }: Props) {
   return (
     <div className="tool-choices-list">
       {list(t.operations.able, able)}
-      {list(able.length > 0 ? t.operations.others : t.setup.tool.list, others)}
+      {folded && fits && others.length > 0 ? (
+        <details>
+          <summary>{folded(others.length)}</summary>
+          {list(t.operations.others, others)}
+        </details>
+      ) : (
+        list(able.length > 0 ? t.operations.others : t.setup.tool.list, others)
+      )}
     </div>
   );
 }

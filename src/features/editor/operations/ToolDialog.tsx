@@ -1,4 +1,5 @@
 import { useRef } from "react";
+import type { ToolFit } from "../../../program/tools/which-tool.ts";
 import { startLines } from "../../../nc/program.ts";
 import { useSession } from "../../../app/fields/blocks/session.ts";
 import { useFitsOfLine } from "../../../app/calculation/use-tool-fits.ts";
@@ -14,12 +15,16 @@ interface Props {
   readonly taken: string | null;
   /** Index of the block that defines the cycle: its call is simulated with each tool. */
   readonly line: number;
+  /** The tool is for finishing: finishing inserts come first. */
+  readonly finishes?: boolean;
   readonly done: () => void;
   readonly onTake: (tool: number) => void;
 }
 
+const forFinishing = ({ tool: { TYPE } }: ToolFit): number => Number(TYPE !== "FINISH");
+
 /** The tools of the table for an operation, suitable ones first. */
-export function ToolDialog({ title, taken, line, done, onTake }: Props) {
+export function ToolDialog({ title, taken, line, finishes = false, done, onTake }: Props) {
   const t = useTexts().operations;
   const dialog = useRef<HTMLDialogElement>(null);
   const program = useSession((s) => s.reading.program);
@@ -27,7 +32,7 @@ export function ToolDialog({ title, taken, line, done, onTake }: Props) {
   return (
     <ModalDialog ref={dialog} className="operation-dialog" title={t.toolTitle(title)} done={done}>
       <ToolChoice
-        fits={fits}
+        fits={finishes && fits ? fits.toSorted((a, b) => forFinishing(a) - forFinishing(b)) : fits}
         taken={taken}
         onTake={(tool) => {
           dialog.current?.close();

@@ -8,6 +8,7 @@ import {
   withoutOperation,
   type Refusal,
 } from "../../../program/edits/operation-edits.ts";
+import { finishedOperation } from "../../../program/edits/finishing-operation.ts";
 import { isOff, operationsOf } from "../../../program/edits/operations.ts";
 import { editProgram, useSession } from "../../../app/fields/blocks/session.ts";
 import { asOneStep } from "../../../app/document/steps.ts";
@@ -31,6 +32,9 @@ export const removeOperation = (unit: number): Refusal | null =>
   applyProgram(withoutOperation(present(), unit), Math.max(0, unit - 1));
 export const retoolOperation = (unit: number, tool: number): Refusal | null =>
   applyProgram(retooledOperation(present(), unit, tool), unit);
+
+export const finishOperation = (unit: number, tool: number): Refusal | null =>
+  applyProgram(finishedOperation(present(), unit, tool), unit + 1);
 
 /** Toggles the skip marks of an operation. They only act with their switch on, so both are one step. */
 export function switchOperation(unit: number): Refusal | null {

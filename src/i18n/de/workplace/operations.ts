@@ -16,6 +16,7 @@ export const operations = {
   findings: (n) => (n === 1 ? "1 Prüfmeldung" : `${n} Prüfmeldungen`),
   actions: (title) => `${title} ändern`,
   duplicate: "Duplizieren",
+  finish: "Schlichten anfügen",
   up: "Nach oben",
   down: "Nach unten",
   drag: "Zum Verschieben ziehen",

@@ -17,6 +17,7 @@ export const operations = {
   findings: (n: number) => (n === 1 ? "1 finding" : `${n} findings`),
   actions: (title: string) => `Change ${title}`,
   duplicate: "Duplicate",
+  finish: "Add finishing",
   up: "Move up",
   down: "Move down",
   drag: "Drag to move",

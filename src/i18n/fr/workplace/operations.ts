@@ -16,6 +16,7 @@ export const operations = {
   findings: (n) => (n === 1 ? "1 message" : `${n} messages`),
   actions: (title) => `Modifier ${title}`,
   duplicate: "Dupliquer",
+  finish: "Ajouter la finition",
   up: "Monter",
   down: "Descendre",
   drag: "Glisser pour déplacer",

@@ -16,6 +16,7 @@ export const operations = {
   findings: (n) => `${n} 条检查信息`,
   actions: (title) => `更改“${title}”`,
   duplicate: "复制",
+  finish: "添加精加工",
   up: "上移",
   down: "下移",
   drag: "拖动以移动",

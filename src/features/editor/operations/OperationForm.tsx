@@ -1,0 +1,261 @@
+import { Suspense, useEffect, useMemo, useRef, useState } from "react";
+import type { Cycle } from "../../../cycles/define.ts";
+import type { Site } from "../../../cycles/shape-request.ts";
+import type { InsertTexts } from "../../../i18n/en/insert.ts";
+import { diameter, toRadius } from "../../../kernel/units.ts";
+import { ncLanguageOf } from "../../../i18n/languages.ts";
+import { ncLabels } from "../../../i18n/nc-labels.ts";
+import type { Label } from "../../../nc/words.ts";
+import { contoursIn } from "../../../program/job/contour-of-text.ts";
+import { readRows } from "../../../program/job/contour-rows.ts";
+import type { ContourRow, SetJob, SpindleDraft } from "../../../program/job/job.ts";
+import { proposedOperation, sitesOf, usualSurface } from "../../../program/job/proposed-operation.ts";
+import { readDraft, type Draft } from "../../../program/job/read-draft.ts";
+import { surfacesOf, type StockSurface } from "../../../program/job/stock-surface.ts";
+import { useFitsOfWork } from "../../../app/calculation/use-tool-fits.ts";
+import { lazyPart } from "../../../app/base/parts.ts";
+import { Message } from "../../../app/base/Message.tsx";
+import { useSettings } from "../../../app/base/settings/settings.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
+import { Icon } from "../../../app/base/Icon.tsx";
+import { useSession } from "../../../app/fields/blocks/session.ts";
+import { contourTableSlot } from "../../../app/fields/slots.ts";
+import { PlaceFields, arePlaceFieldsUsable } from "./PlaceFields.tsx";
+import { StockPlace } from "./StockPlace.tsx";
+import { ToolChoice } from "./ToolChoice.tsx";
+import type { StateBefore } from "./stock-before.ts";
+import { UNKNOWN_STOCK } from "./unknown-stock.ts";
+
+const ContourTable = lazyPart(async () => ({ default: await contourTableSlot.fetch() }));
+
+/** The values of a job without the sizes of a surface that is not known. */
+const emptied = ({ cycle, drafts }: SetJob, placed: Draft): SetJob["drafts"] => ({
+  ...drafts,
+  [cycle]: { ...drafts[cycle], ...Object.fromEntries(Object.keys(placed).map((q) => [q, ""])) },
+});
+
+const listed = (sizes: Draft): string =>
+  Object.entries(sizes)
+    .map(([q, text]) => `${q} = ${text}`)
+    .join(", ");
+
+/** The first field that needs a value, or else the title. */
+const firstField = (form: HTMLElement | null): HTMLElement | null | undefined =>
+  form?.querySelector<HTMLElement>("[aria-invalid=true]") ?? form?.querySelector<HTMLElement>("input");
+
+/** The surface on which a typed start lies. */
+const surfaceAt = (surfaces: readonly StockSurface[], { x = "", z = "" }: TypedStart): StockSurface | undefined =>
+  surfaces.find(({ site, from, to }) => {
+    const [typed, high, low] =
+      site === "face" ? [toRadius(diameter(Number(x))), from.r, to.r] : [Number(z), from.z, to.z];
+    return (site === "face" ? x : z).trim() !== "" && typed <= high && typed >= low;
+  });
+
+/** What the form hands over. */
+export interface InsertedOperation {
+  readonly job: SetJob;
+  readonly title: string;
+  /** A contour of the program; undefined: the job's own contour is added. */
+  readonly contour: Label | undefined;
+  /** Sizes to suggest at the open prompts. */
+  readonly sizes: Draft;
+}
+
+interface Props {
+  readonly words: InsertTexts;
+  readonly cycle: Cycle;
+  readonly site: Site;
+  readonly before: StateBefore;
+  readonly onSite: (site: Site) => void;
+  readonly onBack: () => void;
+  readonly onInsert: (made: InsertedOperation) => void;
+}
+
+/** Start point as far as typed; the rest is proposed. */
+type TypedStart = Readonly<{ x?: string; z?: string }>;
+const UNTYPED: TypedStart = {};
+const NO_ROWS: readonly ContourRow[] = [];
+
+/** Asks where an operation starts, for its contour, start point, spindle and tool. Sizes stay for its prompts. */
+export function OperationForm({ words, cycle, site, before, onSite, onBack, onInsert }: Props) {
+  const { operations: t } = useTexts();
+  const language = useSettings((s) => s.language);
+  const program = useSession((s) => s.reading.program);
+  const form = useRef<HTMLFormElement>(null);
+  const [title, setTitle] = useState(() => ncLabels(ncLanguageOf(language)).cycleName(cycle.number));
+  const [picked, pick] = useState<StockSurface | null>(null);
+  const [typed, setTyped] = useState(UNTYPED);
+  const [spindle, setSpindle] = useState<SpindleDraft | null>(null);
+  const [tool, setTool] = useState<number | null>(null);
+  const [rows, setRows] = useState(NO_ROWS);
+  const contours = useMemo(() => (cycle.contour === "free" ? contoursIn(program) : []), [cycle, program]);
+  const [named, name] = useState<Label | null>(contours[0]?.label ?? null);
+  const [waiting, wait] = useState(false);
+
+  const isKnown = before.stock.length > 0;
+  const stock = isKnown ? before.stock : UNKNOWN_STOCK;
+  const surfaces = useMemo(() => surfacesOf(stock, site), [stock, site]);
+  const surface = useMemo(() => {
+    if (picked && surfaces.includes(picked)) return picked;
+    const at = surfaceAt(surfaces, typed);
+    return at ?? usualSurface(cycle, surfaces);
+  }, [picked, surfaces, typed, cycle]);
+  const contourRows = contours.find(({ label }) => label === named)?.rows ?? rows;
+  const contour = useMemo(() => readRows(contourRows).contour.segments, [contourRows]);
+  const undrawn = cycle.contour === "free" && contour.length === 0;
+  const made = useMemo(() => {
+    const start = { x: typed.x ?? "", z: typed.z ?? "" };
+    return surface && proposedOperation(cycle, { stock, surface, before: before.operations, contour, start });
+  }, [cycle, stock, surface, before.operations, contour, typed]);
+  const fits = useFitsOfWork(made?.likely ?? null);
+  const best = fits?.find((fit) => fit.makesContour)?.tool.T ?? null;
+  const chosen = tool ?? best;
+  const job = made && {
+    ...made.job,
+    drafts: isKnown ? made.job.drafts : emptied(made.job, made.placed),
+    start: isKnown ? { ...made.job.start, ...typed } : { x: "", z: "", ...typed },
+    spindle: spindle ?? made.job.spindle,
+    contour: named === null ? rows : [],
+  };
+  const placed = isKnown ? (made?.placed ?? {}) : {};
+  const sizes = isKnown ? (made?.sizes ?? {}) : {};
+  const usable = job !== null && !undrawn && arePlaceFieldsUsable(job);
+  const openQs = made ? readDraft(cycle, job?.drafts[cycle.number] ?? {}).issues.flatMap(({ at }) => at ?? []) : [];
+  const unknown = openQs.filter((q) => sizes[q] === undefined);
+
+  const insert = () => {
+    if (!usable || chosen === null) return;
+    onInsert({ job: { ...job, tool: chosen }, title, contour: named ?? undefined, sizes });
+  };
+  // Enter may come before the tools are compared.
+  useEffect(() => {
+    if (waiting && fits) insert();
+  });
+  useEffect(() => firstField(form.current)?.focus(), []);
+  const sites = sitesOf(cycle);
+
+  return (
+    <form
+      className="operation-form"
+      ref={form}
+      onSubmit={(event) => {
+        event.preventDefault();
+        if (chosen === null && !fits) wait(true);
+        else insert();
+      }}
+    >
+      <div className="operation-body">
+        <div className="operation-ask">
+          <label className="wide">
+            <span>{t.title}</span>
+            <input
+              className="input"
+              type="text"
+              maxLength={60}
+              autoComplete="off"
+              value={title}
+              onFocus={(event) => event.currentTarget.select()}
+              onChange={(event) => setTitle(event.currentTarget.value)}
+            />
+            <span className="small soft">{t.titleHint}</span>
+          </label>
+          {sites.length > 1 && (
+            <label>
+              <span>{words.site}</span>
+              <select
+                className="select"
+                value={site}
+                onChange={(event) => {
+                  const next = sites.find((each) => each === event.target.value);
+                  if (next) onSite(next);
+                }}
+              >
+                {sites.map((each) => (
+                  <option key={each} value={each}>
+                    {words.sites[each]}
+                  </option>
+                ))}
+              </select>
+            </label>
+          )}
+          {!isKnown && (
+            <Message tone="info" className="wide">
+              {words.noStock}
+            </Message>
+          )}
+          {isKnown && !surface && (
+            <Message tone="warning" className="wide">
+              {words.none[site]}
+            </Message>
+          )}
+          {isKnown && surface && (
+            <StockPlace
+              words={words}
+              stock={stock}
+              surfaces={surfaces}
+              chosen={surface}
+              onChoose={(next) => {
+                pick(next);
+                setTyped(UNTYPED);
+              }}
+            />
+          )}
+          {contours.length > 0 && (
+            <label>
+              <span>{words.contour}</span>
+              <select
+                className="select"
+                value={contours.findIndex(({ label }) => label === named)}
+                onChange={(event) => name(contours[Number(event.target.value)]?.label ?? null)}
+              >
+                {contours.map(({ label }, i) => (
+                  <option key={i} value={i}>
+                    {words.label(String(label))}
+                  </option>
+                ))}
+                <option value={-1}>{words.draw}</option>
+              </select>
+            </label>
+          )}
+          {job && (
+            <PlaceFields
+              job={job}
+              onStart={(axis, text) => setTyped({ ...typed, [axis]: text })}
+              onSpindle={(next) => setSpindle(next)}
+            />
+          )}
+        </div>
+        {cycle.contour === "free" && named === null && (
+          <section aria-label={words.contour}>
+            {undrawn && <p className="soft">{words.undrawn}</p>}
+            <Suspense>
+              <ContourTable rows={rows} onChange={setRows} language={language} />
+            </Suspense>
+          </section>
+        )}
+        {made && (
+          <p className="small operation-sizes" role="status">
+            {listed(placed) !== "" && <span>{words.fromSurface(listed(placed))}</span>}
+            {listed(sizes) !== "" && <span>{words.fromStock(listed(sizes))}</span>}
+            {unknown.length > 0 && <span className="soft">{words.open(unknown.join(", "))}</span>}
+          </p>
+        )}
+        {fits && best === null && <Message tone="warning">{words.noTool}</Message>}
+        <ToolChoice
+          fits={fits}
+          taken={chosen === null ? null : String(chosen)}
+          folded={words.unsuitable}
+          onTake={setTool}
+        />
+      </div>
+      <footer className="operation-foot">
+        <button type="button" className="button" onClick={onBack}>
+          <Icon name="back" /> {t.back}
+        </button>
+        <button type="submit" className="button primary" disabled={!usable || (fits !== null && chosen === null)}>
+          {t.put}
+        </button>
+      </footer>
+    </form>
+  );
+}

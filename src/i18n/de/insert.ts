@@ -1,0 +1,25 @@
+import type { InsertTexts } from "../en/insert.ts";
+
+export const insert: InsertTexts = {
+  site: "Wo",
+  sites: { outside: "Außen", inside: "Innen", face: "Plan" },
+  surface: "Fläche",
+  cylinder: (across, from, to) => `⌀${across}, Z${from} bis Z${to}`,
+  face: (z, from, to) => `Z${z}, ⌀${from} bis ⌀${to}`,
+  picture: (surfaces) => `Rohteil vor dieser Bearbeitung, Flächen: ${surfaces}`,
+  none: {
+    outside: "Das Rohteil hat hier keinen Zylinder.",
+    inside: "Das Rohteil hat noch keine Bohrung. Zuerst bohren oder im Rohteil einen Innendurchmesser angeben.",
+    face: "Das Rohteil hat hier keine Stirnfläche.",
+  },
+  noStock: "Das Rohteil ist unbekannt: mit BLK FORM angeben, damit Maße vorgeschlagen werden.",
+  fromSurface: (sizes) => `Aus der Fläche: ${sizes}`,
+  fromStock: (sizes) => `Vorgeschlagen: ${sizes}`,
+  open: (prompts) => `Offen: ${prompts}`,
+  contour: "Kontur",
+  label: (label) => `LBL ${label}`,
+  draw: "Neue Kontur zeichnen",
+  undrawn: "Zuerst die Kontur zeichnen.",
+  unsuitable: (tools) => `Ungeeignete Werkzeuge (${tools})`,
+  noTool: "Kein Werkzeug der Tabelle erreicht diese Stelle.",
+};

@@ -1,0 +1,28 @@
+import type { Shape } from "../shape.ts";
+
+/** Texts of the dialog that inserts an operation: where it starts in the stock, with which contour, with which tool. */
+export const insert = {
+  site: "Where",
+  sites: { outside: "Outside", inside: "Inside", face: "Face" },
+  surface: "Surface",
+  cylinder: (across: string, from: string, to: string) => `⌀${across}, Z${from} to Z${to}`,
+  face: (z: string, from: string, to: string) => `Z${z}, ⌀${from} to ⌀${to}`,
+  picture: (surfaces: number) => `Stock before this operation, surfaces: ${surfaces}`,
+  none: {
+    outside: "The stock has no cylinder here.",
+    inside: "The stock has no bore yet. Drill first, or state an inside diameter in the blank.",
+    face: "The stock has no front face here.",
+  },
+  noStock: "The stock is unknown: state a blank (BLK FORM) to get sizes suggested.",
+  fromSurface: (sizes: string) => `From the surface: ${sizes}`,
+  fromStock: (sizes: string) => `Suggested: ${sizes}`,
+  open: (prompts: string) => `Open: ${prompts}`,
+  contour: "Contour",
+  label: (label: string) => `LBL ${label}`,
+  draw: "Draw a new contour",
+  undrawn: "Draw the contour to continue.",
+  unsuitable: (tools: number) => `Unsuitable tools (${tools})`,
+  noTool: "No tool in the table reaches this place.",
+};
+
+export type InsertTexts = Shape<typeof insert>;
