@@ -148,11 +148,27 @@ function withoutFollowing(early: readonly Found[], late: readonly Found[]): read
   return isAsked ? late.filter(({ issue }) => !followsQuestion(issue.code)) : late;
 }
 
-/** Removes questions of the prompts that the program repeats, whose severity counts. */
-const withoutRepeated = (early: readonly Found[], late: readonly Found[]): readonly Found[] =>
-  early.filter(
-    ({ issue, at }) => !QUESTIONS.has(issue.code) || !late.some((l) => l.issue.code === issue.code && l.at === at),
-  );
+/** Whether a set blank is questioned for a diameter that the program questions, too. */
+const isBlankOf = ({ issue }: Found, { issue: late, at }: Found): boolean =>
+  issue.code === "blankAgainstContour" && late.code === "diameterOutside" && issue.data.other === at;
+
+/**
+ * Joins questions of the prompts with their consequences and repeats in the program: with an error among them, the
+ * question is one.
+ */
+function joinQuestions(early: readonly Found[], late: readonly Found[]): readonly Found[] {
+  const isRefused = late.some(({ issue }) => issue.severity === "error");
+  const asked = early
+    .filter(
+      ({ issue, at }) => !QUESTIONS.has(issue.code) || !late.some((l) => l.issue.code === issue.code && l.at === at),
+    )
+    .map((found): Found => {
+      const { issue } = found;
+      const isCause = QUESTIONS.has(issue.code) ? isRefused : late.some((each) => isBlankOf(found, each));
+      return isCause ? { ...found, issue: { ...issue, severity: "error" } as AnyIssue } : found;
+    });
+  return [...asked, ...withoutFollowing(early, late).filter((each) => !early.some((found) => isBlankOf(found, each)))];
+}
 
 /**
  * All findings of the open work, worst first, without repeats: those of the prompts at once, and those of the last
@@ -162,10 +178,7 @@ export function findingsOf(read: JobReading | null, outcome: Outcome | null): re
   const early = read ? typed(read) : [];
   const late = outcome && (!read || read.reading.values) ? calculated(outcome) : [];
   const all = new Map<string, FindingEntry>();
-  for (const found of groupPlaces(
-    withoutConsequences([...withoutRepeated(early, late), ...withoutFollowing(early, late)]),
-    outcome?.run.operations ?? [],
-  )) {
+  for (const found of groupPlaces(withoutConsequences(joinQuestions(early, late)), outcome?.run.operations ?? [])) {
     const { issue, at, line, inFile } = found;
     // The text of a job is made from its prompts: a finding of both is listed once.
     const key = JSON.stringify([issue.code, at, issue.data, read ? null : line, inFile]);
