@@ -31,7 +31,7 @@ test.each([
 
 test("half of a wanted diameter is questioned as a radius", () => {
   expect(markTexts(shoulder, "Q493=+48.2", "Q493=+24.1")).toContainEqual(
-    expect.stringMatching(/^⌀ 24\.1 instead of ⌀ 48\.2\S*, exactly half of it: a radius\?/),
+    expect.stringMatching(/^⌀ 24\.1 instead of ⌀ 48\.2 ±\S+ exactly half of it: a radius\?/),
   );
 });
 
