@@ -4,7 +4,7 @@ import { writer } from "../i18n/write.ts";
 import { positionAsTyped } from "../program/values/typed-value.ts";
 import { isSetupPlace, setPlace } from "../app/fields/dialog/setup-prompts.ts";
 import { writeTyped } from "../app/fields/dialog/write-value.ts";
-import { setPrompt, setStart, setTool } from "../app/document/edits.ts";
+import { setPerRevolution, setPrompt, setStart, setTool } from "../app/document/edits.ts";
 import { goToField, openPrompt, showSection } from "../app/place/place.ts";
 import type { JobReading } from "../app/document/reading.ts";
 import { useSettings } from "../app/base/settings/settings.ts";
@@ -63,6 +63,8 @@ export function useJobHost(read: JobReading): FindingsHost {
             apply: oneStep(() => setTool(issue.data.tool)),
           },
         ];
+      if (issue.code === "feedUnlikely" && issue.data.unit === "mm/min")
+        return [{ name: t.dialog.takeNearest("M136"), apply: oneStep(() => setPerRevolution(true)) }];
       if (issue.code === "startOnWrongSide") {
         const start = () => {
           setStart("x", positionAsTyped(issue.data.x));

@@ -7,6 +7,7 @@ import { stockIssues } from "../../sim/issues.ts";
 import { contourProblems } from "../document/contour-problems.ts";
 import type { Outcome } from "../calculation/outcome.ts";
 import type { JobReading } from "../document/reading.ts";
+import { withoutConsequences } from "./consequences.ts";
 import { inOrder, type FindingEntry } from "./entry.ts";
 import { letterOf, spotOfProof, spotOfRun } from "./spots.ts";
 
@@ -67,46 +68,6 @@ function calculated({ run, simulation }: Outcome): readonly Found[] {
     };
   });
   return [...ran, ...proved];
-}
-
-/**
- * Codes for a tool that cannot do the work at all, and codes of its consequences: another contour or value would not
- * help.
- */
-const wrongTool: ReadonlySet<string> = new Set(["toolUnfit", "toolOnWrongSide", "toolCannotCutSideways"]);
-const ofWrongTool: ReadonlySet<string> = new Set([
-  "angleNotFollowed",
-  "cornerSmallerThanInsert",
-  "recessNarrowerThanTool",
-  "nothingToCut",
-  "depthOverCutLength",
-  "nothingCut",
-]);
-
-/**
- * Removes findings that only follow from a listed one, or repeat it: "not verified from this block" says more than "not
- * simulated".
- */
-function withoutConsequences(all: readonly Found[]): readonly Found[] {
-  const unfit = new Set(
-    all.flatMap(({ issue, operation }) => (issue.severity === "error" && wrongTool.has(issue.code) ? [operation] : [])),
-  );
-  const placeOf = ({ block, inFile }: Found) => (inFile ? `${inFile.file} ${inFile.line}` : block);
-  const unproved = new Set(all.flatMap((found) => (found.issue.code === "notProved" ? [placeOf(found)] : [])));
-  const noContour = all.some(({ issue }) => issue.code === "contourMissing" && issue.data.label === "");
-  return all.filter((found) => {
-    const { issue, at, operation } = found;
-    return (
-      !(unfit.has(operation) && issue.severity !== "error" && ofWrongTool.has(issue.code)) &&
-      !((issue.code === "cycleNotSimulated" || issue.code === "notSimulated") && unproved.has(placeOf(found))) &&
-      !(
-        noContour &&
-        (issue.code === "contourTooShort" ||
-          issue.code === "nothingToCut" ||
-          (issue.code === "contourMissing" && at !== "contour"))
-      )
-    );
-  });
 }
 
 /** Up to this many places of one kind are listed one by one: each has its own mark in the picture. */
