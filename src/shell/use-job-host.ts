@@ -110,6 +110,14 @@ export function useJobHost(read: JobReading): FindingsHost {
     };
     const toFirstOpen = () => goTo(read.reading.issues[0]?.at ?? null);
     const takeTool: FindingsHost["takeTool"] = (_, tool) => oneStep(() => setTool(tool))();
-    return { targetOf, fixesOf, cycleOf: () => job.cycle, point: () => undefined, toFirstOpen, takeTool };
+    return {
+      targetOf,
+      fixesOf,
+      trialsOf: () => [],
+      cycleOf: () => job.cycle,
+      point: () => undefined,
+      toFirstOpen,
+      takeTool,
+    };
   }, [t, language, read]);
 }

@@ -38,6 +38,16 @@ function typed(read: JobReading): readonly Found[] {
   return [...prompts, ...table.map((issue): Found => ({ ...NO_PLACE, issue, at: "contour" }))];
 }
 
+/** The first operation of a call of an unknown tool: a suitable tool is reported there. */
+function operationOfCall(
+  { issues }: Outcome["run"],
+  { issue, block }: Outcome["run"]["issues"][number],
+): number | null {
+  if (issue.code !== "toolUnknown" && issue.code !== "toolIndexUnknown") return null;
+  const better = issues.find((each) => each.issue.code === "betterTool" && (each.block ?? 0) > (block ?? 0));
+  return better?.operation ?? null;
+}
+
 /** Findings of the run and the stock. */
 function calculated({ run, simulation }: Outcome): readonly Found[] {
   const ran = run.issues.map((f): Found => {
@@ -49,7 +59,7 @@ function calculated({ run, simulation }: Outcome): readonly Found[] {
       block: f.block,
       line: f.line,
       inFile: f.inFile,
-      operation: f.operation,
+      operation: f.operation ?? operationOfCall(run, f),
       spot: spot && { ...spot, mark: "" },
     };
   });

@@ -1,3 +1,4 @@
+import { threadRepairs } from "./thread-repairs.ts";
 import type { Repair } from "./repair.ts";
 import { valueRepairs } from "./value-repairs.ts";
 import { withBlock, withInserted } from "../../../nc/edit.ts";
@@ -352,6 +353,7 @@ export function repairsOf(
       return insert(placeBehindFrame(program, index), toolCallOf(tool));
     }
   }
+  if (issue.code === "threadOverruns") return threadRepairs(program, index, issue);
   if (issue.code === "startOnWrongSide") return [withStart(program, index, issue.data)];
   if (issue.code === "approachValueCutsContour")
     return maybe(withLead(program, index, issue.data.word, issue.data.nearest));
