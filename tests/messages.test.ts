@@ -165,6 +165,8 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   blankNotTurned: { form: "0.1" },
   blankImpossible: {},
   endInFront: { value: 55.5, nearest: -55.5 },
+  diameterOutside: { value: 96.5, blank: 60.5 },
+  startInFront: { value: 55.5, nearest: -55.5 },
   endsExchanged: { axis: "X", start: 50.5, end: 75.5, other: "Q493" },
   blankAgainstContour: { place: "outside", contour: 75.5, blank: 60, nearest: 75.5 },
   boxTurned: { outer: 113.137, inner: 80 },

@@ -4,7 +4,7 @@ import { writer } from "../i18n/write.ts";
 import { positionAsTyped } from "../program/values/typed-value.ts";
 import { isSetupPlace } from "../app/fields/dialog/setup-prompts.ts";
 import { writeTyped } from "../app/fields/dialog/write-value.ts";
-import { setPrompt } from "../app/document/edits.ts";
+import { setPerRevolution, setPrompt } from "../app/document/edits.ts";
 import { setPlace, takePlace } from "../app/document/setup-edits.ts";
 import { goToField, openPrompt, enterSection } from "../app/place/place.ts";
 import type { JobReading } from "../app/document/reading.ts";
@@ -64,6 +64,8 @@ export function useJobHost(read: JobReading): FindingsHost {
             apply: () => takePlace("tool", String(issue.data.tool)),
           },
         ];
+      if (issue.code === "feedUnlikely" && issue.data.unit === "mm/min")
+        return [{ name: t.dialog.takeNearest("M136"), apply: oneStep(() => setPerRevolution(true)) }];
       if (issue.code === "startOnWrongSide") {
         const start = () => {
           setPlace("start.x", positionAsTyped(issue.data.x));
@@ -108,6 +110,14 @@ export function useJobHost(read: JobReading): FindingsHost {
     };
     const toFirstOpen = () => goTo(read.reading.issues[0]?.at ?? null);
     const takeTool: FindingsHost["takeTool"] = (_, tool) => takePlace("tool", String(tool));
-    return { targetOf, fixesOf, cycleOf: () => job.cycle, point: () => undefined, toFirstOpen, takeTool };
+    return {
+      targetOf,
+      fixesOf,
+      trialsOf: () => [],
+      cycleOf: () => job.cycle,
+      point: () => undefined,
+      toFirstOpen,
+      takeTool,
+    };
   }, [t, language, read]);
 }

@@ -9,7 +9,12 @@ export interface ProofIssue {
 }
 
 /** Questions about a dimension of the drawing whose sign or order is impossible. */
-export const QUESTIONS: ReadonlySet<string> = new Set<Code>(["endInFront", "endsExchanged"]);
+export const QUESTIONS: ReadonlySet<string> = new Set<Code>([
+  "endInFront",
+  "startInFront",
+  "endsExchanged",
+  "diameterOutside",
+]);
 
 /** Consequences of an operation without a tool path: the run has already reported the error of values, tool or plan. */
 const FOLLOWS_FAILURE: readonly Code[] = ["nothingCut", "airPasses", "materialLeft"];

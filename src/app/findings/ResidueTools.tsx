@@ -17,8 +17,23 @@ const MOST = 4;
 /** Causes of residual material that another tool may avoid. */
 const byTool: ReadonlySet<string> = new Set(["insertRadius", "mainEdge", "secondaryEdge", "toolWidth", "cutLength"]);
 
-/** Tools of the table that would remove residual material, tried on request, least left first. */
-export function ResidueTools({ entry, host }: { readonly entry: FindingEntry; readonly host: FindingsHost }) {
+/** Whether another tool may remove the residual material of a finding. */
+export const isLeftByTool = ({ issue }: FindingEntry): boolean =>
+  issue.code === "materialLeft" && byTool.has(issue.data.reason);
+
+/**
+ * Tools of the table that would remove residual material, tried on request, least left first. `isOpen`: with the other
+ * way, another cycle.
+ */
+export function ResidueTools({
+  entry,
+  host,
+  isOpen,
+}: {
+  readonly entry: FindingEntry;
+  readonly host: FindingsHost;
+  readonly isOpen: boolean;
+}) {
   const t = useTexts();
   const words = t.findings.residue;
   const write = writer(useLengths());
@@ -46,7 +61,7 @@ export function ResidueTools({ entry, host }: { readonly entry: FindingEntry; re
   };
   return (
     <>
-      {which}
+      {isOpen && which}
       {tools === null && (
         <button type="button" className="button small mend" onClick={() => void tryAll()}>
           {words.ask}

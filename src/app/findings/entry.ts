@@ -76,6 +76,9 @@ export const isAboutTool = (at: string | null): boolean => at !== null && toolPl
 
 const weight: Readonly<Record<Severity, number>> = { error: 0, warning: 1, info: 2 };
 
+/** The worst severity has the lowest weight. */
+export const weightOf = (severity: Severity): number => weight[severity];
+
 /** Findings of the stock. They come after those of the program, and residual material last: causes before effects. */
 const stockFindings: ReadonlySet<string> = new Set([
   "gouge",

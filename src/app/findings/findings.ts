@@ -7,6 +7,7 @@ import { stockIssues } from "../../sim/issues.ts";
 import { contourProblems } from "../document/contour-problems.ts";
 import type { Outcome } from "../calculation/outcome.ts";
 import type { JobReading } from "../document/reading.ts";
+import { withoutConsequences } from "./consequences.ts";
 import { inOrder, type FindingEntry } from "./entry.ts";
 import { letterOf, spotOfProof, spotOfRun } from "./spots.ts";
 
@@ -37,6 +38,16 @@ function typed(read: JobReading): readonly Found[] {
   return [...prompts, ...table.map((issue): Found => ({ ...NO_PLACE, issue, at: "contour" }))];
 }
 
+/** The first operation of a call of an unknown tool: a suitable tool is reported there. */
+function operationOfCall(
+  { issues }: Outcome["run"],
+  { issue, block }: Outcome["run"]["issues"][number],
+): number | null {
+  if (issue.code !== "toolUnknown" && issue.code !== "toolIndexUnknown") return null;
+  const better = issues.find((each) => each.issue.code === "betterTool" && (each.block ?? 0) > (block ?? 0));
+  return better?.operation ?? null;
+}
+
 /** Findings of the run and the stock. */
 function calculated({ run, simulation }: Outcome): readonly Found[] {
   const ran = run.issues.map((f): Found => {
@@ -48,7 +59,7 @@ function calculated({ run, simulation }: Outcome): readonly Found[] {
       block: f.block,
       line: f.line,
       inFile: f.inFile,
-      operation: f.operation,
+      operation: f.operation ?? operationOfCall(run, f),
       spot: spot && { ...spot, mark: "" },
     };
   });
@@ -67,46 +78,6 @@ function calculated({ run, simulation }: Outcome): readonly Found[] {
     };
   });
   return [...ran, ...proved];
-}
-
-/**
- * Codes for a tool that cannot do the work at all, and codes of its consequences: another contour or value would not
- * help.
- */
-const wrongTool: ReadonlySet<string> = new Set(["toolUnfit", "toolOnWrongSide", "toolCannotCutSideways"]);
-const ofWrongTool: ReadonlySet<string> = new Set([
-  "angleNotFollowed",
-  "cornerSmallerThanInsert",
-  "recessNarrowerThanTool",
-  "nothingToCut",
-  "depthOverCutLength",
-  "nothingCut",
-]);
-
-/**
- * Removes findings that only follow from a listed one, or repeat it: "not verified from this block" says more than "not
- * simulated".
- */
-function withoutConsequences(all: readonly Found[]): readonly Found[] {
-  const unfit = new Set(
-    all.flatMap(({ issue, operation }) => (issue.severity === "error" && wrongTool.has(issue.code) ? [operation] : [])),
-  );
-  const placeOf = ({ block, inFile }: Found) => (inFile ? `${inFile.file} ${inFile.line}` : block);
-  const unproved = new Set(all.flatMap((found) => (found.issue.code === "notProved" ? [placeOf(found)] : [])));
-  const noContour = all.some(({ issue }) => issue.code === "contourMissing" && issue.data.label === "");
-  return all.filter((found) => {
-    const { issue, at, operation } = found;
-    return (
-      !(unfit.has(operation) && issue.severity !== "error" && ofWrongTool.has(issue.code)) &&
-      !((issue.code === "cycleNotSimulated" || issue.code === "notSimulated") && unproved.has(placeOf(found))) &&
-      !(
-        noContour &&
-        (issue.code === "contourTooShort" ||
-          issue.code === "nothingToCut" ||
-          (issue.code === "contourMissing" && at !== "contour"))
-      )
-    );
-  });
 }
 
 /** Up to this many places of one kind are listed one by one: each has its own mark in the picture. */
@@ -148,11 +119,27 @@ function withoutFollowing(early: readonly Found[], late: readonly Found[]): read
   return isAsked ? late.filter(({ issue }) => !followsQuestion(issue.code)) : late;
 }
 
-/** Removes questions of the prompts that the program repeats, whose severity counts. */
-const withoutRepeated = (early: readonly Found[], late: readonly Found[]): readonly Found[] =>
-  early.filter(
-    ({ issue, at }) => !QUESTIONS.has(issue.code) || !late.some((l) => l.issue.code === issue.code && l.at === at),
-  );
+/** Whether a set blank is questioned for a diameter that the program questions, too. */
+const isBlankOf = ({ issue }: Found, { issue: late, at }: Found): boolean =>
+  issue.code === "blankAgainstContour" && late.code === "diameterOutside" && issue.data.other === at;
+
+/**
+ * Joins questions of the prompts with their consequences and repeats in the program: with an error among them, the
+ * question is one.
+ */
+function joinQuestions(early: readonly Found[], late: readonly Found[]): readonly Found[] {
+  const isRefused = late.some(({ issue }) => issue.severity === "error");
+  const asked = early
+    .filter(
+      ({ issue, at }) => !QUESTIONS.has(issue.code) || !late.some((l) => l.issue.code === issue.code && l.at === at),
+    )
+    .map((found): Found => {
+      const { issue } = found;
+      const isCause = QUESTIONS.has(issue.code) ? isRefused : late.some((each) => isBlankOf(found, each));
+      return isCause ? { ...found, issue: { ...issue, severity: "error" } as AnyIssue } : found;
+    });
+  return [...asked, ...withoutFollowing(early, late).filter((each) => !early.some((found) => isBlankOf(found, each)))];
+}
 
 /**
  * All findings of the open work, worst first, without repeats: those of the prompts at once, and those of the last
@@ -162,10 +149,7 @@ export function findingsOf(read: JobReading | null, outcome: Outcome | null): re
   const early = read ? typed(read) : [];
   const late = outcome && (!read || read.reading.values) ? calculated(outcome) : [];
   const all = new Map<string, FindingEntry>();
-  for (const found of groupPlaces(
-    withoutConsequences([...withoutRepeated(early, late), ...withoutFollowing(early, late)]),
-    outcome?.run.operations ?? [],
-  )) {
+  for (const found of groupPlaces(withoutConsequences(joinQuestions(early, late)), outcome?.run.operations ?? [])) {
     const { issue, at, line, inFile } = found;
     // The text of a job is made from its prompts: a finding of both is listed once.
     const key = JSON.stringify([issue.code, at, issue.data, read ? null : line, inFile]);

@@ -1,9 +1,17 @@
+import type { ProgramWork } from "../document/work.ts";
 import type { FindingEntry } from "./entry.ts";
 
 /** A button that fixes a finding, in one step of undo. */
 export interface Fix {
   readonly name: string;
   readonly apply: () => void;
+}
+
+/** A fix that only a run shows to help; of those of one group, the first that helps is offered. */
+export interface Trial extends Fix {
+  readonly group: string;
+  /** The program with the fix. */
+  readonly work: () => ProgramWork;
 }
 
 /** The place where a finding is fixed by hand. */
@@ -16,6 +24,7 @@ export interface Target {
 export interface FindingsHost {
   readonly targetOf: (entry: FindingEntry) => Target | null;
   readonly fixesOf: (entry: FindingEntry) => readonly Fix[];
+  readonly trialsOf: (entry: FindingEntry) => readonly Trial[];
   /** The cycle whose definition has the finding: it decides what the value at its place measures. */
   readonly cycleOf: (entry: FindingEntry) => number | null;
   /** Marks the place of a finding beside the list, without leaving the list. */

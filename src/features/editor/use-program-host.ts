@@ -9,7 +9,7 @@ import { addFiles } from "../../app/fields/open/open-program.ts";
 import { showFile, useShownOtherFile } from "../../app/document/shown-file.ts";
 import { isIn, ownPlace } from "../../app/document/shown-findings.ts";
 import { placeInFile } from "../../app/calculation/issue-text.ts";
-import type { Program } from "../../nc/program.ts";
+import { print, type Program } from "../../nc/program.ts";
 import { enterSection } from "../../app/place/place.ts";
 import { outputInUse } from "../../app/document/output.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
@@ -70,10 +70,29 @@ export function useProgramHost(): FindingsHost {
     const nameOf = ({ kind, text, block }: Repair): string => {
       if (kind === "take")
         return t.dialog.takeNearest(typeof text === "number" ? writeTyped(language, text, DECIMALS) : text);
+      if (kind === "runOut") return t.findings.runOut(String(text));
+      if (kind === "endThread") return t.findings.endThread(String(text));
+      if (kind === "relief") return t.findings.relief;
       if (kind === "tie") return t.page.text.tie;
       if (kind === "meant") return t.findings.meant;
       if (kind === "write") return t.findings.write(String(text), block);
       return kind === "insert" ? t.findings.insert(String(text)) : t.findings.remove(String(text));
+    };
+    const fixWith = (repair: Repair): Fix => ({
+      name: nameOf(repair),
+      apply: () => {
+        editProgram(repair.next(), null, repair.open);
+        if (repair.asks) enterSection("block");
+      },
+    });
+    const trialsOf: FindingsHost["trialsOf"] = (entry) => {
+      const work = useEditor.getState().program;
+      if (!work || !isUpToDate(newest) || beside !== null || entry.inFile) return [];
+      return repairsOf(program, entry, language, outputInUse()).flatMap((repair) =>
+        repair.trial === undefined
+          ? []
+          : [{ ...fixWith(repair), group: repair.trial, work: () => ({ ...work, text: print(repair.next()) }) }],
+      );
     };
     const open = (entry: FindingEntry) => openBlock(showPlace(entry), entry.at);
     const targetOf: FindingsHost["targetOf"] = (entry) => {
@@ -88,6 +107,11 @@ export function useProgramHost(): FindingsHost {
         go,
       };
     };
+    /** The name of a spelling correction: the right text. */
+    const spelling = ({ issue }: FindingEntry): string | null =>
+      (issue.code === "notUnderstood" || issue.code === "wordNotUnderstood") && issue.fix
+        ? t.dialog.takeNearest(issue.fix.text.split(/\r?\n/)[0] ?? "")
+        : null;
     const fixesOf: FindingsHost["fixesOf"] = (entry) => {
       const missing = missingFile(entry);
       if (missing !== null)
@@ -100,17 +124,14 @@ export function useProgramHost(): FindingsHost {
       const view = sessionView();
       if (!view || !isUpToDate(newest) || !isShown(entry)) return [];
       const own = inOwnText(entry);
-      const repairs = repairsOf(program, own, language, outputInUse()).map((repair): Fix => ({
-        name: nameOf(repair),
-        apply: () => {
-          editProgram(repair.next(), null, repair.open);
-          if (repair.asks) enterSection("block");
-        },
-      }));
+      const repairs = repairsOf(program, own, language, outputInUse())
+        .filter(({ trial }) => trial === undefined)
+        .map(fixWith);
       const tool = entry.issue.code === "betterTool" && repairs.length === 0 ? entry.issue.data.tool : null;
       if (tool !== null) return [{ name: t.setup.tool.take(tool), apply: () => takeTool(entry, tool) }];
       const fix = fixOf(view.state, own);
-      return fix ? [{ name: t.findings.fix, apply: () => dispatchEdit(fix, null) }, ...repairs] : repairs;
+      const name = spelling(own) ?? t.findings.fix;
+      return fix ? [{ name, apply: () => dispatchEdit(fix, null) }, ...repairs] : repairs;
     };
     const takeTool: FindingsHost["takeTool"] = (entry, tool) => {
       if (!isUpToDate(newest)) return;
@@ -120,7 +141,8 @@ export function useProgramHost(): FindingsHost {
         showFile(null);
         index = indexOf(shownProgram(), entry);
       }
-      if (index >= 0) editProgram(withTool(shownProgram(), index, tool), null);
+      const called = shownProgram().blocks[index]?.statement.kind === "toolCall" ? index + 1 : index;
+      if (index >= 0) editProgram(withTool(shownProgram(), called, tool), null);
     };
     const cycleOf: FindingsHost["cycleOf"] = (entry) => {
       if (!isShown(entry))
@@ -128,6 +150,6 @@ export function useProgramHost(): FindingsHost {
       const s = program.blocks[indexOf(program, inOwnText(entry))]?.statement;
       return s?.kind === "cycle" ? s.cycle : null;
     };
-    return { targetOf, fixesOf, cycleOf, point: open, toFirstOpen: () => undefined, takeTool };
+    return { targetOf, fixesOf, trialsOf, cycleOf, point: open, toFirstOpen: () => undefined, takeTool };
   }, [t, language, reading, newest, beside]);
 }

@@ -110,6 +110,8 @@ export const courseTask = {
       bore: (is, asked) => `Bohrung ⌀ ${is} statt ⌀ ${asked}`,
       face: (is, asked) => `Die Planfläche liegt bei Z ${is} statt ${asked}`,
     },
+    half: (said) => `${said}, genau die Hälfte: ein Radius?`,
+    twice: (said) => `${said}, genau das Doppelte: ein Durchmesser als Radius eingegeben?`,
     noSize: (asked) => `Für ${asked} ist kein Material zum Messen da`,
     depth: (is, most) => `Ein Schnitt ist ${is} mm tief; erlaubt sind ${most} mm`,
     speed: (is, most) => `Die Spindel kann ${is} 1/min erreichen; erlaubt sind ${most} 1/min`,

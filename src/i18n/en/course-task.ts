@@ -113,6 +113,8 @@ export const courseTask = {
       bore: (is: string, asked: string) => `Bore ⌀ ${is} instead of ⌀ ${asked}`,
       face: (is: string, asked: string) => `The shoulder is at Z ${is} instead of ${asked}`,
     },
+    half: (said: string) => `${said}, exactly half of it: a radius?`,
+    twice: (said: string) => `${said}, exactly twice as much: a diameter entered as a radius?`,
     noSize: (asked: string) => `No material to measure for ${asked}`,
     depth: (is: string, most: string) => `A pass is ${is} mm deep; ${most} mm are allowed`,
     speed: (is: string, most: string) => `The spindle can reach ${is} rpm; ${most} rpm are allowed`,

@@ -110,6 +110,8 @@ export const courseTask = {
       bore: (is, asked) => `Alésage ⌀ ${is} au lieu de ⌀ ${asked}`,
       face: (is, asked) => `L’épaulement est à Z ${is} au lieu de ${asked}`,
     },
+    half: (said) => `${said}, exactement la moitié : un rayon ?`,
+    twice: (said) => `${said}, exactement le double : un diamètre pris pour un rayon ?`,
     noSize: (asked) => `Aucune matière à mesurer pour ${asked}`,
     depth: (is, most) => `Une passe fait ${is} mm de profondeur ; ${most} mm sont permis`,
     speed: (is, most) => `La broche peut atteindre ${is} tr/min ; ${most} tr/min sont permis`,

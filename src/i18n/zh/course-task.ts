@@ -95,6 +95,8 @@ export const courseTask = {
       bore: (is, asked) => `内孔 ⌀ ${is}，要求 ⌀ ${asked}`,
       face: (is, asked) => `台阶面在 Z ${is}，要求 ${asked}`,
     },
+    half: (said) => `${said}，正好一半：是否按半径输入？`,
+    twice: (said) => `${said}，正好两倍：是否把直径当作半径？`,
     noSize: (asked) => `没有可测的材料：${asked}`,
     depth: (is, most) => `一刀切深 ${is} mm，允许 ${most} mm`,
     speed: (is, most) => `主轴可达 ${is} rpm，允许 ${most} rpm`,

@@ -45,6 +45,10 @@ interface Data {
   diameterNegative: { value: number; nearest?: number };
   /** The end of a contour in front of its start, where there is no material: the minus sign is missing. */
   endInFront: { value: number; nearest: number };
+  /** The start of a contour far in front of the blank, its end inside it: the minus sign is missing. */
+  startInFront: { value: number; nearest: number };
+  /** A diameter of the drawing larger than that of the blank: with it, the cycle turns a bore, or cuts the air. */
+  diameterOutside: { value: number; blank: number };
   /**
    * Start and end of a contour, ⌀ or Z, are exchanged: in this order there is no material between them, in the other
    * there is.

@@ -9,7 +9,7 @@ import type { BlankDraft, SetJob } from "./job.ts";
 import type { SetupPlace } from "./setup-places.ts";
 import type { EstimatedWork } from "../values/estimated-work.ts";
 import type { Setup } from "./setup.ts";
-import { endInFront, endsAlong } from "../values/dimension-slips.ts";
+import { endInFront, endsAlong, endsExchangedAlong, startInFront } from "../values/dimension-slips.ts";
 import type { DraftReading } from "./read-draft.ts";
 
 /** Largest part of a contour in front of the blank without a question: cuts begin in the air. */
@@ -26,18 +26,16 @@ export interface QuestionInput {
 
 const numberAt = (blank: BlankDraft, field: keyof BlankDraft) => readText(anyNumber, blank[field]).value;
 
-/** Reports an end in front of the work, as far as tool and blank are chosen. */
+/** Questions a sign or an order along Z, as far as tool, blank and start are chosen. */
 function slips({ cycle, job, setup, partial, tools }: QuestionInput, { from, to }: EstimatedWork): Issue[] {
   const front = setup.proposed.has("blank.allowance") ? null : numberAt(job.blank, "allowance");
   const tool = setup.proposed.has("tool") ? null : (tools.find(({ T }) => T === job.tool) ?? null);
-  const found = endInFront({
-    cycle,
-    values: partial,
-    from: from.z,
-    to: to.z,
-    blank: front === null ? null : { front },
-    tool,
-  });
+  const startZ = setup.proposed.has("start.z") ? null : readText(anyNumber, setup.start.z).value;
+  const blank = front === null ? null : { front };
+  const found =
+    endInFront({ cycle, values: partial, from: from.z, to: to.z, blank, tool }) ??
+    startInFront({ cycle, values: partial, to: to.z, blank }) ??
+    (tool || !blank ? endsExchangedAlong(cycle, partial, tool, startZ) : null);
   return found ? [found] : [];
 }
 
@@ -106,5 +104,10 @@ function blankQuestions({ cycle, job, setup, partial }: QuestionInput, work: Est
 /** Questions where values and set-up disagree, each with a correction. None is an error: both may be intended. */
 export function setupQuestions(asked: QuestionInput): readonly (Issue | ProgramIssue)[] {
   const { work } = asked.setup;
-  return work ? [...slips(asked, work), ...blankQuestions(asked, work)] : [];
+  if (!work) return [];
+  const questioned = slips(asked, work);
+  const blank = blankQuestions(asked, work);
+  // A start in front of the blank is either a sign or the blank; the sign is asked first.
+  const isFront = ({ at }: ProgramIssue) => at === "blank.allowance";
+  return [...questioned, ...(questioned.length > 0 ? blank.filter((each) => !isFront(each)) : blank)];
 }

@@ -157,6 +157,12 @@ describe("questions where values and set-up do not agree", () => {
       ["endInFront", "Q494", { value: 55.4, nearest: -55.4 }],
     ]);
   });
+  test.each([
+    ["is questioned", {}, [["endsExchanged", "Q492", { axis: "Z", start: -35, end: -10, other: "Q494" }]]],
+    ["is right with a start point behind it", { start: { ...UNSET.start, z: "-37" } }, []],
+  ])("an order away from the chuck %s", (_, rest, found) =>
+    expect(asked(emptyJob(812, { ...shoulder, Q492: "-35", Q494: "-10" }, rest))).toEqual(found),
+  );
   test.each<[number, Readonly<Record<string, string>>, Partial<Job["blank"]>, string, object]>([
     [
       812,

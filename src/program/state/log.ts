@@ -3,6 +3,7 @@ import type { Pt, Ring } from "../../kernel/geometry/point.ts";
 import type { Spindle, StatedBlank, Step, UnsimulatedBlock } from "../../kernel/time/step.ts";
 import { axial, radius } from "../../kernel/units.ts";
 import type { NcIssue } from "../../nc/issue.ts";
+import { spellingFix } from "../../nc/typing-slips.ts";
 import { blockNumbers, eachIssue, startLines, type Program } from "../../nc/program.ts";
 import { AppendList, AppendSet, type Mutable } from "../values/persistent.ts";
 import { limitPerCode, MOST_PER_CODE } from "./finding-limit.ts";
@@ -75,6 +76,9 @@ export const emptyLog = (): LogState => ({
   left: new AppendSet(),
   texts: [],
 });
+
+/** Blocks and words for which another spelling is tried: more slips are another language. */
+const MOST_SPELT = 40;
 
 /** Records steps and findings of a run, each at its block. */
 export class Log {
@@ -274,7 +278,13 @@ export class Log {
     const findings = this.draft.findings.slice();
     const missing = new Set(findings.filter((f) => f.issue.code === "missing").map((f) => f.line));
     const order = (a: RunFinding, b: RunFinding) => (a.line ?? 0) - (b.line ?? 0);
-    return [...limitPerCode(this.read(missing)), ...limitPerCode(findings.toSorted(order))].sort(order);
+    const read = limitPerCode(this.read(missing));
+    const unread = read.filter(({ issue }) => issue.code === "notUnderstood" || issue.code === "wordNotUnderstood");
+    const spelt = new Set(unread.slice(0, MOST_SPELT));
+    return [
+      ...read.map((found) => (spelt.has(found) ? this.spelt(found) : found)),
+      ...limitPerCode(findings.toSorted(order)),
+    ].sort(order);
   }
 
   /** Findings of the reader, except those also reported as missing parameters. */
@@ -288,6 +298,17 @@ export class Log {
         if (issue.severity !== "info")
           yield { issue, ...at, operation: null, inFile: { file: file.name, block: null, line: issue.line } };
     }
+  }
+
+  /** A finding of the reader with the right spelling, where a typing slip is its cause. */
+  private spelt(found: RunFinding): RunFinding {
+    const { issue, line, inFile } = found;
+    if (inFile || !("offset" in issue) || issue.fix) return found;
+    const { blocks } = this.input.program;
+    const at = this.input.lines.findLastIndex((start) => start <= (line ?? 0));
+    const begin = blocks.slice(0, at).reduce((sum, { raw }) => sum + raw.length, 0);
+    const fix = spellingFix(issue, blocks[at]?.raw ?? "", begin);
+    return fix ? { ...found, issue: { ...issue, fix } } : found;
   }
 
   private located(issue: NcIssue): RunFinding {

@@ -80,10 +80,39 @@ describe("an impossible sign is questioned, and nothing else is reported for the
   });
 });
 
+describe("a start far in front of the blank is questioned", () => {
+  test.each([
+    [813, 10],
+    [842, 20],
+    [852, 20],
+  ])("%i from Z+%d", (cycle, start) => {
+    expect(told({ cycle, change: { Q492: start } })).toMatchObject([
+      { code: "startInFront", at: "Q492", data: { value: start, nearest: -start } },
+    ]);
+  });
+  test("both signs: the end first", () => {
+    expect(told({ cycle: 812, change: { Q492: 20, Q494: 55 } })).toMatchObject([
+      { code: "endInFront", severity: "error", at: "Q494" },
+    ]);
+  });
+  test("cutting from the air just in front is usual", () => {
+    expect(codes({ cycle: 812, change: { Q492: 4 } })).not.toContain("startInFront");
+  });
+});
+
+describe("a diameter larger than the blank is named as the cause", () => {
+  test("instead of a boring bar", () => {
+    expect(told({ cycle: 812, change: { Q493: 96.4 } })).toMatchObject([
+      { code: "diameterOutside", severity: "error", at: "Q493", data: { value: 96.4, blank: 75 } },
+    ]);
+  });
+});
+
 describe("an impossible order is questioned", () => {
   test.each([
     ["X", 812, { Q491: 50, Q493: 75 }, "Q491", { start: 50, end: 75, other: "Q493" }],
     ["Z", 812, { Q492: -55, Q494: 0 }, "Q492", { start: -55, end: 0, other: "Q494" }],
+    ["Z", 812, { Q492: -55, Q494: -10 }, "Q492", { start: -55, end: -10, other: "Q494" }],
     ["X", 842, { Q491: 50, Q493: 75 }, "Q491", { start: 50, end: 75, other: "Q493" }],
     ["Z", 822, { Q492: -15, Q494: 0 }, "Q492", { start: -15, end: 0, other: "Q494" }],
   ])("in %s of %i", (axis, cycle, change, at, data) => {

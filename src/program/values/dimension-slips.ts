@@ -13,7 +13,7 @@ import type { Judge } from "./tested-offers.ts";
 
 /** Tips that point away from the chuck: such a tool is chosen to work that way. */
 const AWAY: ReadonlySet<number> = new Set([3, 4, 5]);
-/** Largest distance of a contour start in front of the blank, mm. */
+/** A contour may start this far in front of the blank, mm: its first cut begins in the air. */
 const AHEAD = 5;
 
 /** Ends of the blank along Z, in program coordinates. */
@@ -42,21 +42,32 @@ export const endsAlong = (cycle: Cycle, kind: "diameter" | "axial"): readonly st
     .filter(([, p]) => p.kind === kind && p.drawn && !p.incremental)
     .map(([q]) => q);
 
-const endOf = (cycle: Cycle): string | undefined =>
-  Object.keys(cycle.params).find((name) => cycle.params[name]?.text === "endZ");
+const parameterWith = (cycle: Cycle, text: Param["text"]): string | undefined =>
+  Object.keys(cycle.params).find((name) => cycle.params[name]?.text === text);
 
 /**
  * Reports an end in front of its start and of the blank: no material is there, so its minus sign is probably missing.
  */
 export function endInFront({ cycle, values, from, to, blank, tool }: EndCheckInput): Issue | null {
-  const q = endOf(cycle),
+  const q = parameterWith(cycle, "endZ"),
     value = q === undefined ? undefined : values[q];
   if (q === undefined || typeof value !== "number" || !(value > 0) || to <= from || -value >= from) return null;
   if (endsAlong(cycle, "axial").some((name) => typeof values[name] !== "number")) return null;
-  if (blank && (value <= blank.front + SAME || from > blank.front + AHEAD)) return null;
+  if (blank && value <= blank.front + SAME) return null;
   if (blank?.back !== undefined && -value < blank.back - SAME) return null;
   if (tool && AWAY.has(tool.TO)) return null;
   return issue("endInFront", "warning", { value, nearest: -value }, q);
+}
+
+/**
+ * Reports a start far in front of the blank, with the end inside it: with a minus sign the whole contour is in the blank.
+ */
+export function startInFront({ cycle, values, to, blank }: Omit<EndCheckInput, "from" | "tool">): Issue | null {
+  const q = parameterWith(cycle, "startZ"),
+    value = q === undefined ? undefined : values[q];
+  if (q === undefined || typeof value !== "number" || !blank) return null;
+  if (value <= Math.max(0, blank.front) + AHEAD || to > blank.front || -value <= to) return null;
+  return issue("startInFront", "warning", { value, nearest: -value }, q);
 }
 
 /** Exchangeable start and end parameters of an axis; null where a cycle has only one of them, or takes any order. */
@@ -66,6 +77,30 @@ function endsOf(cycle: Cycle, axis: "X" | "Z"): readonly [string, string] | null
   if (cycle.thread || (isGroove && (axis === "X") === across)) return null;
   const [start, end, ...more] = endsAlong(cycle, axis === "X" ? "diameter" : "axial");
   return start !== undefined && end !== undefined && more.length === 0 ? [start, end] : null;
+}
+
+/**
+ * Reports ends along Z in the order of a cut away from the chuck, unless a chosen tool or start point belongs to one.
+ */
+export function endsExchangedAlong(
+  cycle: Cycle,
+  values: EndCheckInput["values"],
+  tool: Tool | null,
+  startZ: number | null,
+): Issue | null {
+  const [a, b] = endsOf(cycle, "Z") ?? [];
+  const [start, end] = [values[a ?? ""], values[b ?? ""]];
+  if (a === undefined || b === undefined || typeof start !== "number" || typeof end !== "number") return null;
+  if (end <= start || (tool && AWAY.has(tool.TO)) || (startZ !== null && startZ < end - SAME)) return null;
+  return issue("endsExchanged", tool ? "error" : "warning", { axis: "Z", start, end, other: b }, a);
+}
+
+/** Reports a diameter of the drawing larger than the blank. */
+function diameterOutside(cycle: Cycle, values: EndCheckInput["values"], blank: number) {
+  const sizes = endsAlong(cycle, "diameter").map((at) => ({ at, value: Number(values[at] ?? 0) }));
+  const { at, value } = sizes.reduce((most, each) => (each.value > most.value ? each : most), { at: "", value: blank });
+  if (value <= blank + SAME) return null;
+  return { at, code: "diameterOutside", severity: "error", data: { value, blank } } as const;
 }
 
 const isSame = (a: Issue, b: Issue): boolean => a.code === b.code && a.at === b.at;
@@ -100,17 +135,19 @@ export function dimensionSlip<P extends Params>(asked: SlipCheckInput<P>): reado
     box = rings ? boxAround(rings) : null;
   const plain = cycle as unknown as Cycle;
   const z = endsOf(plain, "Z"),
-    q = endOf(plain);
+    q = parameterWith(plain, "endZ");
   const from =
     beginsAtTip(plain) || !endsAlong(plain, "axial")[1] ? start.z : numberOf(endsAlong(plain, "axial")[0] ?? "");
   const reach = box && { front: box.right, back: box.left };
   const severity = isRefused(found) ? ("error" as const) : ("warning" as const);
   const inFront =
     q === undefined ? null : endInFront({ cycle: plain, values: typed, from, to: numberOf(q), blank: reach, tool });
-  if (inFront?.code === "endInFront" && inFront.at !== undefined) {
-    const after = judged({ [inFront.at]: inFront.data.nearest });
-    if (fixesFinding(inFront, found, after))
-      return [{ ...inFront, severity }, ...outlined.filter((each) => after.some((a) => isSame(a, each)))];
+  const begun = q === undefined ? null : startInFront({ cycle: plain, values: typed, to: numberOf(q), blank: reach });
+  for (const asked of [inFront, begun]) {
+    if ((asked?.code !== "endInFront" && asked?.code !== "startInFront") || asked.at === undefined) continue;
+    const after = judged({ [asked.at]: asked.data.nearest });
+    if (fixesFinding(asked, found, after))
+      return [{ ...asked, severity }, ...outlined.filter((each) => after.some((a) => isSame(a, each)))];
   }
   // With a tool for that direction, the order is intended.
   if (!box || severity === "warning") return null;
@@ -126,6 +163,8 @@ export function dimensionSlip<P extends Params>(asked: SlipCheckInput<P>): reado
       return null;
     return issue("endsExchanged", "error", { axis, start: first, end: last, other: b }, a);
   };
+  const outside = diameterOutside(plain, typed, toDiameter(radius(box.high)));
+  if (outside && !isRefused(judged({ [outside.at]: outside.data.value / 2 }))) return [outside];
   const x = endsOf(plain, "X"),
     bore = toDiameter(radius(box.low));
   const isSolid =
@@ -133,7 +172,12 @@ export function dimensionSlip<P extends Params>(asked: SlipCheckInput<P>): reado
   const order =
     (z &&
       !AWAY.has(tool.TO) &&
-      exchanged("Z", z, (first, last) => last > first && last >= box.right - SAME && first < box.right - SAME)) ||
+      exchanged(
+        "Z",
+        z,
+        (first, last) =>
+          last > first && (start.z >= last - SAME || (last >= box.right - SAME && first < box.right - SAME)),
+      )) ||
     (x && exchanged("X", x, (first, last) => (first < last ? isSolid : bore > SAME && last <= bore + SAME)));
   return order ? [order] : null;
 }

@@ -80,6 +80,9 @@ Q480=+0 ~
 Q482=+0 ~
 Q506=+0`;
 
+/** A subprogram that nothing calls. */
+const UNUSED = "L Z+40 FMAX\nLBL 3\nL X+100 FMAX\nLBL 0";
+
 /** Finding, program, and the block, word or value that is offered first. */
 const cases: readonly (readonly [code: string, text: string, offered: string | number])[] = [
   [
@@ -97,6 +100,13 @@ const cases: readonly (readonly [code: string, text: string, offered: string | n
   ["startUnknown", without("L X+90 Z+40 R0 FMAX", "L X+61.3 Y+0 Z+2 FMAX M303"), "L X+61.3 Z+2 FMAX M303"],
   ["contourNotNamed", changed(cycle812(), FREE), "CYCL DEF 14, LBL 1"],
   ["labelMissing", changed(cycle812(), `CYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 LABEL7\n${FREE}`), "LBL 7"],
+  ["feedUnlikely", without("M136"), "M136"],
+  ["feedUnlikely", changed("M136", "M137"), "M136"],
+  ["feedUnlikely", changed("M136", "L X+100 FMAX M137"), "M136"],
+  ["labelMissing", changed("L Z+40 FMAX", `CALL LBL 5\n${UNUSED}`), "LBL 3"],
+  ["labelMissing", changed("L Z+40 FMAX", `FN 9: IF +1 EQU +1 GOTO LBL 5\n${UNUSED}`), "LBL 3"],
+  ["labelMissing", changed("L Z+40 FMAX", `CALL LBL "HOMME"\n${UNUSED.replace("3", '"HOME"')}`), 'LBL "HOME"'],
+  ["labelMissing", changed(cycle812(), `CYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 LABEL5\n${FREE}\n${UNUSED}`), "LBL 3"],
   ["parameterForeign", changed(cycle812(), cycle812(" ~\nQ999=+3 ;STRANGE")), "Q999"],
   ["compensationActive", changed("L X+61.3 Y+0 Z+2 FMAX M303", "L X+61.3 Y+0 Z+2 RR FMAX M303"), "R0"],
   ["outOfRange", changed(cycle812(), cycle812().replace("Q463=+2.3", "Q463=+1200")), 5],
@@ -111,9 +121,9 @@ test("the program on which the cases are based is correct", () => {
 test.each(cases)("%s is fixed by the offered repair", (code, text, offered) => {
   const entry = findingsOf(null, outcomeOf(text)).find(({ issue }) => issue.code === code);
   if (!entry) throw new Error(`not found: ${code}; found: ${codes(text).join(" ")}`);
-  const [repair] = repairsOf(parse(text), entry, "en", NC_OUTPUTS.manual);
-  expect(repair?.text).toBe(offered);
-  expect(codes(print(repair?.next() ?? parse(text)))).not.toContain(code);
+  const repairs = repairsOf(parse(text), entry, "en", NC_OUTPUTS.manual);
+  expect(repairs[0]?.text).toBe(offered);
+  for (const { next } of repairs) expect(codes(print(next()))).not.toContain(code);
 });
 
 test("setting a value changes nothing else", () => {

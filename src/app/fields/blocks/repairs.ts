@@ -1,3 +1,4 @@
+import { threadRepairs } from "./thread-repairs.ts";
 import type { Repair } from "./repair.ts";
 import { valueRepairs } from "./value-repairs.ts";
 import { withBlock, withInserted } from "../../../nc/edit.ts";
@@ -18,6 +19,7 @@ import { ncLabels } from "../../../i18n/nc-labels.ts";
 import { ncLanguageOf, type Language } from "../../../i18n/languages.ts";
 import type { FindingEntry } from "../../findings/entry.ts";
 import { inProgram } from "./block-prompts.ts";
+import { labelRepairs } from "./label-repairs.ts";
 import { withContour, withContourNamed } from "./missing-contour.ts";
 
 /** Index of the block that a finding belongs to; -1 when it belongs to none. */
@@ -215,6 +217,25 @@ function withSpindleStarted(program: Program, call: number, spindleOn: number): 
   return { kind: "write", text: `M${spindleOn}`, block: String(blockNumbers(program)[moves] ?? ""), next, open: moves };
 }
 
+/** Switches to feed per revolution where it was switched off, or after the tool call. */
+function withFeedPerRevolution(program: Program, index: number): Repair {
+  const [perRevolution, perMinute] = [136, 137];
+  const at = lastOf(
+    program,
+    index,
+    (s) => "words" in s && "functions" in s.words && s.words.functions.includes(perMinute),
+  );
+  const s = program.blocks[at]?.statement;
+  if (at > toolCallBefore(program, index) && s && "words" in s && "functions" in s.words) {
+    const functions = s.words.functions.map((m) => (m === perMinute ? perRevolution : m));
+    const next = () => withBlock(program, at, { ...s, words: { ...s.words, functions } } as Statement);
+    return { kind: "write", text: `M${perRevolution}`, block: String(blockNumbers(program)[at] ?? ""), next, open: at };
+  }
+  let place = Math.max(toolCallBefore(program, index) + 1, placeBehindFrame(program, index));
+  while (program.blocks[place]?.statement.kind === "spin") place += 1;
+  return insertion(program, place, [{ kind: "functions", words: { ...noWords, functions: [perRevolution] } }], index);
+}
+
 /** Changes the length or radius of an approach or departure. */
 function withLead(program: Program, index: number, word: "LEN" | "R", mm: number): Repair | null {
   const s = program.blocks[index]?.statement,
@@ -271,6 +292,8 @@ export function repairsOf(
       return asking(insert(placeBehindFrame(program, index), toolCallOf(1)));
     case "startUnknown":
       return maybe(withKnownStart(program, index, outputIn(program, output).spindleOn));
+    case "feedUnlikely":
+      return "unit" in issue.data && issue.data.unit === "mm/min" ? [withFeedPerRevolution(program, index)] : [];
     case "programEndMissing":
       return insert(placeOfEnd(program), { kind: "functions", words: { ...noWords, functions: [output.end] } });
     case "listWithoutTilde":
@@ -312,7 +335,10 @@ export function repairsOf(
       const label = /^\d+$/.test(missing) ? Number(missing) : missing;
       const contour =
         definition?.kind === "cycle" && missing !== "" ? withContour(program, definition.cycle, label) : null;
-      return contour ? [{ kind: "insert", text: `LBL ${missing}`, block: "", open: index, next: () => contour }] : [];
+      const made: readonly Repair[] = contour
+        ? [{ kind: "insert", text: `LBL ${missing}`, block: "", open: index, next: () => contour }]
+        : [];
+      return [...labelRepairs(program, missing), ...made];
     }
     case "compensationActive":
       return maybe(withoutCompensation(program, index));
@@ -327,6 +353,7 @@ export function repairsOf(
       return insert(placeBehindFrame(program, index), toolCallOf(tool));
     }
   }
+  if (issue.code === "threadOverruns") return threadRepairs(program, index, issue);
   if (issue.code === "startOnWrongSide") return [withStart(program, index, issue.data)];
   if (issue.code === "approachValueCutsContour")
     return maybe(withLead(program, index, issue.data.word, issue.data.nearest));

@@ -39,8 +39,7 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
     typeof reading.written === "object" &&
     reading.written !== null;
   const untouched = opened.before.trim() === "";
-  const calm = (entry: FindingEntry) =>
-    entry.issue.code === "endInFront" || (isOpen(entry) && (untouched || entry.issue.code === "unknownParameter"));
+  const calm = (entry: FindingEntry) => isOpen(entry) && (untouched || entry.issue.code === "unknownParameter");
   const suggested = suggestionFor(session, prompt);
   const takeAt = (id: string) => (nearest: number) => {
     closeStep();

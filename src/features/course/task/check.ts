@@ -64,7 +64,11 @@ export function clearResolvedNotReady(): void {
   if (!isSame) useTaskView.setState({ notReady: null });
 }
 
-const cuts = ({ run }: Answer): boolean => run.steps.some(({ move }) => move.kind !== "rapid") || run.plane.length > 0;
+/** Whether an answer can be judged: something cuts, or a cycle call is refused for a reason that the marks give. */
+const isJudged = ({ run }: Answer): boolean =>
+  run.steps.some(({ move }) => move.kind !== "rapid") ||
+  run.plane.length > 0 ||
+  run.issues.some(({ issue, operation }) => operation !== null && issue.severity === "error");
 
 const areRight = (answers: readonly ComparedAnswer[] | null, task: Task): boolean =>
   (task.predict ?? []).every((_, i) => answers?.[i]?.right === true);
@@ -83,7 +87,7 @@ export async function checkTask(task: Task): Promise<void> {
   const answer = await awaitOutcome();
   await afterPaint();
   if (useTaskView.getState().work !== work) return;
-  if (!answer || !cuts(answer))
+  if (!answer || !isJudged(answer))
     return useTaskView.setState({ checking: false, notReady: { why: answer ? "noRun" : "notRun" } });
   const judgement = judge(task, answer);
   const passed = judgement.passed && areRight(useTaskView.getState().comparedAnswers, task);

@@ -1,6 +1,6 @@
 import { wrongSideOf } from "../../../course/judge/wrong-side.ts";
 import type { Answer, TaskMark } from "../../../course/judge/judgement.ts";
-import type { Task } from "../../../course/task.ts";
+import type { Task, TaskSize } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import type { Texts } from "../../../i18n/index.ts";
 import type { Language } from "../../../i18n/languages.ts";
@@ -13,6 +13,8 @@ import { sizeGoal, toleranced, valueGoal } from "./goal-words.ts";
 
 /** Decimals of thicknesses. */
 const THICK = 2;
+/** Tolerance within which a diameter is half or twice another, mm. */
+const SAME_SIZE = 0.01;
 /** Relative deviation from which a pitch counts as wrong. */
 const OTHER_PITCH = 0.02;
 
@@ -45,7 +47,14 @@ function measuredText(
   if (!size) return "";
   return value === undefined
     ? wrong.noSize(sizeGoal(t, language, size))
-    : wrong.size[size.kind](number(value), toleranced(language, size));
+    : radiusQuestion(t, wrong.size[size.kind](number(value), toleranced(language, size)), value, [size]);
+}
+
+/** Adds the question whether a diameter that is half or twice a wanted one was taken for a radius. */
+function radiusQuestion({ wrong }: CourseTaskTexts, said: string, value: number, wanted: readonly TaskSize[]): string {
+  const isTimes = (factor: number) =>
+    wanted.some(({ kind, nominal }) => kind !== "face" && Math.abs(value - factor * nominal) < SAME_SIZE);
+  return isTimes(1 / 2) ? wrong.half(said) : isTimes(2) ? wrong.twice(said) : said;
 }
 
 /** The measured value with its place on the part. */
@@ -80,7 +89,11 @@ function what(mark: TaskMark, { t, texts, language, task, answer }: MarkWording)
       const cycle = mark.operation === undefined ? null : (answer.run.operations[mark.operation]?.cycle ?? null);
       const way = mark.issue && wrongSideOf(mark.issue);
       if (way) return wrong.wrongSide[way];
-      return mark.issue ? issueText(texts, language, mark.issue, cycle).replace(/[.。]$/, "") : wrong.gouge;
+      if (!mark.issue) return wrong.gouge;
+      const said = issueText(texts, language, mark.issue, cycle).replace(/[.。]$/, "");
+      return mark.issue.code === "diameterOutside"
+        ? radiusQuestion(t, said, mark.issue.data.value, task.sizes ?? [])
+        : said;
     }
     case "unproved":
       return about === undefined ? wrong.unprovedMilling : wrong.unproved(String(about));

@@ -22,9 +22,13 @@ export const findings = {
     spindle: "Spindel",
   },
   fix: "Beheben",
+  otherFixes: "Weitere Abhilfen",
   insert: (text) => `${text} einfügen`,
   write: (text, block) => `${text} in Satz ${block} schreiben`,
   meant: "Dieser Schnitt ist beabsichtigt",
+  runOut: (value) => `Auslauf ${value}`,
+  endThread: (place) => `Gewindeende auf ${place} legen`,
+  relief: "Freistich (DIN 76) einfügen",
   remove: (text) => `${text} entfernen`,
   residue: {
     askCycle: "Zyklus für Restmaterial suchen",

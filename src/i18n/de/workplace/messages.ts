@@ -331,8 +331,10 @@ export const messages = {
     endsExchanged: (d, w) =>
       d.axis === "X"
         ? `Von X${w.diameter(d.start)} nach X${w.diameter(d.end)} ist kein Material zu zerspanen. Start und Ende (${d.other}) vertauscht?`
-        : `Von Z${w.signed(d.start)} nach Z${w.signed(d.end)} ist kein Material zu zerspanen. Start und Ende (${d.other}) vertauscht?`,
+        : `Von Z${w.signed(d.start)} nach Z${w.signed(d.end)} schneidet der Zyklus vom Futter weg. Start und Ende (${d.other}) vertauscht?`,
     endInFront: (d, w) => `Z${w.signed(d.value)} liegt vor dem Werkstück. ${w.signed(d.nearest)}?`,
+    startInFront: (d, w) => `Z${w.signed(d.value)} liegt vor dem Werkstück. ${w.signed(d.nearest)}?`,
+    diameterOutside: (d, w) => `${w.diameter(d.value)} ist größer als das Rohteil, ${w.diameter(d.blank)}.`,
     blankAgainstContour: (d, w) =>
       ({
         outside: `Die Kontur reicht bis ${w.diameter(d.contour)}, das Rohteil nur bis ${w.diameter(d.blank)}. Vorschlag: ${w.diameter(

@@ -32,6 +32,7 @@ export const setup = {
     better: (number, name) => `Werkzeug ${number} ${name} ist für diese Kontur geeignet.`,
     noneMakes: "Kein Werkzeug der Tabelle kann die ganze Kontur bearbeiten.",
     take: (number) => `Werkzeug ${number} verwenden`,
+    takeNamed: (number, name) => `Werkzeug ${number} verwenden: ${name}`,
     choose: "Anderes Werkzeug wählen",
     edit: "Dieses Werkzeug bearbeiten",
     drawing: "Schneidplatte maßstäblich",

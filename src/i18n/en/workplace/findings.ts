@@ -24,9 +24,13 @@ export const findings = {
     spindle: "Spindle",
   },
   fix: "Fix",
+  otherFixes: "More remedies",
   insert: (text: string) => `Insert ${text}`,
   write: (text: string, block: string) => `Write ${text} in block ${block}`,
   meant: "This cut is intended",
+  runOut: (value: string) => `Run-out ${value}`,
+  endThread: (place: string) => `End the thread at ${place}`,
+  relief: "Insert undercut (DIN 76)",
   remove: (text: string) => `Remove ${text}`,
   residue: {
     askCycle: "Find a cycle",

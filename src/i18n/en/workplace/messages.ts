@@ -317,8 +317,10 @@ export const messages = {
     endsExchanged: (d, w) =>
       d.axis === "X"
         ? `From X${w.diameter(d.start)} to X${w.diameter(d.end)} there is no material to cut. Start and end (${d.other}) swapped?`
-        : `From Z${w.signed(d.start)} to Z${w.signed(d.end)} there is no material to cut. Start and end (${d.other}) swapped?`,
+        : `From Z${w.signed(d.start)} to Z${w.signed(d.end)} the cycle cuts away from the chuck. Start and end (${d.other}) swapped?`,
     endInFront: (d, w) => `Z${w.signed(d.value)} is in front of the workpiece. ${w.signed(d.nearest)}?`,
+    startInFront: (d, w) => `Z${w.signed(d.value)} is in front of the workpiece. ${w.signed(d.nearest)}?`,
+    diameterOutside: (d, w) => `${w.diameter(d.value)} is larger than the blank, ${w.diameter(d.blank)}.`,
     blankAgainstContour: (d, w) =>
       ({
         outside: `The contour reaches ${w.diameter(d.contour)}, the blank only ${w.diameter(d.blank)}. Proposed: ${w.diameter(d.nearest)}.`,

@@ -32,6 +32,7 @@ export const setup = {
     better: (number: number, name: string) => `Tool ${number} ${name} can machine this contour.`,
     noneMakes: "No tool in the table can machine the whole contour.",
     take: (number: number) => `Use tool ${number}`,
+    takeNamed: (number: number, name: string) => `Use tool ${number}: ${name}`,
     choose: "Choose another tool",
     edit: "Edit this tool",
     drawing: "Insert to scale",

@@ -21,9 +21,13 @@ export const findings = {
     spindle: "Broche",
   },
   fix: "Corriger",
+  otherFixes: "Autres solutions",
   insert: (text) => `Insérer ${text}`,
   write: (text, block) => `Écrire ${text} dans la séquence ${block}`,
   meant: "Cette passe est voulue",
+  runOut: (value) => `Sortie de filetage ${value}`,
+  endThread: (place) => `Finir le filetage à ${place}`,
+  relief: "Insérer un dégagement (DIN 76)",
   remove: (text) => `Supprimer ${text}`,
   residue: {
     askCycle: "Trouver un cycle",

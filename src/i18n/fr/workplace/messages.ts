@@ -329,8 +329,10 @@ export const messages = {
     endsExchanged: (d, w) =>
       d.axis === "X"
         ? `De X${w.diameter(d.start)} à X${w.diameter(d.end)}, il n’y a pas de matière à usiner. Départ et fin (${d.other}) intervertis ?`
-        : `De Z${w.signed(d.start)} à Z${w.signed(d.end)}, il n’y a pas de matière à usiner. Départ et fin (${d.other}) intervertis ?`,
+        : `De Z${w.signed(d.start)} à Z${w.signed(d.end)}, le cycle usine en s’éloignant du mandrin. Départ et fin (${d.other}) intervertis ?`,
     endInFront: (d, w) => `Z${w.signed(d.value)} est devant la pièce. ${w.signed(d.nearest)} ?`,
+    startInFront: (d, w) => `Z${w.signed(d.value)} est devant la pièce. ${w.signed(d.nearest)} ?`,
+    diameterOutside: (d, w) => `${w.diameter(d.value)} dépasse la pièce brute, ${w.diameter(d.blank)}.`,
     blankAgainstContour: (d, w) =>
       ({
         outside: `Le contour va jusqu’à ${w.diameter(d.contour)}, la pièce brute seulement jusqu’à ${w.diameter(d.blank)}. Proposé : ${w.diameter(

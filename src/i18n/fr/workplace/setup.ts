@@ -32,6 +32,7 @@ export const setup = {
     better: (number, name) => `L’outil ${number} ${name} peut usiner ce contour.`,
     noneMakes: "Aucun outil du tableau ne peut usiner tout le contour.",
     take: (number) => `Utiliser l’outil ${number}`,
+    takeNamed: (number, name) => `Utiliser l’outil ${number} : ${name}`,
     choose: "Choisir un autre outil",
     edit: "Éditer cet outil",
     drawing: "Plaquette à l’échelle",

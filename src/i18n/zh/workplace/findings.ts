@@ -14,9 +14,13 @@ export const findings = {
   show: (mark) => `在车削视图中显示 ${mark}`,
   places: { tool: "刀具", startX: "起点 X", startZ: "起点 Z", contour: "轮廓", blank: "毛坯", spindle: "主轴" },
   fix: "修正",
+  otherFixes: "其他办法",
   insert: (text) => `插入 ${text}`,
   write: (text, block) => `在程序段 ${block} 写入 ${text}`,
   meant: "此切削符合意图",
+  runOut: (value) => `螺纹退尾 ${value}`,
+  endThread: (place) => `螺纹终点改为 ${place}`,
+  relief: "插入退刀槽（DIN 76）",
   remove: (text) => `删除 ${text}`,
   residue: {
     askCycle: "查找循环",

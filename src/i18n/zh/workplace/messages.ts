@@ -243,8 +243,10 @@ export const messages = {
     endsExchanged: (d, w) =>
       d.axis === "X"
         ? `从X${w.diameter(d.start)}到X${w.diameter(d.end)}没有可切削的材料。起点与终点（${d.other}）是否颠倒？`
-        : `从Z${w.signed(d.start)}到Z${w.signed(d.end)}没有可切削的材料。起点与终点（${d.other}）是否颠倒？`,
+        : `从Z${w.signed(d.start)}到Z${w.signed(d.end)}循环背离卡盘切削。起点与终点（${d.other}）是否颠倒？`,
     endInFront: (d, w) => `Z${w.signed(d.value)} 在工件前方。是否为 ${w.signed(d.nearest)}？`,
+    startInFront: (d, w) => `Z${w.signed(d.value)} 在工件前方。是否为 ${w.signed(d.nearest)}？`,
+    diameterOutside: (d, w) => `${w.diameter(d.value)} 大于毛坯 ${w.diameter(d.blank)}。`,
     blankAgainstContour: (d, w) =>
       ({
         outside: `轮廓达到 ${w.diameter(d.contour)}，毛坯只有 ${w.diameter(d.blank)}。建议：${w.diameter(d.nearest)}。`,

@@ -32,6 +32,7 @@ export const setup = {
     better: (number, name) => `刀具 ${number} ${name} 可加工该轮廓。`,
     noneMakes: "刀具表中没有能加工完整轮廓的刀具。",
     take: (number) => `使用刀具 ${number}`,
+    takeNamed: (number, name) => `使用刀具 ${number}：${name}`,
     choose: "选择其他刀具",
     edit: "编辑此刀具",
     drawing: "按比例的刀片",

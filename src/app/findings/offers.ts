@@ -1,0 +1,102 @@
+import { useEffect, useState } from "react";
+import { lettersApart } from "../../nc/typing-slips.ts";
+import type { ToolFit } from "../../program/tools/which-tool.ts";
+import { FIXED_BY_TOOL } from "../../report/offered-tool.ts";
+import { outcomeOfOther } from "../calculation/other-outcome.ts";
+import { CALCULATING } from "../base/waits.ts";
+import { fitsOfCall } from "../calculation/tool-questions.ts";
+import { useOutcome } from "../calculation/outcome.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
+import { isError, type FindingEntry } from "./entry.ts";
+import { findingsOf } from "./findings.ts";
+import type { FindingsHost, Fix, Trial } from "./host.ts";
+
+/** Most tools that are offered. */
+const MOST_TOOLS = 3;
+/** Letters by which a called tool may differ from one of the table. */
+const MOST_APART = 2;
+
+const UNKNOWN_TOOL: ReadonlySet<string> = new Set(["toolUnknown", "toolIndexUnknown"]);
+const NONE: readonly Fix[] = [];
+
+/** Tools that make the contour: those spelt like the called one first. */
+function suitable(fits: readonly ToolFit[], { issue }: FindingEntry): readonly ToolFit[] {
+  const found = fits.filter((fit) => fit.makesContour);
+  if (!UNKNOWN_TOOL.has(issue.code) || !("tool" in issue.data)) return found.slice(0, 1);
+  const called = String(issue.data.tool).toUpperCase();
+  const apart = ({ tool }: ToolFit) =>
+    Math.min(
+      tool.NAME.toUpperCase().startsWith(called) ? 0 : MOST_APART + 1,
+      ...[String(tool.T), tool.NAME.toUpperCase()].map((name) => lettersApart(called, name, MOST_APART)),
+    );
+  return found.toSorted((a, b) => apart(a) - apart(b)).slice(0, MOST_TOOLS);
+}
+
+/** Tools of the table that can make the contour where the called one cannot, or does not exist. */
+export function useToolOffers(entry: FindingEntry, host: FindingsHost): readonly Fix[] {
+  const t = useTexts().setup.tool;
+  const newest = useOutcome((s) => s.newest);
+  const [fits, offer] = useState<readonly ToolFit[]>([]);
+  const asked =
+    (FIXED_BY_TOOL.has(entry.issue.code) && entry.issue.severity !== "info") || UNKNOWN_TOOL.has(entry.issue.code);
+  useEffect(() => {
+    const operation = asked && entry.operation !== null ? newest?.run.operations[entry.operation] : undefined;
+    if (!operation) return undefined;
+    return afterRest((isGone) => {
+      void fitsOfCall(operation).then((found) => {
+        if (!isGone()) offer(suitable(found ?? [], entry));
+      });
+    });
+  }, [asked, newest, entry]);
+  if (!asked) return NONE;
+  return fits.map(({ tool }) => ({
+    name: UNKNOWN_TOOL.has(entry.issue.code) ? t.takeNamed(tool.T, tool.NAME) : t.take(tool.T),
+    apply: () => host.takeTool(entry, tool.T),
+  }));
+}
+
+function afterRest(start: (isGone: () => boolean) => void): () => void {
+  let gone = false;
+  const timer = setTimeout(() => start(() => gone), CALCULATING.otherTools);
+  return () => {
+    gone = true;
+    clearTimeout(timer);
+  };
+}
+
+/** Whether a run of the changed program lacks a finding, and has no other error. */
+async function helps({ work }: Trial, { issue }: FindingEntry, before: readonly FindingEntry[]): Promise<boolean> {
+  const outcome = await outcomeOfOther(work());
+  if (!outcome) return false;
+  const after = findingsOf(null, outcome);
+  const alike = (entries: readonly FindingEntry[]) => entries.filter((each) => each.issue.code === issue.code).length;
+  return alike(after) < alike(before) && after.filter(isError).length < before.filter(isError).length;
+}
+
+/** Fixes that a run has shown to help. */
+export function useTriedFixes(
+  entry: FindingEntry,
+  host: FindingsHost,
+  before: readonly FindingEntry[],
+): readonly Fix[] {
+  const [found, offer] = useState<{ readonly of: FindingsHost | null; readonly fixes: readonly Fix[] }>({
+    of: null,
+    fixes: NONE,
+  });
+  useEffect(() => {
+    const trials = host.trialsOf(entry);
+    if (trials.length === 0) return undefined;
+    return afterRest((isGone) => void tryAll(isGone));
+
+    async function tryAll(isGone: () => boolean) {
+      const worked = new Map<string, Fix>();
+      for (const trial of trials) {
+        if (worked.has(trial.group)) continue;
+        const isRight = await helps(trial, entry, before);
+        if (isGone()) return;
+        if (isRight) offer({ of: host, fixes: [...worked.set(trial.group, trial).values()] });
+      }
+    }
+  }, [entry, host, before]);
+  return found.of === host ? found.fixes : NONE;
+}
