@@ -39,10 +39,12 @@ export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
       <form method="dialog">
         <div className="settings-head">
           <h2>{t.settings}</h2>
-          <UndoButtons document={SETTINGS} />
-          <button type="submit" className="button primary">
-            {t.close}
-          </button>
+          <div className="settings-head-buttons">
+            <UndoButtons document={SETTINGS} />
+            <button type="submit" className="button primary">
+              {t.close}
+            </button>
+          </div>
         </div>
         <label>
           <span>{t.screenLanguage}</span>

@@ -23,20 +23,21 @@ interface Side {
   readonly at: readonly number[];
 }
 
-/** The cycle that blocks define, if it is one; else their numbers. */
-function blockWords({ program, at }: Side, t: HistoryTexts): string {
+/** The numbers of blocks. */
+function numberWords({ program, at }: Side, t: HistoryTexts): string {
   const numbers = blockNumbers(program);
-  const cycles = new Set(
-    at.flatMap((i) => {
-      const s = program.blocks[i]?.statement;
-      return s?.kind === "cycle" || s?.kind === "cycleLine" ? [s.cycle] : [];
-    }),
-  );
-  const [cycle] = cycles;
-  if (cycles.size === 1) return t.cycle(String(cycle));
   const [first = 0, last = first] = [at[0], at.at(-1)];
   if (at.length === 1) return t.block(numbers[first] ?? 0);
   return last - first === at.length - 1 ? t.blocks(numbers[first] ?? 0, numbers[last] ?? 0) : t.blockCount(at.length);
+}
+
+/** The cycle that blocks define, if it is one; else their numbers. */
+function blockWords(side: Side, t: HistoryTexts): string {
+  const cycles = side.at.flatMap((i) => {
+    const s = side.program.blocks[i]?.statement;
+    return s?.kind === "cycle" || s?.kind === "cycleLine" ? [s.cycle] : [];
+  });
+  return new Set(cycles).size === 1 ? t.cycle(String(cycles[0])) : numberWords(side, t);
 }
 
 /** The side of all differences; null where one of them lacks it. */
@@ -60,30 +61,22 @@ export function programWords(before: Program, after: Program, t: HistoryTexts): 
   const [a, b] = [sideOf(differences, "a", before), sideOf(differences, "b", after)];
   const [only] = differences;
   if (!only) {
-    const isRenumbered = before.blocks.some(({ raw }, i) => raw !== after.blocks[i]?.raw);
-    return isRenumbered || before.blocks.length !== after.blocks.length ? t.fieldChanged(t.fields.numbers) : null;
+    // Blank lines have no meaning.
+    if (before.blocks.length !== after.blocks.length) return t.fieldChanged(t.fields.text);
+    return before.blocks.some(({ raw }, i) => raw !== after.blocks[i]?.raw) ? t.fieldChanged(t.fields.numbers) : null;
   }
   const every = (side: "a" | "b") => differences.every((each) => each[side] === null);
   if (every("a") && b) return t.inserted(blockWords(b, t), b.at.length);
   if (every("b") && a) return t.deleted(blockWords(a, t), a.at.length);
   if (b && differences.every(({ kind }) => kind === "moved")) return t.moved(blockWords(b, t), b.at.length);
   if (differences.length === 1 && b && namesValues(only)) {
-    const block = t.block(blockNumbers(after)[b.at[0] ?? 0] ?? 0);
     const values = only.words.map(({ name, from, to }) => valueWords(name, from, to, t));
-    return t.within(block, joinedWords(values, t));
+    return t.within(numberWords(b, t), joinedWords(values, t));
   }
-  const changed =
-    b ??
-    sideOf(
-      differences.filter((each) => each.b !== null),
-      "b",
-      after,
-    );
-  if (!changed || changed.at.length === 0) return t.fieldChanged(t.fields.text);
-  return changed.at.length === 1 || b
-    ? t.changed(changed.at.length === 1 ? blockNumberWords(changed, t) : blockWords(changed, t), changed.at.length)
-    : t.changed(t.blockCount(differences.length), differences.length);
+  const changed = sideOf(
+    differences.filter((each) => each.b !== null),
+    "b",
+    after,
+  );
+  return changed ? t.changed(numberWords(changed, t), changed.at.length) : t.fieldChanged(t.fields.text);
 }
-
-const blockNumberWords = ({ program, at }: Side, t: HistoryTexts): string =>
-  t.block(blockNumbers(program)[at[0] ?? 0] ?? 0);
