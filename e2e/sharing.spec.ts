@@ -106,11 +106,12 @@ test("a shared work gives the same report, byte for byte, elsewhere, and its too
   await receiver.tools.rowButton(16).click();
   await expect(receiver.tools.cell("RS")).toHaveValue("3");
   await receiver.tools.close();
-  // Undo step by step: the device table in use, the calls, the tools that were kept.
+  // Undo step by step: in the program the device table in use and the calls, in the table the tools that were kept.
   await receiver.undo();
   await expect(receiver.sharing.toolsLine).toBeVisible();
   await receiver.undo();
   await expect(operations).toContainText("T3 DNMG");
+  await receiver.tools.open();
   await receiver.undo();
   await expect(receiver.tools.rowButton(16)).toHaveCount(0);
   await context.close();

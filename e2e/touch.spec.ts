@@ -83,7 +83,7 @@ test("a contour of five elements by touch: drawn, a diameter changed on the draw
   await dragFinger(page, corner, { x: corner.x + 26, y: corner.y + 4 });
   await expect(contour.kind(4)).toHaveValue("CHF");
 
-  const undo = page.getByRole("button", { name: t.page.undo, exact: true });
+  const undo = turnwise.historyButton("undo");
   await undo.tap();
   await expect(contour.kind(4)).toHaveValue("L");
   await undo.tap();

@@ -1,4 +1,4 @@
-import type { Page } from "@playwright/test";
+import type { Locator, Page } from "@playwright/test";
 import type { TableTexts, Texts } from "../../src/i18n/index.ts";
 import type { Language } from "../../src/i18n/languages.ts";
 import { ClampingPage } from "./clamping.ts";
@@ -118,11 +118,16 @@ export class Turnwise {
     if (await tab.count()) await tab.click();
   }
 
+  /** Undo or redo in the header; its name goes on with what it changes. */
+  historyButton(way: "undo" | "redo"): Locator {
+    return this.page.getByRole("banner").getByRole("button", { name: new RegExp(`^${this.t.page[way]}(?: ?[:：]|$)`) });
+  }
+
   async undo(): Promise<void> {
-    await this.page.getByRole("button", { name: this.t.page.undo, exact: true }).click();
+    await this.historyButton("undo").click();
   }
 
   async redo(): Promise<void> {
-    await this.page.getByRole("button", { name: this.t.page.redo, exact: true }).click();
+    await this.historyButton("redo").click();
   }
 }

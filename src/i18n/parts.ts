@@ -21,6 +21,7 @@ interface English {
   readonly "guide-places": typeof import("./en/guide-places.ts");
   readonly handed: typeof import("./en/handed.ts");
   readonly insert: typeof import("./en/insert.ts");
+  readonly history: typeof import("./en/history.ts");
   readonly keys: typeof import("./en/keys.ts");
   readonly load: typeof import("./en/load.ts");
   readonly machine: typeof import("./en/machine.ts");

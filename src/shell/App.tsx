@@ -4,6 +4,7 @@ import { Header } from "./Header.tsx";
 import { useProgramChoice } from "../app/document/program-choice.ts";
 import { NumberKeys } from "../app/fields/keypad/NumberKeys.tsx";
 import { MissingPart } from "../app/base/MissingPart.tsx";
+import { ChangedElsewhere } from "./ChangedElsewhere.tsx";
 import { Notices } from "./Notices.tsx";
 import { useVersion } from "../app/base/version.ts";
 import { lazyPart } from "../app/base/parts.ts";
@@ -127,6 +128,7 @@ export function App() {
     <div className="page">
       <Header />
       <Notices />
+      <ChangedElsewhere />
       <div className="notices" role="status">
         <MissingPart />
         {newer && (

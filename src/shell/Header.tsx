@@ -3,11 +3,11 @@ import { goHome } from "../app/document/go-home.ts";
 import { Icon } from "../app/base/Icon.tsx";
 import { shownPage, showTools, usePlace } from "../app/place/place.ts";
 import { useTexts } from "../app/base/settings/use-texts.ts";
-import { redoStep, undoStep } from "../app/document/history.ts";
+import { useDocumentInView } from "../app/document/history.ts";
 import { lazyPart } from "../app/base/parts.ts";
-import { useSteps } from "../app/document/steps.ts";
 import { useEditor } from "../app/document/store.ts";
 import { CreateProgram } from "../features/start/first.ts";
+import { UndoButtons } from "./UndoButtons.tsx";
 
 /** Fetched when it is first opened. */
 const SettingsDialog = lazyPart(async () => ({ default: (await import("./SettingsDialog.tsx")).SettingsDialog }));
@@ -32,8 +32,7 @@ export function Header() {
   const [settings, showSettings] = useState(false);
   const [creating, create] = useState(ASKED_NEW);
   const program = useEditor((s) => s.program);
-  const past = useSteps((s) => s.past.length > 0);
-  const future = useSteps((s) => s.future.length > 0);
+  const inView = useDocumentInView();
   const page = usePlace((p) => shownPage(p).page);
   const own = page === "own";
   const tools = page === "tools" || own;
@@ -75,26 +74,7 @@ export function Header() {
       {!tools && !words && !program && page === "works" && <h1 className="open-cycle">{t.page.works.title}</h1>}
       {!tools && program && <h1 className="open-cycle">{program.name}</h1>}
       <div className="top-buttons">
-        <button
-          type="button"
-          className="button icon plain"
-          aria-label={t.page.undo}
-          title={`${t.page.undo} (Ctrl+Z)`}
-          disabled={!past}
-          onClick={undoStep}
-        >
-          <Icon name="undo" />
-        </button>
-        <button
-          type="button"
-          className="button icon plain"
-          aria-label={t.page.redo}
-          title={`${t.page.redo} (Ctrl+Y)`}
-          disabled={!future}
-          onClick={redoStep}
-        >
-          <Icon name="redo" />
-        </button>
+        <UndoButtons document={inView} />
         {!tools && (
           <button
             ref={toTools}

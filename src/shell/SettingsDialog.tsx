@@ -2,10 +2,14 @@ import { Suspense, useLayoutEffect, useRef } from "react";
 import { LANGUAGES, SCREEN_LANGUAGES, isLanguage } from "../i18n/languages.ts";
 import { showOwn } from "../app/place/place.ts";
 import { lazyPart } from "../app/base/parts.ts";
-import { changeLanguage, changeSettings, useSettings } from "../app/base/settings/settings.ts";
+import { useSettings } from "../app/base/settings/settings.ts";
+import { SETTINGS } from "../app/document/documents.ts";
+import { editSettings } from "../app/document/edit-settings.ts";
+import { dialogOf } from "../app/document/history.ts";
 import { fetchOfflineState } from "../features/offline/index.ts";
 import { fetchThisDevice } from "../features/works/index.ts";
 import { useTexts } from "../app/base/settings/use-texts.ts";
+import { UndoButtons } from "./UndoButtons.tsx";
 
 const MachineSection = lazyPart(async () => ({
   default: (await import("../app/fields/machine/MachineSection.tsx")).MachineSection,
@@ -27,6 +31,7 @@ export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
     <dialog
       ref={dialog}
       className="settings"
+      {...dialogOf(SETTINGS)}
       aria-label={t.settings}
       onClose={onClose}
       onClick={(e) => e.target === e.currentTarget && dialog.current?.close()}
@@ -34,9 +39,12 @@ export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
       <form method="dialog">
         <div className="settings-head">
           <h2>{t.settings}</h2>
-          <button type="submit" className="button primary">
-            {t.close}
-          </button>
+          <div className="settings-head-buttons">
+            <UndoButtons document={SETTINGS} />
+            <button type="submit" className="button primary">
+              {t.close}
+            </button>
+          </div>
         </div>
         <label>
           <span>{t.screenLanguage}</span>
@@ -44,7 +52,7 @@ export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
             ref={first}
             className="select"
             value={settings.language}
-            onChange={(e) => isLanguage(e.target.value) && void changeLanguage(e.target.value)}
+            onChange={(e) => isLanguage(e.target.value) && void editSettings({ language: e.target.value })}
           >
             {LANGUAGES.map((language) => (
               <option key={language} value={language} lang={language}>
@@ -59,7 +67,7 @@ export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
             className="select"
             value={settings.theme}
             onChange={(e) =>
-              changeSettings({
+              void editSettings({
                 theme: e.target.value === "light" || e.target.value === "dark" ? e.target.value : "system",
               })
             }
@@ -74,7 +82,7 @@ export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
           <select
             className="select"
             value={settings.presentation ? "presentation" : "usual"}
-            onChange={(e) => changeSettings({ presentation: e.target.value === "presentation" })}
+            onChange={(e) => void editSettings({ presentation: e.target.value === "presentation" })}
           >
             <option value="usual">{t.sizes.usual}</option>
             <option value="presentation">{t.sizes.presentation}</option>
@@ -85,7 +93,7 @@ export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
           <select
             className="select"
             value={settings.motion}
-            onChange={(e) => changeSettings({ motion: e.target.value === "reduced" ? "reduced" : "system" })}
+            onChange={(e) => void editSettings({ motion: e.target.value === "reduced" ? "reduced" : "system" })}
           >
             <option value="system">{t.motions.system}</option>
             <option value="reduced">{t.motions.reduced}</option>
@@ -96,7 +104,7 @@ export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
           <select
             className="select"
             value={settings.control}
-            onChange={(e) => changeSettings({ control: e.target.value === "TNC7" ? "TNC7" : "TNC 640" })}
+            onChange={(e) => void editSettings({ control: e.target.value === "TNC7" ? "TNC7" : "TNC 640" })}
           >
             <option value="TNC 640">{t.controls["TNC 640"]}</option>
             <option value="TNC7">{t.controls.TNC7}</option>

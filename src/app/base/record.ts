@@ -24,6 +24,8 @@ export interface Declaration<T, K> {
   /** Initial value. It is not stored, so that a later edition can start with a better one. */
   readonly first: T;
   readonly isSame?: (one: T, other: T) => boolean;
+  /** The document whose history has its changes; by default the record is a document of its own. */
+  readonly document?: string;
   /**
    * Set if changes are steps of undo that survive a reload. Called with the owner of the steps when another tab
    * replaces the value.
@@ -36,6 +38,8 @@ export interface Declaration<T, K> {
 /** A value that is stored on the device and shared by all tabs. */
 export interface KeptRecord<T> {
   readonly key: string;
+  /** The document whose history has its changes. */
+  readonly document: string;
   readonly first: T;
   readonly use: UseBoundStore<StoreApi<Recorded<T>>>;
   now(): T;
@@ -53,6 +57,7 @@ export interface KeptRecord<T> {
 /** A record of any type. */
 interface AnyRecord {
   readonly key: string;
+  readonly document: string;
   now(): unknown;
   put(value: unknown): void;
 }
@@ -66,6 +71,7 @@ const versioned = z.object({ version: z.int() });
 /** Declares a stored value: loads it, stores each change a moment later, and takes over changes of other tabs. */
 export function record<T, K>(declared: Declaration<T, K>): KeptRecord<T> {
   const { key, version, schema, upgrades = {}, from, to, first, isSame = isSameData, undo, say } = declared;
+  const { document = key } = declared;
   const use = create<Recorded<T>>(() => ({ list: first, trouble: "none" }));
   const now = () => use.getState().list;
   const put = (list: T) => {
@@ -88,7 +94,7 @@ export function record<T, K>(declared: Declaration<T, K>): KeptRecord<T> {
     }
     return value;
   };
-  const made: KeptRecord<T> = { key, first, use, now, put, replace, isSame, write, read };
+  const made: KeptRecord<T> = { key, document, first, use, now, put, replace, isSame, write, read };
   if (undo) undone.push(made);
   keep(made, (trouble) => {
     use.setState({ trouble });

@@ -1,5 +1,5 @@
 import type { KeptRecord } from "../base/record.ts";
-import { continuesStep, recordChange } from "./steps.ts";
+import { continuesStep, recordStep, stepBetween } from "./steps.ts";
 
 /** Changes a record as one step of undo; successive changes at the same place are one step. */
 export function editRecord<T>(record: KeptRecord<T>, change: (value: T) => T, place: string | null = null): void {
@@ -7,5 +7,6 @@ export function editRecord<T>(record: KeptRecord<T>, change: (value: T) => T, pl
   const next = change(before);
   if (next === before || record.isSame(next, before)) return;
   record.put(next);
-  recordChange(record.put, before, next, continuesStep(place));
+  const step = stepBetween(record.document, record.put, before, next);
+  recordStep({ ...step, record: record.key }, continuesStep(place));
 }

@@ -35,7 +35,6 @@ test("the page of the parameter itself stays: the change is seen there", () => {
 test("the setup sheet stays: it shows the work", () => {
   setPrompt(q, "1");
   showSheet();
-  showTools();
   undoStep();
   expect(shownPage(usePlace.getState()).page).toBe("sheet");
 });

@@ -15,7 +15,6 @@ import {
   type Cover,
 } from "../place/place.ts";
 import { goHome, goToEntrance } from "./go-home.ts";
-import { redoStep, undoStep } from "./history.ts";
 import { openFirstWork, open, useEditor } from "./store.ts";
 
 const [cycle] = cuttingCycles;
@@ -40,11 +39,6 @@ test.each(covers)("whatever opens another work shows it, under $page too", (over
   showWhich();
   open(job, "second");
   expect([page(), usePlace.getState().over]).toEqual(["work", null]);
-  for (const step of [undoStep, redoStep]) {
-    cover(over);
-    step();
-    expect(page()).toBe("work");
-  }
   expect(useEditor.getState().work).toBe("second");
 });
 
@@ -71,7 +65,7 @@ test("covers are stacked and closed one by one; tools and own cycles replace eac
 test("closing a work leads back to the entrance that it was opened from", () => {
   goToEntrance({ page: "works" });
   open(job, "first");
-  undoStep();
+  open(null, null);
   expect(page()).toBe("works");
   showElsewhere({ work: "other", name: "OTHER", cause: "isOpen" });
   expect(page()).toBe("elsewhere");

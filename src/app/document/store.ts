@@ -1,7 +1,18 @@
 import type { HandedOn, Job } from "../../program/job/job.ts";
 import { showNoWork, showWork } from "../place/place.ts";
-import { closeStep, forget, continuesStep, recordStep, recordChange, stepBetween } from "./steps.ts";
+import { isSameData } from "../base/same.ts";
 import { createDeferredStore } from "../base/typing.ts";
+import { documentOfWork } from "./documents.ts";
+import {
+  closeStep,
+  continuesStep,
+  forgetDocument,
+  recordStep,
+  stepBetween,
+  useSteps,
+  type DocumentId,
+  type HistoryStep,
+} from "./steps.ts";
 import { isProgram, type ProgramWork, type Work } from "./work.ts";
 
 /** The open work, and the key it is saved under on this device. */
@@ -22,66 +33,85 @@ export function flushEdits(): void {
   for (const hand of pendingEdits) hand();
 }
 
-/** Sets the state of the open job; also the owner of its steps of undo. */
-export const putJob = (job: Job): void => useEditor.setState({ job });
-/** Opens a work, also by undo and redo: the work that changes is shown. */
-const putWork = (state: Editor): void => {
-  flushEdits();
-  useEditor.setState(state);
-  if (state.work === null) showNoWork();
-  else showWork(state.program !== null);
-};
+/** The open work, as it is now. */
+export const openContent = ({ job, program }: Editor = useEditor.getState()): Work | null => job ?? program;
+
+/** The document of the open work; null if none is open. */
+export const openDocument = (editor: Editor = useEditor.getState()): DocumentId | null =>
+  openContent(editor) && documentOfWork(editor.work);
+
+/** Owner of the steps that replace a whole state of a work. */
+const OF_STATE = {};
+
+/** Restores a state of a work if that is open. */
+const putState =
+  (work: string | null) =>
+  (state: Work): boolean => {
+    if (useEditor.getState().work !== work) return false;
+    flushEdits();
+    useEditor.setState(isProgram(state) ? { program: state } : { job: state });
+    return true;
+  };
+
+/** The step between two states of a work. */
+export const workStep = (work: string | null, before: Work, after: Work): HistoryStep =>
+  stepBetween(documentOfWork(work), putState(work), before, after, OF_STATE);
 
 /**
  * Changes the job as one step of undo. Successive changes at the same place are one step: a number is one step, however
  * many digits it has.
  */
 export function edit(change: (job: Job) => Job, place: string | null = null): void {
-  const { job } = useEditor.getState();
+  const { job, work } = useEditor.getState();
   if (!job) return;
   const next = change(job);
   if (next === job) return;
-  putJob(next);
-  recordChange(putJob, job, next, continuesStep(place));
+  useEditor.setState({ job: next });
+  recordStep(workStep(work, job, next), continuesStep(place));
 }
 
 /** Each work as it was last opened, for comparison with its present state. */
 const opened = new Map<string, Work>();
 export const openedVersion = (work: string): Work | null => opened.get(work) ?? null;
 
-/** Replaces the open work, as one step of undo. */
+/** The last state here of each work with a history that was open before. */
+const left = new Map<string, Work>();
+
+/** Remembers the state in which the open work is left, to see on its return whether its history fits. */
+function leave(): void {
+  const before = useEditor.getState(),
+    content = openContent(before);
+  const { histories } = useSteps.getState();
+  for (const [work] of left) if (!histories.has(documentOfWork(work))) left.delete(work);
+  if (before.work !== null && content) left.set(before.work, content);
+}
+
+/** The state of a work that its history belongs to; null if it was not open here. */
+export const knownState = (work: string | null): Work | null =>
+  work === useEditor.getState().work ? openContent() : (left.get(work ?? "") ?? null);
+
+/** Opens a work, or none. That is no step of undo; its history goes on if it has not changed elsewhere. */
 export function open(content: Work | null, work: string | null): void {
   if (content && work !== null) opened.set(work, content);
   closeStep();
   flushEdits();
-  const before = useEditor.getState();
-  putWork(
+  leave();
+  if (!isSameData(knownState(work), content)) forgetDocument(documentOfWork(work));
+  useEditor.setState(
     content && isProgram(content) ? { job: null, program: content, work } : { job: content, program: null, work },
   );
-  recordChange(putWork, before, useEditor.getState());
+  if (work === null) showNoWork();
+  else showWork(content !== null && isProgram(content));
 }
 
-/** Opens the first work: undo cannot go back behind it. */
+/** Opens a work without a history. */
 export function openFirstWork(content: Work | null, work: string | null): void {
   open(content, work);
-  forget();
+  forgetDocument(documentOfWork(work));
 }
 
 /** Sets the open program after a change. The editor of the text records the steps. */
 export const setProgram = (program: ProgramWork): void => useEditor.setState({ program });
-
-/** Owner of the steps that change more of a program than one text. */
-export const OF_FILES = {};
-
-/** Restores a state of a program if that is still open. */
-export const putProgram =
-  (work: string | null) =>
-  (program: ProgramWork): boolean => {
-    if (useEditor.getState().work !== work) return false;
-    flushEdits();
-    setProgram(program);
-    return true;
-  };
 
 /** Changes the open program as one step of undo; successive changes at the same place are one step. */
 export function changeProgram(change: (program: ProgramWork) => ProgramWork, place: string | null = null): void {
@@ -91,7 +121,7 @@ export function changeProgram(change: (program: ProgramWork) => ProgramWork, pla
   if (!after || after === before) return;
   const on = continuesStep(place);
   setProgram(after);
-  recordStep(stepBetween(putProgram(work), before, after, OF_FILES), on);
+  recordStep(workStep(work, before, after), on);
 }
 
 /** The open work's own tools, control and machine, which replace those of the device; empty if none is open. */

@@ -13,9 +13,10 @@ import {
   sessionView,
   useSession,
 } from "../fields/blocks/session.ts";
-import { closeStep, forget, redo, undo, useSteps } from "../document/steps.ts";
+import { undoStep, redoStep } from "../document/history.ts";
+import { closeStep, forgetAllSteps, historyOf, redo, undo } from "../document/steps.ts";
 import { editOwn, ownRecord, useOwn } from "../document/own-store.ts";
-import { pendingEdits, openFirstWork, changeProgram, open, useEditor } from "../document/store.ts";
+import { pendingEdits, openDocument, openFirstWork, changeProgram, open, useEditor } from "../document/store.ts";
 import { setCell } from "../../features/tools/tool-edits.ts";
 import { toolRecord, useTools } from "../document/tool-store.ts";
 import type { Work } from "../document/work.ts";
@@ -39,7 +40,7 @@ afterEach(() => {
   stop();
   pendingEdits.delete(flushText);
   closeSession();
-  forget();
+  forgetAllSteps();
 });
 
 const typed = (text: string, at = q) => {
@@ -52,7 +53,7 @@ function reload(work = "w", elsewhere: Work | null = null): void {
   dispatchEvent(new Event("pagehide"));
   const content = elsewhere ?? useEditor.getState().job ?? useEditor.getState().program;
   closeSession();
-  forget();
+  forgetAllSteps();
   // Reading a work may change the order of its fields.
   const entries = Object.entries(JSON.parse(JSON.stringify(content)) as object).reverse();
   openFirstWork(Object.fromEntries(entries) as unknown as Work, work);
@@ -60,7 +61,7 @@ function reload(work = "w", elsewhere: Work | null = null): void {
   if (program) openSession(program, work);
   else takeKeptSteps();
 }
-const lengths = () => [useSteps.getState().past.length, useSteps.getState().future.length];
+const lengths = (of = openDocument()) => [historyOf(of).past.length, historyOf(of).future.length];
 
 test("after a reload a typed number is undone in one step and redone, also after another reload", () => {
   openFirstWork(job, "w");
@@ -73,19 +74,19 @@ test("after a reload a typed number is undone in one step and redone, also after
   setContour([]);
   reload();
   expect(lengths()[0]).toBeGreaterThan(2);
-  undo();
-  undo();
-  undo();
-  undo();
+  undoStep();
+  undoStep();
+  undoStep();
+  undoStep();
   expect(value()).toBe(first);
   expect(useEditor.getState().job).toEqual(job);
-  redo();
+  redoStep();
   expect(value()).toBe("-41.37");
   reload();
-  undo();
+  undoStep();
   expect(value()).toBe(first);
-  redo();
-  redo();
+  redoStep();
+  redoStep();
   expect([value(), value(other)]).toEqual(["-41.37", "7.25"]);
   typed("3", other);
   expect(lengths()[1]).toBe(0);
@@ -93,25 +94,33 @@ test("after a reload a typed number is undone in one step and redone, also after
 
 const toolCell = () => useTools.getState().list.find(({ id }) => id === "r2")?.cells.RS;
 
-test("steps of the tool table and of own cycles are restored in order between those of the work", () => {
-  openFirstWork(job, "w");
+test("the tool table, the own cycles and each work keep histories of their own", () => {
+  openFirstWork({ ...job, name: "BEFORE" }, "v");
   const [first, radius] = [value(), toolCell()];
+  typed("1.5");
+  open(job, "w");
   typed("-41.37");
   setCell("r2", "RS", "0.7");
   editOwn((list) => [...list, { id: "c1", number: "1711", name: "SAW", parameters: [] }]);
   typed("7.25", other);
   reload();
-  expect(lengths()).toEqual([4, 0]);
-  undo();
-  undo();
-  expect([toolCell(), useOwn.getState().list, value()]).toEqual(["0.7", [], "-41.37"]);
+  expect([lengths(), lengths("tools"), lengths("own-cycles")]).toEqual([
+    [2, 0],
+    [1, 0],
+    [1, 0],
+  ]);
+  undo("tools");
+  expect([toolCell(), useOwn.getState().list.length, value(other)]).toEqual([radius, 1, "7.25"]);
   reload();
-  undo();
-  expect([toolCell(), value()]).toEqual([radius, "-41.37"]);
-  undo();
+  redo("tools");
+  undo("own-cycles");
+  undoStep();
+  undoStep();
+  expect([toolCell(), useOwn.getState().list, value()]).toEqual(["0.7", [], first]);
+  open({ ...job, name: "BEFORE", drafts: { ...job.drafts, [job.cycle]: { ...draftOf(job), [q]: "1.5" } } }, "v");
+  expect(lengths()).toEqual([1, 0]);
+  undoStep();
   expect(value()).toBe(first);
-  for (let i = 0; i < 4; i++) redo();
-  expect([toolCell(), useOwn.getState().list.length, value(other)]).toEqual(["0.7", 1, "7.25"]);
 });
 
 test("steps of a table that changed meanwhile are not restored, those of the work are", () => {
@@ -124,13 +133,16 @@ test("steps of a table that changed meanwhile are not restored, those of the wor
   const note = sessionStorage.getItem("turnwise/steps") ?? "";
   toolRecord.replace([]);
   const now = useEditor.getState().job;
-  forget();
+  forgetAllSteps();
   openFirstWork(now, "w");
   sessionStorage.setItem("turnwise/steps", note);
   takeKeptSteps();
-  expect(lengths()).toEqual([2, 0]);
-  undo();
-  undo();
+  expect([lengths(), lengths("tools")]).toEqual([
+    [2, 0],
+    [0, 0],
+  ]);
+  undoStep();
+  undoStep();
   expect(value()).toBe(first);
 });
 
@@ -139,19 +151,10 @@ test("changes of the tools are restored without an open work", () => {
   const radius = toolCell();
   setCell("r2", "RS", "0.9");
   dispatchEvent(new Event("pagehide"));
-  forget();
+  forgetAllSteps();
   takeKeptSteps();
-  undo();
+  undo("tools");
   expect(toolCell()).toBe(radius);
-});
-
-test("a work opened before is no part of the history", () => {
-  openFirstWork({ ...job, name: "BEFORE" }, "v");
-  typed("1.5");
-  open(job, "w");
-  typed("-41.37");
-  reload();
-  expect(lengths()).toEqual([1, 0]);
 });
 
 test("a work that changed meanwhile, or another one, has no history", () => {
@@ -165,8 +168,9 @@ test("a work that changed meanwhile, or another one, has no history", () => {
   expect(lengths()).toEqual([0, 0]);
 });
 
-test.each(["", "{", "3", '{"work":"w"}', '{"work":"w","print":1,"past":3}'])(
-  "a damaged history %j is ignored",
+const OLD = '{"work":"w","print":"7 a b","tables":{},"past":[{"near":0,"far":0}],"future":[],"texts":[]}';
+test.each(["", "{", "3", OLD, '{"histories":[null,{}]}', '{"histories":[{"document":"work w","print":1,"past":3}]}'])(
+  "a damaged history %j, or one of an earlier version, is ignored",
   (note) => {
     openFirstWork(job, "w");
     sessionStorage.setItem("turnwise/steps", note);
@@ -186,20 +190,20 @@ test("a program's text, its files and the cursor are restored with their history
   reload();
   expect(useSession.getState().index).toBe(2);
   expect(sessionText()).toContain("Z-5.5");
-  undo();
+  undoStep();
   expect(sessionText()).toContain("Z-4.75");
-  undo();
+  undoStep();
   expect(useEditor.getState().program?.skipMarked).toBeUndefined();
-  undo();
+  undoStep();
   expect(sessionText()).toBe(TEXT);
   expect(lengths()).toEqual([0, 3]);
-  redo();
+  redoStep();
   expect(sessionText()).toContain("Z-4.75");
   reload();
-  undo();
+  undoStep();
   expect(sessionText()).toBe(TEXT);
-  redo();
-  redo();
+  redoStep();
+  redoStep();
   expect(useEditor.getState().program?.skipMarked).toBe(true);
   expect(sessionView()).not.toBeNull();
 });

@@ -107,8 +107,8 @@ function closeForOtherTab(work: string, job: Work, cause: "isOpen" | "wasTaken")
 
 const reclaiming = new Set<string>();
 
-/** Undo returned to a work that this tab had released: claims it again, with its state on the device. */
-async function reclaimAfterUndo(work: string, first: Work, wait: () => void): Promise<void> {
+/** A work was opened while saving released it: claims it again, with its state on the device. */
+async function reclaimReleased(work: string, first: Work, wait: () => void): Promise<void> {
   if (reclaiming.has(work)) return;
   reclaiming.add(work);
   const before = written.get(work);
@@ -171,7 +171,7 @@ export function startAutosave(): () => void {
     }
     known = name;
     if (!job || !work) return;
-    if (!owns(work)) return void reclaimAfterUndo(work, job, wait);
+    if (!owns(work)) return void reclaimReleased(work, job, wait);
     // Undo and redo may return to a saved state while another one is pending.
     if (written.get(work) === job && !pending.has(work)) return;
     pending.set(work, job);

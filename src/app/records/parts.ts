@@ -5,8 +5,9 @@ import { mergedTools } from "../../program/tools/tool-list.ts";
 import { writeTableJson } from "../../program/tools/tool-table-json.ts";
 import type { KeptRecord } from "../base/record.ts";
 import { isSameData } from "../base/same.ts";
-import { changeLanguage, changeSettings, readSettings, useSettings, type Settings } from "../base/settings/settings.ts";
+import { readSettings, useSettings, type Settings } from "../base/settings/settings.ts";
 import { editRecord } from "../document/edit-record.ts";
+import { editSettings } from "../document/edit-settings.ts";
 import { ownRecord } from "../document/own-store.ts";
 import { toolRecord, toolsOnDevice } from "../document/tool-store.ts";
 import { mergedResults, resultRecord } from "./course/collected-results.ts";
@@ -54,7 +55,7 @@ const ofRecord = <T>(record: KeptRecord<T>, more: Pick<Part<T>, "group" | "merge
 
 const ownNumber = (entry: OwnEntry) => readOwn(entry).number ?? entry.number.trim();
 
-/** Settings are no record: each change is saved at once, other tabs keep theirs, and there is no undo. */
+/** Settings are no record: each change is saved at once, and other tabs keep theirs. */
 const settingsPart: Part<Settings> = {
   group: "settings",
   current: useSettings.getState,
@@ -68,10 +69,7 @@ const settingsPart: Part<Settings> = {
     cutting: brought.cutting || mine.cutting,
     machine: brought.machine || mine.machine,
   }),
-  async apply({ language, ...others }) {
-    changeSettings(others);
-    await changeLanguage(language);
-  },
+  apply: (settings) => editSettings(settings),
   files: (settings) => ({
     ...(settings.cutting !== "" && { "tools/CUTTING.json": settings.cutting }),
     ...(settings.machine !== "" && { "tools/MACHINE.json": settings.machine }),

@@ -1,6 +1,7 @@
 import { fileKey } from "../../program/state/program-files.ts";
 import { randomId } from "../base/random-id.ts";
 import { time } from "../base/clock.ts";
+import { WORKS } from "../document/documents.ts";
 import { recordStep } from "../document/steps.ts";
 import { isProgram, textsOf, type Work } from "../document/work.ts";
 import { forgetWork, keepWork, readWork } from "./device.ts";
@@ -32,30 +33,58 @@ async function refreshAfter(change: Promise<unknown>): Promise<void> {
   announceChange();
 }
 
+/** An entry of the list as the words of a step need it. */
+interface ListedWork {
+  readonly id: string;
+  readonly name: string;
+}
+const listed = (works: readonly StoredWork[]): readonly ListedWork[] =>
+  works.map(({ work, job }) => ({ id: work, name: job.name }));
+
 /** Adds a step of undo for a change of the list. */
-function noteStep(back: () => Promise<unknown>, forth: () => Promise<unknown>): void {
+function noteStep(
+  states: readonly [before: readonly ListedWork[], after: readonly ListedWork[]],
+  back: () => Promise<unknown>,
+  forth: () => Promise<unknown>,
+): void {
   const way = (change: () => Promise<unknown>) => () => {
     void refreshAfter(change());
     return true;
   };
-  recordStep({ of: OF_WORKS, back: way(back), forth: way(forth) });
+  recordStep({ document: WORKS, of: OF_WORKS, back: way(back), forth: way(forth), states });
 }
 
-const forgetAll = (gone: readonly StoredWork[]): Promise<unknown> =>
-  Promise.all(
-    gone.map(({ work }) => {
-      forgetUnsaved(work);
-      return forgetWork(work);
-    }),
-  );
+/** A work as it is now; null if there is none. */
+async function storedNow(work: string): Promise<StoredWork | null> {
+  const job = await newestState(work);
+  return job && { work, job, savedAt: (await readWork(work))?.savedAt ?? time() };
+}
 
-/** Restores works. If that fails they stay in memory, with a notice. */
-const restoreAll = (gone: readonly StoredWork[]): Promise<unknown> =>
-  Promise.all(
-    gone.map(async ({ work, job, savedAt }) => {
-      if ((await keepWork(work, job, savedAt)) !== "kept") await keepState(work, job);
-    }),
-  );
+/** Works that are on the device at times: they are restored as they were when they were last removed. */
+function comingAndGoing(works: readonly StoredWork[]) {
+  const states = new Map(works.map((each) => [each.work, each]));
+  return {
+    /** Removes those that are not open in another tab. */
+    remove: () =>
+      Promise.all(
+        [...states.keys()].map((work) =>
+          withWork(work, async () => {
+            const now = await storedNow(work);
+            if (now) states.set(work, now);
+            forgetUnsaved(work);
+            await forgetWork(work);
+          }),
+        ),
+      ),
+    /** Restores them. If that fails they stay in memory, with a notice. */
+    restore: () =>
+      Promise.all(
+        [...states.values()].map(async ({ work, job, savedAt }) => {
+          if ((await keepWork(work, job, savedAt)) !== "kept") await keepState(work, job);
+        }),
+      ),
+  };
+}
 
 /** Deletes works as one step of undo, except those open in other tabs. */
 export async function removeWorks(
@@ -65,21 +94,20 @@ export async function removeWorks(
   const done = await Promise.all(
     works.map((work) =>
       withWork(work, async () => {
-        const job = await newestState(work);
-        if (!job) return;
-        const one = { work, job, savedAt: (await readWork(work))?.savedAt ?? time() };
+        const one = await storedNow(work);
+        if (!one) return;
         gone.push(one);
-        await forgetAll([one]);
+        forgetUnsaved(work);
+        await forgetWork(work);
       }),
     ),
   );
   const leftOut = done.filter((free) => !free).length;
   await refreshAfter(Promise.resolve());
-  if (gone.length > 0)
-    noteStep(
-      () => restoreAll(gone),
-      () => forgetAll(gone),
-    );
+  if (gone.length > 0) {
+    const { remove, restore } = comingAndGoing(gone);
+    noteStep([listed(gone), []], restore, remove);
+  }
   return { gone, leftOut };
 }
 
@@ -94,11 +122,16 @@ async function writeWork(work: string, job: Work, savedAt: number): Promise<Work
   return done;
 }
 
+async function setName(work: string, name: string): Promise<WorkChange> {
+  const now = await storedNow(work);
+  return now ? writeWork(work, { ...now.job, name }, now.savedAt) : "failed";
+}
+
 /** Renames a work as one step of undo. Its date stays the same. */
 export async function renameWork(work: string, name: string): Promise<WorkChange> {
-  const kept = await readWork(work);
-  if (!kept) return "failed";
-  const { job, savedAt } = kept;
+  const now = await storedNow(work);
+  if (!now) return "failed";
+  const { job } = now;
   if (job.name === name) return "done";
   if (
     isProgram(job) &&
@@ -107,13 +140,13 @@ export async function renameWork(work: string, name: string): Promise<WorkChange
       .some((file) => fileKey(file.name) === fileKey(name))
   )
     return "nameTaken";
-  const renamed = { ...job, name };
-  const done = await writeWork(work, renamed, savedAt);
+  const done = await setName(work, name);
   await refreshAfter(Promise.resolve());
   if (done !== "done") return done;
   noteStep(
-    () => writeWork(work, job, savedAt),
-    () => writeWork(work, renamed, savedAt),
+    [[{ id: work, name: job.name }], [{ id: work, name }]],
+    () => setName(work, job.name),
+    () => setName(work, name),
   );
   return done;
 }
@@ -140,10 +173,8 @@ export async function duplicateWork(work: string, names: readonly string[]): Pro
   const done = await writeWork(copy.work, copy.job, copy.savedAt);
   await refreshAfter(Promise.resolve());
   if (done !== "done") return null;
-  noteStep(
-    () => forgetAll([copy]),
-    () => restoreAll([copy]),
-  );
+  const { remove, restore } = comingAndGoing([copy]);
+  noteStep([[], listed([copy])], remove, restore);
   return copy;
 }
 
@@ -152,10 +183,9 @@ export async function addWorks(works: readonly StoredWork[]): Promise<number> {
   const kept: StoredWork[] = [];
   for (const each of works) if ((await writeWork(each.work, each.job, each.savedAt)) === "done") kept.push(each);
   await refreshAfter(Promise.resolve());
-  if (kept.length > 0)
-    noteStep(
-      () => forgetAll(kept),
-      () => restoreAll(kept),
-    );
+  if (kept.length > 0) {
+    const { remove, restore } = comingAndGoing(kept);
+    noteStep([[], listed(kept)], remove, restore);
+  }
   return kept.length;
 }

@@ -1,3 +1,4 @@
+import { undoStep } from "../../app/document/history.ts";
 import { act, cleanup, fireEvent, render, screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { useState } from "react";
@@ -6,8 +7,8 @@ import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob, newRow, type ContourRow } from "../../program/job/job.ts";
 import { setContour } from "../../app/document/edits.ts";
 import { fetchTexts } from "../../app/base/settings/loaded-texts.ts";
-import { undo, useSteps } from "../../app/document/steps.ts";
-import { openFirstWork, useEditor } from "../../app/document/store.ts";
+import { historyOf } from "../../app/document/steps.ts";
+import { openDocument, openFirstWork, useEditor } from "../../app/document/store.ts";
 import { chooseElement } from "../../app/place/contour-place.ts";
 import { ContourStage } from "./ContourStage.tsx";
 
@@ -99,7 +100,7 @@ test("a drag that ends the typing of a dimension keeps the typed value, and is a
   render(<Work />);
   const rows = () => useEditor.getState().job?.contour ?? [],
     picture = () => screen.getByRole("img", { name: /^Drawing of the contour/ });
-  const steps = () => useSteps.getState().past.length,
+  const steps = () => historyOf(openDocument()).past.length,
     begun = steps();
   const dot = [...picture().querySelectorAll("g.point")]
     .find((p) => p.querySelector("text")?.textContent === "4")
@@ -120,7 +121,7 @@ test("a drag that ends the typing of a dimension keeps the typed value, and is a
   fireEvent.pointerMove(picture(), { ...pointer, clientX: from.clientX - 77, clientY: from.clientY + 20 });
   fireEvent.keyDown(document.body, { key: "Escape" });
   expect(steps()).toBe(begun + 2);
-  act(undo);
+  act(() => undoStep());
   expect([rows()[2]?.x, rows()[3]?.z]).toEqual(["44.43", "-51.3"]);
 });
 

@@ -1,7 +1,7 @@
 import { EditorView } from "@codemirror/view";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { openPrompt, usePlace } from "../../app/place/place.ts";
-import { forget } from "../../app/document/steps.ts";
+import { forgetAllSteps } from "../../app/document/steps.ts";
 import { openFirstWork, useEditor } from "../../app/document/store.ts";
 import { parse } from "../../nc/parse.ts";
 import { run } from "../../program/run/run.ts";
@@ -35,7 +35,7 @@ beforeEach(() => {
 afterEach(() => {
   stop();
   closeSession();
-  forget();
+  forgetAllSteps();
   vi.useRealTimers();
   openPrompt(null, "");
 });

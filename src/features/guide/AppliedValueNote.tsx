@@ -26,7 +26,7 @@ export function AppliedValueNote({ page }: { readonly page: string }) {
             className="button"
             onClick={(event) => {
               keepFocus(event.currentTarget, "main");
-              undo();
+              undo(taken.step.document);
             }}
           >
             <Icon name="undo" /> {t.restoreValue}

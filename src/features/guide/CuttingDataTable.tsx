@@ -11,7 +11,8 @@ import {
 import { downloadText } from "../../app/base/download.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { NumberInput } from "../../app/fields/number/NumberInput.tsx";
-import { changeSettings, useSettings } from "../../app/base/settings/settings.ts";
+import { useSettings } from "../../app/base/settings/settings.ts";
+import { editSettings } from "../../app/document/edit-settings.ts";
 import { useCuttingTable } from "../../app/fields/said/use-advice.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
@@ -58,7 +59,7 @@ export function CuttingDataTable() {
     const text = writeCuttingTable(next);
     const fits = readCuttingTable(text) !== null;
     say(fits ? null : t.refused);
-    if (fits) changeSettings({ cutting: text });
+    if (fits) void editSettings({ cutting: text });
     return fits;
   };
   const put = (id: string, part: Partial<CutMaterial>) =>
@@ -164,7 +165,7 @@ export function CuttingDataTable() {
         <button type="button" className="button" onClick={() => file.current?.click()}>
           {t.open}
         </button>
-        <button type="button" className="button" disabled={!own} onClick={() => changeSettings({ cutting: "" })}>
+        <button type="button" className="button" disabled={!own} onClick={() => void editSettings({ cutting: "" })}>
           {t.reset}
         </button>
         <input

@@ -1,5 +1,6 @@
+import { editSettings } from "../../app/document/edit-settings.ts";
 import { setMaterial } from "../../app/document/edits.ts";
-import { changeSettings, useSettings } from "../../app/base/settings/settings.ts";
+import { useSettings } from "../../app/base/settings/settings.ts";
 import { useEditor } from "../../app/document/store.ts";
 import { useCuttingTable, useMaterialOfWork } from "../../app/fields/said/use-advice.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
@@ -38,7 +39,7 @@ export function MaterialChoice() {
         <select
           className="select"
           value={materials.some(({ id }) => id === device) ? device : materials[0]?.id}
-          onChange={(event) => changeSettings({ material: event.currentTarget.value })}
+          onChange={(event) => void editSettings({ material: event.currentTarget.value })}
         >
           <Materials />
         </select>

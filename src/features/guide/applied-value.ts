@@ -1,5 +1,5 @@
 import { create } from "zustand";
-import { useSteps, type HistoryStep } from "../../app/document/steps.ts";
+import { recorded, useIsLastStep, type HistoryStep } from "../../app/document/steps.ts";
 
 /** A value applied to the work from a page of the guide, and its step of undo. */
 export interface AppliedValue {
@@ -7,17 +7,15 @@ export interface AppliedValue {
   readonly letter: string;
   /** The value as written; a number in the format of the screen language. */
   readonly value: number | string;
-  readonly step: HistoryStep | null;
+  readonly step: HistoryStep;
 }
 
 const useNewest = create<{ readonly taken: AppliedValue | null }>(() => ({ taken: null }));
 
 /** Makes a change that applies a value, and notes it if it became a step. */
 export function applyAndReport(letter: string, value: number | string, change: () => void): void {
-  const before = useSteps.getState().past.at(-1);
-  change();
-  const step = useSteps.getState().past.at(-1);
-  useNewest.setState({ taken: step === undefined || step === before ? null : { letter, value, step } });
+  const step = recorded(change);
+  useNewest.setState({ taken: step && { letter, value, step } });
 }
 
 /** Clears the note for another page. */
@@ -26,6 +24,6 @@ export const clearAppliedValue = (): void => useNewest.setState({ taken: null })
 /** The last applied value, as long as it is the last change. */
 export function useAppliedValue(): AppliedValue | null {
   const taken = useNewest((s) => s.taken);
-  const isLast = useSteps((s) => s.past.at(-1) === taken?.step);
+  const isLast = useIsLastStep(taken?.step);
   return isLast ? taken : null;
 }

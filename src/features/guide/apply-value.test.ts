@@ -1,3 +1,4 @@
+import { undoStep } from "../../app/document/history.ts";
 import { afterEach, beforeEach, expect, test } from "vitest";
 import { cycleByNumber } from "../../cycles/index.ts";
 import { never } from "../../kernel/never.ts";
@@ -10,7 +11,6 @@ import { forgetOutcome, takeOutcome } from "../../app/calculation/outcome.ts";
 
 import { printedText } from "../../app/document/printed.ts";
 import { readJob } from "../../app/document/reading.ts";
-import { undo } from "../../app/document/steps.ts";
 import { openFirstWork, useEditor } from "../../app/document/store.ts";
 import { useOpenCall } from "../../app/place/open-call.ts";
 import { guideSources } from "./guide-source.ts";
@@ -63,10 +63,10 @@ test("a value goes into the open block as one step of undo, and nowhere if no bl
       .split("\n")
       .filter((each, i) => each !== text.split("\n")[i]),
   ).toHaveLength(2);
-  undo();
+  undoStep();
   expect(lineOf("Q478")).not.toContain("FAUTO");
   expect(lineOf("Q463")).toContain("+1.7");
-  undo();
+  undoStep();
   expect(lineOf("Q463")).toBe(before);
   expect(textNow()).toBe(text);
   useOpenCall.setState({ call: { work: "other", cycle: 820, line } });
@@ -85,7 +85,7 @@ test("a text goes into a word of the block with the open form, as one named step
       .split("\n")
       .filter((each, i) => each !== text.split("\n")[i]),
   ).toHaveLength(1);
-  undo();
+  undoStep();
   expect(textNow()).toBe(text);
   await applyToBlock(at, "toolCall", "speed", "1370", "S");
   await applyToBlock(at + 1, "spin", "speedLimit", "1370", "SMAX");

@@ -1,3 +1,4 @@
+import { undoStep } from "../../app/document/history.ts";
 import { expect, test } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { never } from "../../kernel/never.ts";
@@ -6,7 +7,6 @@ import { exampleJob, type SetJob } from "../../program/job/job.ts";
 import { run } from "../../program/run/run.ts";
 import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { printedText } from "../../app/document/printed.ts";
-import { undo } from "../../app/document/steps.ts";
 import { openFirstWork, useEditor } from "../../app/document/store.ts";
 import { SETUP_PAGES, setupVariants, type SetupPageId } from "./setup-variants.ts";
 import { applySetupValue } from "./apply-value.ts";
@@ -60,7 +60,7 @@ test("an applied value is the one its page showed, and one step of undo restores
     const other = setupVariants(id, job, shippedTools).find(({ isUsual }) => !isUsual) ?? never("one value only");
     applySetupValue(id, other.value, id, other.value);
     expect(useEditor.getState().job, id).toEqual(other.job);
-    undo();
+    undoStep();
     expect(useEditor.getState().job, id).toEqual(job);
   }
 });

@@ -6,7 +6,7 @@ import { parse } from "../../nc/parse.ts";
 import { newParameter, OWN_SIZES, type OwnEntry } from "../../program/edits/own-cycle.ts";
 import { onHistoryKey } from "../../app/document/history.ts";
 import { changeSettings } from "../../app/base/settings/settings.ts";
-import { redo, undo, useSteps } from "../../app/document/steps.ts";
+import { redo, undo, historyOf } from "../../app/document/steps.ts";
 import { describeBlock } from "../../app/fields/blocks/own-edits.ts";
 import { importOwnFile } from "./own-files.ts";
 import { showOwn, usePlace } from "../../app/place/place.ts";
@@ -17,7 +17,7 @@ import { texts } from "../../i18n/index.ts";
 const t = texts("en").own;
 const field = (name: string) => screen.getByRole<HTMLInputElement>("textbox", { name });
 const list = () => useOwn.getState().list;
-const steps = () => useSteps.getState().past.length;
+const steps = () => historyOf("own-cycles").past.length;
 const entry = (id: string, number: string, name = "BAR PULLER"): OwnEntry => ({
   id,
   number,
@@ -31,6 +31,7 @@ beforeEach(() => {
   localStorage.removeItem("turnwise/own-cycles/damaged");
   useNotices.setState({ notices: [] });
   ownRecord.replace([]);
+  showOwn();
   usePlace.setState({ own: { row: null, focus: 0 } });
 });
 afterEach(cleanup);
@@ -81,7 +82,7 @@ test("typing in one field is one step of undo; the history keys work here and le
   await user.keyboard("{Control>}zz{/Control}");
   expect(list()).toEqual([entry("c1", "317")]);
   expect(document.activeElement).toBe(field(t.name));
-  redo();
+  redo("own-cycles");
   expect(list()[0]?.name).toBe("BAR PULLER 2");
   document.removeEventListener("keydown", onHistoryKey);
 });
@@ -115,7 +116,7 @@ test("parameters are moved and deleted; a choice asks for its values instead of 
   await user.selectOptions(screen.getByRole("combobox", { name: `Q2: ${t.kind}` }), "choice");
   expect(screen.queryByRole("textbox", { name: `Q2: ${t.cells.min}` })).toBeNull();
   expect(field(`Q2: ${t.cells.choices}`)).toBeTruthy();
-  undo();
+  undo("own-cycles");
   expect(await screen.findByRole("textbox", { name: `Q2: ${t.cells.min}` })).toBeTruthy();
 });
 
@@ -141,7 +142,7 @@ test("a file is imported as one step, or not at all", async () => {
     t.files.leftOut("depth"),
   ]);
   expect(list().map(({ id, name }) => `${id} ${name}`)).toEqual(["c1 NEW", "c2 B"]);
-  undo();
+  undo("own-cycles");
   expect(list()).toEqual([entry("c1", "317")]);
   expect((await importOwnFile(file("Dear sirs"), t)).sentences).toEqual([t.files.notALibrary("a.json")]);
   const full = Array.from({ length: OWN_SIZES.cycles }, (_, i) => ({ number: 1000 + i, name: "A" }));

@@ -1,3 +1,4 @@
+import { undoStep, redoStep } from "../../app/document/history.ts";
 import { afterEach, expect, test, vi } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob, UNSET } from "../../program/job/job.ts";
@@ -9,7 +10,6 @@ import { openText } from "../../app/fields/open/open-program.ts";
 import { readArchive } from "../../app/records/archive.ts";
 import { changeSettings } from "../../app/base/settings/settings.ts";
 import { openFirstWork, bundleOf, useEditor } from "../../app/document/store.ts";
-import { redo, undo } from "../../app/document/steps.ts";
 import { editTools, toolRecord, useTools } from "../../app/document/tool-store.ts";
 import { controlInUse, machineInUse, toolTable } from "../../app/document/work-tools.ts";
 import { isProgram, type Work } from "../../app/document/work.ts";
@@ -105,7 +105,7 @@ test.each([
     expect((await packWork(open())).report).toBe(sent.report);
     switchToDeviceMachine();
     expect([machineInUse(), bundleOf(useEditor.getState()).control]).toEqual([other, "TNC 640"]);
-    undo();
+    undoStep();
     expect(machineInUse()).toBe(machine);
   },
 );
@@ -161,15 +161,14 @@ test("a tool kept at a free number is called there in every file, as one step, a
   expect([rs(to), rs(3)]).toEqual([1.3, 0.4]);
   switchToDeviceControl();
   expect([controlInUse(), Object.keys(bundleOf(useEditor.getState())).includes("control")]).toEqual(["TNC 640", false]);
-  undo();
-  undo();
+  undoStep();
+  undoStep();
   expect(bundleOf(useEditor.getState()).tools?.map(({ cells }) => cells.T)).toEqual([String(to), "4"]);
-  undo();
+  undoStep();
   expect(open()).toEqual(program);
-  redo();
+  redoStep();
   expect(countAffectedCalls(kept.moved)).toBe(0);
-  undo();
-  undo();
+  undoStep("tools");
   expect(useTools.getState().list).toEqual(shippedList);
 });
 

@@ -8,7 +8,7 @@ import { shippedList } from "../../program/tools/tool-list.ts";
 import { writeTableText } from "../../program/tools/tool-table-text.ts";
 import { onHistoryKey } from "../../app/document/history.ts";
 import { changeSettings } from "../../app/base/settings/settings.ts";
-import { undo, useSteps } from "../../app/document/steps.ts";
+import { undo, historyOf } from "../../app/document/steps.ts";
 import { showToolKind, showTools, usePlace } from "../../app/place/place.ts";
 import { showToolNumber } from "../../app/document/tool-row.ts";
 import { editTools, toolRecord, toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
@@ -18,7 +18,7 @@ import { ToolPage } from "./ToolPage.tsx";
 const field = (name: string) => screen.getByRole<HTMLInputElement>("textbox", { name });
 const list = () => useTools.getState().list;
 const row = (n: number) => list().find((entry) => entry.id === `r${n}`);
-const steps = () => useSteps.getState().past.length;
+const steps = () => historyOf("tools").past.length;
 
 // jsdom has no modal dialogs: this stub opens and closes them.
 HTMLDialogElement.prototype.showModal = function open(this: HTMLDialogElement) {
@@ -34,6 +34,7 @@ beforeEach(() => {
   localStorage.removeItem("turnwise/tools/damaged");
   useNotices.setState({ notices: [] });
   toolRecord.replace(shippedList);
+  showTools();
   showToolKind("turning");
 });
 afterEach(cleanup);
@@ -46,7 +47,7 @@ test("typing in one cell is one step of undo, and other tools stay as they are",
   expect(toolTable().tools[0]?.RS).toBe(1.25);
   expect(toolTable().tools.slice(1)).toEqual(shippedTools.slice(1));
   expect(steps()).toBe(1);
-  undo();
+  undo("tools");
   expect(toolTable().tools).toEqual(shippedTools);
 });
 
@@ -265,8 +266,8 @@ test("a code is parsed at each keystroke, and Enter fills its columns as one ste
     CUTLENGTH: 15.5,
     holder: { width: 25, offsetZ: -7 },
   });
-  undo();
-  undo();
+  undo("tools");
+  undo("tools");
   expect(toolTable().tools.at(-1)?.NAME).toBe("FACE-DNMG-55-R08");
 });
 

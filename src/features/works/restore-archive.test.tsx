@@ -15,7 +15,7 @@ import type { ReadArchive } from "../../app/records/archive.ts";
 import { device, emptyDevice, someJob as job } from "../../app/records/fake-device.ts";
 import { refreshWorks } from "../../app/records/keep.ts";
 import { changeSettings, firstSettings, useSettings } from "../../app/base/settings/settings.ts";
-import { forget, undo } from "../../app/document/steps.ts";
+import { forgetAllSteps, undo } from "../../app/document/steps.ts";
 import { toolRecord, useTools } from "../../app/document/tool-store.ts";
 import { boxOffer, DEFAULT_CHOICES, statesOf, tableOffer, restoreArchive } from "./restore-archive.ts";
 
@@ -65,7 +65,7 @@ beforeEach(async () => {
   toolRecord.replace([row("r1", "1", "MINE 1"), row("r2", "2", "MINE 2")]);
   ownRecord.replace([own("c1", "1711", "MINE")]);
   changeSettings(firstSettings());
-  forget();
+  forgetAllSteps();
   device.works.set("mine", { savedAt: 1, job });
   await refreshWorks();
 });
@@ -82,7 +82,7 @@ test("restored works are added to those of the device, with their time of change
   expect(named().map(([, name]) => name)).toEqual([job.name, job.name, "NEW", "FREE"]);
   expect(named().some(([work]) => work === "")).toBe(false);
   expect([useTools.getState().list.length, useSettings.getState().xDown]).toEqual([2, false]);
-  undo();
+  undo("works");
   await rested();
   expect(named()).toEqual([["mine", job.name]]);
 });
@@ -94,9 +94,9 @@ test("the missing rows of tables are restored, or all of them, each as one step"
   expect(names()).toEqual(["MINE 1", "MINE 2", "GROOVER"]);
   expect(cycles()).toEqual(["MINE", "SAW"]);
   expect(useSettings.getState().xDown).toBe(true);
-  undo();
+  undo("own-cycles");
   expect([names().length, cycles().length]).toEqual([3, 1]);
-  undo();
+  undo("tools");
   expect(names()).toEqual(["MINE 1", "MINE 2"]);
   await restoreArchive(archive, [], { ...NOTHING, tools: "replace", own: "replace" });
   expect([names(), cycles()]).toEqual([
@@ -171,7 +171,7 @@ test("course progress of the backup is merged with the progress here, and undo r
     hints: 1,
   });
   expect([progressOfTask(list, "l01-sawn-long").passed?.when, list.last?.page]).toEqual([4, 3]);
-  undo();
+  undo("course");
   expect(useLearning.getState().list).toBe(mine);
 });
 
@@ -208,7 +208,7 @@ test("forms, working times and results of learners are merged with those here, a
   expect(useForms.getState().list).toEqual({ [`work ${other}`]: form, "task bush": mine });
   expect(workedRecord.now()).toEqual({ bush: { ms: 7_319, steps: 17 }, disc: { ms: 5, steps: 1 } });
   expect(useCollectedResults.getState().list).toEqual([ada, zoe]);
-  undo();
+  undo("course");
   expect([workedRecord.now(), useCollectedResults.getState().list]).toEqual([
     { bush: { ms: 7_319, steps: 11 } },
     [ada],

@@ -109,7 +109,7 @@ export async function restoreArchive(
   });
   const kept = await addWorks(lying);
   const nameHere = new Map(works.map(({ work }, i) => [work, lying[i]?.work ?? work]));
-  const { past } = useSteps.getState();
+  const { newest } = useSteps.getState();
   for (const [group, choice] of Object.entries(choices) as [Group, GroupChoice][]) {
     if (choice === "keep") continue;
     const taken = asOneStep(() =>
@@ -119,5 +119,5 @@ export async function restoreArchive(
     );
     await Promise.all(taken);
   }
-  return { kept, full: lying.length - kept, undone: useSteps.getState().past !== past };
+  return { kept, full: lying.length - kept, undone: useSteps.getState().newest !== newest };
 }

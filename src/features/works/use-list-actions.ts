@@ -4,7 +4,8 @@ import { openSaved } from "../../app/fields/kept/SavedPrograms.tsx";
 import type { WorkSummary } from "../../app/records/device.ts";
 import { useSavedWorks } from "../../app/records/keep.ts";
 import { duplicateWork, removeWorks, renameWork } from "../../app/records/works.ts";
-import { useSteps, type HistoryStep } from "../../app/document/steps.ts";
+import { WORKS } from "../../app/document/documents.ts";
+import { historyOf, lastStep, useSteps, type HistoryStep } from "../../app/document/steps.ts";
 import type { TableMessage } from "../../app/fields/table/TableStatus.tsx";
 import { saveWorks } from "./export-works.ts";
 import type { RowAction } from "./WorkRow.tsx";
@@ -17,13 +18,10 @@ export function useListActions(t: DeviceTexts["works"], isElsewhere: string, foc
   const [last, setLast] = useState<{ readonly said: TableMessage; readonly step: HistoryStep | undefined } | null>(
     null,
   );
-  const step = useSteps((s) => s.past.at(-1));
+  const step = useSteps((s) => historyOf(WORKS, s).past.at(-1));
   // The status offers undo, so it is cleared once the change was undone in another way.
   const saying = last && (!last.said.changed || last.step === step) ? last.said : null;
-  const say = useCallback(
-    (now: TableMessage | null) => setLast(now && { said: now, step: useSteps.getState().past.at(-1) }),
-    [],
-  );
+  const say = useCallback((now: TableMessage | null) => setLast(now && { said: now, step: lastStep(WORKS) }), []);
   const [renaming, rename] = useState<string | null>(null);
   const [selected, select] = useState<ReadonlySet<string>>(new Set());
 

@@ -81,7 +81,7 @@ export const device = {
     take: "Einlesen",
     nothing: "Nichts gewählt",
     done: (n) => (n === 1 ? "1 Programm wurde eingelesen." : `${n} Programme wurden eingelesen.`),
-    doneBeside: "Die übrigen gewählten Daten wurden eingelesen; Rückgängig macht das ungeschehen.",
+    doneBeside: "Die übrigen gewählten Daten wurden eingelesen.",
     notKept: (n) =>
       n === 1
         ? "Für 1 Programm war auf diesem Gerät kein Platz."

@@ -82,7 +82,7 @@ export const device = {
     take: "Restore",
     nothing: "Nothing selected",
     done: (n: number) => (n === 1 ? "1 program was restored." : `${n} programs were restored.`),
-    doneBeside: "The other selected data was restored; undo reverts it.",
+    doneBeside: "The other selected data was restored.",
     notKept: (n: number) =>
       n === 1 ? "No space on this device for 1 program." : `No space on this device for ${n} programs.`,
     showAll: "Show all programs",

@@ -86,7 +86,7 @@ export const device = typeset<DeviceTexts>({
     take: "Restaurer",
     nothing: "Aucune sélection",
     done: (n) => (n === 1 ? "1 programme a été restauré." : `${n} programmes ont été restaurés.`),
-    doneBeside: "Les autres données choisies ont été restaurées ; Annuler les retire.",
+    doneBeside: "Les autres données choisies ont été restaurées.",
     notKept: (n) =>
       n === 1
         ? "Pas de place sur cet appareil pour 1 programme."

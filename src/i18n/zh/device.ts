@@ -76,7 +76,7 @@ export const device = {
     take: "恢复",
     nothing: "未选择任何内容",
     done: (n) => `已恢复 ${n} 个程序。`,
-    doneBeside: "其他所选数据已恢复；可撤销。",
+    doneBeside: "其他所选数据已恢复。",
     notKept: (n) => `本设备空间不足，${n} 个程序未能保存。`,
     showAll: "显示所有程序",
     problems: {

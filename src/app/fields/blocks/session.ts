@@ -6,7 +6,8 @@ import type { Program } from "../../../nc/program.ts";
 import { fileKey } from "../../../program/state/program-files.ts";
 import { calculation as calculating } from "../../calculation/calculation.ts";
 import { takeKeptSteps, textKeepers } from "../../records/keep-steps.ts";
-import { closeStep, continuesStep, recordStep, type HistoryStep } from "../../document/steps.ts";
+import { documentOfWork } from "../../document/documents.ts";
+import { closeStep, continuesStep, recordStep, useSteps, type HistoryStep } from "../../document/steps.ts";
 import { setProgram, useEditor } from "../../document/store.ts";
 import { fileOf, withText, type ProgramWork, type WorkFile } from "../../document/work.ts";
 import { changesBetween } from "./block-edits.ts";
@@ -59,7 +60,7 @@ export const useSession = createDeferredStore<Session>(() => none);
 /** False before a text is opened; having no blocks then does not mean an empty program. */
 export const ofText = ({ reading }: Session): boolean => reading !== none.reading;
 
-/** Texts that stay cached after they were left. */
+/** Texts that stay cached after they were left, besides those of works with a history. */
 const CACHED_TEXTS = 8;
 const texts = new Map<string, Text>();
 
@@ -101,11 +102,24 @@ function noteTyping(text: Text, before: EditorState): void {
   if (more) recordStep(stepOf(text));
 }
 
+/** The programs before and after the next step of a text: done on a copy of its state. */
+function programsAround({ state }: Text, command: StateCommand): readonly [Program, Program] | null {
+  let after: EditorState | null = null;
+  command({ state, dispatch: (tr) => (after = tr.state) });
+  const programOf = (of: EditorState) => of.field(readingField).program;
+  return after && [programOf(state), programOf(after)];
+}
+
 const stepOf = (text: Text): HistoryStep => ({
+  document: documentOfWork(text.work),
   of: text,
   back: () => stepHistory(text, undo),
   forth: () => stepHistory(text, redo),
   file: text.file,
+  programs: (way) => {
+    const [now, then] = programsAround(text, way === "past" ? undo : redo) ?? [];
+    return now && then ? (way === "past" ? [then, now] : [now, then]) : null;
+  },
 });
 
 function show(opened: boolean): void {
@@ -164,7 +178,9 @@ function cacheShownText(program: ProgramWork, work: string): Text {
   forgetHalfTyped();
   texts.delete(textKey(text));
   texts.set(textKey(text), text);
-  for (const [oldest] of texts) if (texts.size > CACHED_TEXTS) texts.delete(oldest);
+  const { histories } = useSteps.getState();
+  for (const [oldest, { work: of }] of texts)
+    if (texts.size > CACHED_TEXTS && of !== work && !histories.has(documentOfWork(of))) texts.delete(oldest);
   return text;
 }
 

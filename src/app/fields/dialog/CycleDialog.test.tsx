@@ -1,3 +1,4 @@
+import { undoStep, redoStep } from "../../document/history.ts";
 import { cleanup, render, screen, waitFor, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { afterEach, beforeEach, expect, test } from "vitest";
@@ -13,7 +14,6 @@ import { openPrompt } from "../../place/place.ts";
 import { printedText } from "../../document/printed.ts";
 import { useReading } from "../../document/reading.ts";
 import { changeSettings } from "../../base/settings/settings.ts";
-import { redo, undo } from "../../document/steps.ts";
 import { openFirstWork, useEditor } from "../../document/store.ts";
 import { CycleDialog } from "./CycleDialog.tsx";
 
@@ -210,10 +210,10 @@ test("typing is one step of undo, and the field follows undo and redo", async ()
   const before = typed(diameter) ?? "";
   await screen.findByDisplayValue(before);
   await user.keyboard("61.75");
-  undo();
+  undoStep();
   expect(typed(diameter)).toBe(before);
   await screen.findByDisplayValue(before);
-  redo();
+  redoStep();
   await screen.findByDisplayValue("61.75");
 });
 

@@ -8,7 +8,7 @@ import { forgetOutcome } from "../../calculation/outcome.ts";
 import { setContour, setPrompt } from "../../document/edits.ts";
 import { printedText } from "../../document/printed.ts";
 import { useReading } from "../../document/reading.ts";
-import { undo } from "../../document/steps.ts";
+import { undoStep } from "../../document/history.ts";
 import { openFirstWork, useEditor } from "../../document/store.ts";
 import { openPrompt } from "../../place/place.ts";
 import { CycleDialog } from "./CycleDialog.tsx";
@@ -81,7 +81,7 @@ test("a set diameter stays while the contour is drawn; another proposal is shown
   await user.click(use);
   expect([job().blank.outside, document.activeElement]).toEqual(["48", field()]);
   await waitFor(() => expect(active().textContent).not.toContain("proposed: 48"));
-  undo();
+  undoStep();
   expect(job().blank.outside).toBe(taken);
 });
 

@@ -1,3 +1,4 @@
+import { undoStep } from "../../document/history.ts";
 import { cleanup, render, screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { afterEach, beforeEach, expect, test } from "vitest";
@@ -7,7 +8,6 @@ import { draftOf } from "../../document/edits.ts";
 import { openPrompt } from "../../place/place.ts";
 import { useReading } from "../../document/reading.ts";
 import { changeSettings } from "../../base/settings/settings.ts";
-import { undo } from "../../document/steps.ts";
 import { openFirstWork, useEditor } from "../../document/store.ts";
 import { CycleDialog } from "./CycleDialog.tsx";
 
@@ -42,7 +42,7 @@ test("a size by its name fills pitch, depth, diameter and one start, in one step
   await screen.findByText(/M20×1.5: pitch/);
   expect(draft()).toEqual({ ...before, [pitch]: "1.5", [depth]: "0.92", [starts]: "1", [diameter]: "20" });
   expect(draft()[position]).toBe(before[position]);
-  undo();
+  undoStep();
   expect(draft()).toEqual(before);
 });
 

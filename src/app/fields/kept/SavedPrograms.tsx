@@ -2,6 +2,7 @@ import { useMemo, useState } from "react";
 import { menuCycle } from "../chooser/menu.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { toFirstPrompt } from "../../place/place.ts";
+import { WORKS } from "../../document/documents.ts";
 import { undoStep } from "../../document/history.ts";
 import { keptPictures } from "../../records/kept-picture.ts";
 import { openWork, useSavedWorks } from "../../records/keep.ts";
@@ -93,7 +94,7 @@ export function SavedPrograms() {
               aria-label={`${undo} – ${t.removed(removed)}`}
               onClick={() => {
                 setRemoved(null);
-                undoStep();
+                undoStep(WORKS);
               }}
             >
               <Icon name="undo" /> {undo}

@@ -7,7 +7,8 @@ import { machineOf, readMachine, writeMachine, type MachineProblem } from "../..
 import { downloadText } from "../../base/download.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { Message } from "../../base/Message.tsx";
-import { changeSettings, useSettings } from "../../base/settings/settings.ts";
+import { useSettings, type Settings } from "../../base/settings/settings.ts";
+import { editSettings } from "../../document/edit-settings.ts";
 import { LabelledInput } from "../number/LabelledInput.tsx";
 import {
   draftOfMachine,
@@ -42,20 +43,32 @@ function Section({ t }: { readonly t: MachineTexts }) {
   });
   const [isOpen, open] = useState(false);
   const [said, say] = useState("");
+  /** The text that this form wrote last; another one comes from undo. */
+  const [written, write] = useState(kept);
+  if (kept !== written) {
+    write(kept);
+    const machine = machineOf(kept);
+    setDraft(machine && draftOfMachine(machine));
+  }
   const file = useRef<HTMLInputElement>(null);
   const read = draft && readMachineDraft(draft);
   const machine = read && "machine" in read ? read.machine : null;
   const preset = draft === null ? "none" : (exampleOf(machine) ?? "own");
 
-  const take = (next: MachineData | null) => {
+  const put = (next: MachineData | null, more: Partial<Settings> = {}, place: string | null = null) => {
+    const machine = next ? writeMachine(next) : "";
+    write(machine);
+    void editSettings({ machine, ...more }, place);
+  };
+  const take = (next: MachineData | null, more: Partial<Settings> = {}) => {
     setDraft(next && draftOfMachine(next));
-    changeSettings({ machine: next ? writeMachine(next) : "" });
+    put(next, more);
   };
   /** Invalid text stays in its field; the last valid data stay in force. */
-  const type = (next: MachineDraft) => {
+  const type = (next: MachineDraft, place: string | null) => {
     setDraft(next);
     const found = readMachineDraft(next);
-    if ("machine" in found) changeSettings({ machine: writeMachine(found.machine) });
+    if ("machine" in found) put(found.machine, {}, place);
   };
   const choose = (chosen: string) => {
     say("");
@@ -72,8 +85,7 @@ function Section({ t }: { readonly t: MachineTexts }) {
       return say(t.refused(t.problems[kind](at === "" ? "" : `${at}: `, String(limit ?? ""))));
     }
     const { output: brought, ...data } = found.machine;
-    take(data);
-    if (brought) changeSettings({ output: brought });
+    take(data, brought ? { output: brought } : {});
     say(t.taken(data.name));
   };
   const functions = t.functions(
@@ -169,7 +181,8 @@ interface FormProps {
   readonly t: MachineTexts;
   readonly draft: MachineDraft;
   readonly problems: readonly MachineProblem[];
-  readonly type: (draft: MachineDraft) => void;
+  /** `place`: typing on there is one step of undo. */
+  readonly type: (draft: MachineDraft, place: string | null) => void;
 }
 
 /** Enter in a form would close the settings. */
@@ -203,7 +216,10 @@ function MachineForm({ t, draft, problems, type }: FormProps) {
   };
   const { torque } = draft;
   const setPoint = (which: number, change: Partial<DraftPoint>) =>
-    type({ ...draft, torque: torque.map((point, i) => (i === which ? { ...point, ...change } : point)) });
+    type(
+      { ...draft, torque: torque.map((point, i) => (i === which ? { ...point, ...change } : point)) },
+      `machine torque ${which} ${Object.keys(change).join(" ")}`,
+    );
   const alone = said("acceleration"),
     curve = said("spindle.torque");
   return (
@@ -218,7 +234,7 @@ function MachineForm({ t, draft, problems, type }: FormProps) {
           value={draft.name}
           aria-invalid={said("name") !== null}
           onKeyDown={keepOpen}
-          onChange={(event) => type({ ...draft, name: event.currentTarget.value })}
+          onChange={(event) => type({ ...draft, name: event.currentTarget.value }, "machine name")}
         />
       </label>
       {GROUP_NAMES.map((group) => (
@@ -226,7 +242,7 @@ function MachineForm({ t, draft, problems, type }: FormProps) {
           <legend>{t.groups[group]}</legend>
           {GROUPS[group].map(([field, unit]) =>
             input(t.fields[field], t.units[unit], draft[field], MACHINE_FIELDS[field], (text) =>
-              type({ ...draft, [field]: text }),
+              type({ ...draft, [field]: text }, `machine ${field}`),
             ),
           )}
           {group === "acceleration" && alone !== null && <Message tone="error">{alone}</Message>}
@@ -246,7 +262,7 @@ function MachineForm({ t, draft, problems, type }: FormProps) {
               type="button"
               className="button icon plain"
               aria-label={t.removePoint(`${i + 1}`)}
-              onClick={() => type({ ...draft, torque: torque.filter((_, each) => each !== i) })}
+              onClick={() => type({ ...draft, torque: torque.filter((_, each) => each !== i) }, null)}
             >
               <Icon name="remove" />
             </button>
@@ -257,7 +273,7 @@ function MachineForm({ t, draft, problems, type }: FormProps) {
           type="button"
           className="button"
           disabled={torque.length >= MOST_POINTS}
-          onClick={() => type({ ...draft, torque: [...torque, EMPTY_POINT] })}
+          onClick={() => type({ ...draft, torque: [...torque, EMPTY_POINT] }, null)}
         >
           <Icon name="add" /> {t.addPoint}
         </button>

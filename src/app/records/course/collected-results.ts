@@ -1,6 +1,7 @@
 import { z } from "zod/mini";
 import { resultShape } from "../../../course/made/result.ts";
 import { record } from "../../base/record.ts";
+import { COURSE } from "../../document/documents.ts";
 import { editRecord } from "../../document/edit-record.ts";
 import { hasResult, type LearnerFile } from "./result-rows.ts";
 
@@ -17,6 +18,7 @@ export const resultRecord = record({
   from: ({ files }): readonly LearnerFile[] => files,
   to: (files) => ({ files }),
   first: NONE,
+  document: COURSE,
 });
 export const useCollectedResults = resultRecord.use;
 

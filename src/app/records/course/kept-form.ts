@@ -2,6 +2,7 @@ import { z } from "zod/mini";
 import { formShape, type TaskForm } from "../../../course/made/task-form.ts";
 import { time } from "../../base/clock.ts";
 import { record } from "../../base/record.ts";
+import { COURSE } from "../../document/documents.ts";
 
 /** A form as it was left, the fingerprint of its program, and when, ms since 1970. */
 export interface KeptForm {
@@ -25,6 +26,7 @@ export const formRecord = record({
   from: ({ forms }): KeptForms => forms,
   to: (forms) => ({ forms }),
   first: NONE,
+  document: COURSE,
 });
 export const useForms = formRecord.use;
 

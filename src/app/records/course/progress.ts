@@ -14,6 +14,7 @@ import {
 } from "../../../course/progress.ts";
 import { time } from "../../base/clock.ts";
 import { record } from "../../base/record.ts";
+import { COURSE } from "../../document/documents.ts";
 import { editRecord } from "../../document/edit-record.ts";
 
 /** Course progress on this device. */
@@ -24,6 +25,7 @@ export const progressRecord = record({
   from: (progress): CourseProgress => progress,
   to: (progress) => progress,
   first: NO_PROGRESS,
+  document: COURSE,
 });
 export const useLearning = progressRecord.use;
 

@@ -19,10 +19,10 @@ test("tasks are saved once, newest first, a changed one replaces the old one; ea
   keepTask(task("pin", "C"));
   keepTask(task("pin", "C"));
   expect(ids()).toEqual(["pin C", "disc A"]);
-  undo();
+  undo("course");
   expect(ids()).toEqual(["disc A", "pin A"]);
   removeTask("disc");
-  undo();
+  undo("course");
   taskRecord.put(mergedTasks(taskRecord.now(), [task("pin", "D"), task("bush")]));
   expect(ids()).toEqual(["disc A", "pin A", "bush A"]);
   expect(taskRecord.read(taskRecord.write(taskRecord.now()))).toEqual(taskRecord.now());

@@ -1,6 +1,7 @@
 import { z } from "zod/mini";
 import { taskSchema, type Task } from "../../../course/task.ts";
 import { record } from "../../base/record.ts";
+import { COURSE } from "../../document/documents.ts";
 import { editRecord } from "../../document/edit-record.ts";
 
 /** Most saved tasks. */
@@ -15,6 +16,7 @@ export const taskRecord = record({
   from: ({ tasks }): readonly Task[] => tasks,
   to: (tasks) => ({ tasks }),
   first: NONE,
+  document: COURSE,
 });
 export const useSavedTasks = taskRecord.use;
 

@@ -1,8 +1,9 @@
 import { z } from "zod/mini";
 import { time } from "../../base/clock.ts";
 import { record } from "../../base/record.ts";
-import { useSteps } from "../../document/steps.ts";
-import { useEditor } from "../../document/store.ts";
+import { COURSE } from "../../document/documents.ts";
+import { historyOf, useSteps } from "../../document/steps.ts";
+import { openDocument, useEditor } from "../../document/store.ts";
 
 /** How long a task was open and visible, ms, and how many changes were made in it. */
 export interface Worked {
@@ -23,6 +24,7 @@ export const workedRecord = record({
   from: ({ tasks }): WorkedTasks => tasks,
   to: (tasks) => ({ tasks }),
   first: NONE,
+  document: COURSE,
 });
 
 const NOTHING: Worked = { ms: 0, steps: 0 };
@@ -61,10 +63,11 @@ export function startWorkingTime(): void {
   useEditor.subscribe((is, was) => {
     if (is.work !== was.work) countWork();
   });
-  useSteps.subscribe((is, was) => {
+  useSteps.subscribe(({ newest }, was) => {
     const id = openTask();
-    if (id !== null && is.past !== was.past && is.future.length === 0 && is.past.length > was.past.length)
-      add(id, { steps: 1 });
+    if (id === null || newest === null || newest === was.newest || newest.document !== openDocument()) return;
+    // A step that goes on is one change.
+    if (historyOf(newest.document).past.length > historyOf(newest.document, was).past.length) add(id, { steps: 1 });
   });
   document.addEventListener("visibilitychange", countWork);
   addEventListener("pagehide", countWork);

@@ -1,7 +1,7 @@
 import { useState } from "react";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { Message } from "../../../app/base/Message.tsx";
-import { undo, useSteps } from "../../../app/document/steps.ts";
+import { recorded, undo, useIsLastStep, type HistoryStep } from "../../../app/document/steps.ts";
 import { removeResults } from "../../../app/records/course/collected-results.ts";
 import { useProblemWords } from "./problem-words.ts";
 import { plainName, type LearnerFile, type ResultRow } from "../../../app/records/course/result-rows.ts";
@@ -38,11 +38,11 @@ interface FilesProps {
 export function ResultFiles({ files, rows, day }: FilesProps) {
   const t = useTexts("course-teach"),
     { results: words } = t;
-  const [gone, say] = useState<{ readonly file: string; readonly step: object | undefined } | null>(null);
-  const last = useSteps((s) => s.past.at(-1));
+  const [gone, say] = useState<{ readonly file: string; readonly step: HistoryStep } | null>(null);
+  const isLast = useIsLastStep(gone?.step);
   const drop = (each: LearnerFile | null) => {
-    removeResults(each);
-    say({ file: each ? nameOf(each) : "", step: useSteps.getState().past.at(-1) });
+    const step = recorded(() => removeResults(each));
+    say(step && { file: each ? nameOf(each) : "", step });
   };
   const nameOf = ({ file }: LearnerFile) => (file === "" ? words.aLink : file);
   return (
@@ -81,10 +81,10 @@ export function ResultFiles({ files, rows, day }: FilesProps) {
         </details>
       )}
       <div role="status">
-        {gone && gone.step === last && (
+        {gone && isLast && (
           <Message tone="info" className="taught-gone">
             <span>{gone.file === "" ? words.allGone : words.gone(gone.file)}</span>
-            <button type="button" className="button" onClick={undo}>
+            <button type="button" className="button" onClick={() => undo(gone.step.document)}>
               <Icon name="undo" /> {t.own.undo}
             </button>
           </Message>

@@ -10,7 +10,7 @@ import { TaskStateMark } from "../TaskStateMark.tsx";
 import { resumeOrStartTask } from "../task/begin.ts";
 import { textOfTask } from "../../../course/made/form-of-task.ts";
 import type { Task } from "../../../course/task.ts";
-import { undo, useSteps } from "../../../app/document/steps.ts";
+import { recorded, undo, useIsLastStep, type HistoryStep } from "../../../app/document/steps.ts";
 import { showResults } from "../../../app/records/course/opened-course-file.ts";
 import { copyTask, removeTask, useSavedTasks } from "../../../app/records/course/saved-tasks.ts";
 import { useTextsOrNull } from "../../../app/base/settings/use-texts.ts";
@@ -27,8 +27,8 @@ export function TaughtTasks() {
   const learning = useLearning((s) => s.list);
   const [hands, handIn] = useState(false);
   const [changed, change] = useState<Task | null>(null);
-  const [gone, say] = useState<{ readonly title: string; readonly step: object | undefined } | null>(null);
-  const last = useSteps((s) => s.past.at(-1));
+  const [gone, say] = useState<{ readonly title: string; readonly step: HistoryStep } | null>(null);
+  const isLast = useIsLastStep(gone?.step);
   if (!t) return null;
   return (
     <section className="taught" aria-label={t.own.title}>
@@ -74,8 +74,8 @@ export function TaughtTasks() {
                   className="button plain"
                   aria-label={t.own.remove(title)}
                   onClick={() => {
-                    removeTask(task.id);
-                    say({ title, step: useSteps.getState().past.at(-1) });
+                    const step = recorded(() => removeTask(task.id));
+                    say(step && { title, step });
                   }}
                 >
                   <Icon name="remove" />
@@ -86,10 +86,10 @@ export function TaughtTasks() {
         </ul>
       )}
       <div role="status">
-        {gone && gone.step === last && (
+        {gone && isLast && (
           <Message tone="info" className="taught-gone">
             <span>{t.own.removed(gone.title)}</span>
-            <button type="button" className="button" onClick={undo}>
+            <button type="button" className="button" onClick={() => undo(gone.step.document)}>
               <Icon name="undo" /> {t.own.undo}
             </button>
           </Message>

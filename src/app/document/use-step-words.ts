@@ -1,0 +1,52 @@
+import { useEffect, useState } from "react";
+import type { HistoryTexts } from "../../i18n/en/history.ts";
+import { retryImport } from "../base/parts.ts";
+import { fetchTexts } from "../base/settings/loaded-texts.ts";
+import { useSettings } from "../base/settings/settings.ts";
+import { TYPING } from "../base/waits.ts";
+import { historyOf, useSteps, type DocumentId, type HistoryStep, type Way } from "./steps.ts";
+import { useEditor } from "./store.ts";
+
+/** A step in words: "Q463 3 → 5". */
+export interface StepWords {
+  readonly step: HistoryStep;
+  readonly words: string;
+  readonly t: HistoryTexts;
+}
+
+/**
+ * What a step changes, in words; null until they are made. They follow when typing rests: a long text is compared for
+ * them. `way`: the side of its history that the step is the next one of.
+ */
+export function useStepWords(step: HistoryStep | undefined, way: Way): StepWords | null {
+  const language = useSettings((s) => s.language);
+  // Typing on changes the text of a step, not the step.
+  const program = useEditor((s) => (step?.file === undefined && !step?.parts ? null : s.program));
+  const [made, make] = useState<StepWords | null>(null);
+  useEffect(() => {
+    if (!step) return undefined;
+    let isGone = false;
+    const timer = setTimeout(() => {
+      void retryImport(() => Promise.all([import("./words-of-step.ts"), fetchTexts(language, "history")])).then(
+        ([{ wordsOfStep }, t]) => {
+          const words = isGone ? null : wordsOfStep(step, way, t);
+          if (words !== null) make({ step, words, t });
+        },
+      );
+    }, TYPING.rest);
+    return () => {
+      isGone = true;
+      clearTimeout(timer);
+    };
+  }, [step, way, language, program]);
+  return step && made?.step === step ? made : null;
+}
+
+/** Name of a button that takes the next step of a document: "Undo: Q463 3 → 5", or only "Undo". */
+export function useStepName(document: DocumentId | null, way: Way, label: string): string {
+  const made = useStepWords(
+    useSteps((s) => historyOf(document, s)[way].at(-1)),
+    way,
+  );
+  return made ? made.t.step(label, made.words) : label;
+}

@@ -1,0 +1,67 @@
+import { useEffect, useState } from "react";
+import { Icon } from "../app/base/Icon.tsx";
+import { useTexts } from "../app/base/settings/use-texts.ts";
+import { workOfDocument } from "../app/document/documents.ts";
+import { documentAt, undoStep, useDocumentInView } from "../app/document/history.ts";
+import { useIsLastStep, useSteps, type HistoryStep } from "../app/document/steps.ts";
+import { useStepWords } from "../app/document/use-step-words.ts";
+import type { HistoryTexts } from "../i18n/en/history.ts";
+
+/** Name of the place of a document. */
+const placeOf = (document: string, { places }: HistoryTexts): string =>
+  workOfDocument(document) === null && Object.hasOwn(places, document)
+    ? places[document as keyof typeof places]
+    : places.work;
+
+function Change({ step, dismiss }: { readonly step: HistoryStep; readonly dismiss: () => void }) {
+  const { undo } = useTexts("first").page;
+  const isLast = useIsLastStep(step);
+  const made = useStepWords(isLast ? step : undefined, "past");
+  if (!made) return null;
+  const { t } = made;
+  const said = t.within(placeOf(step.document, t), made.words);
+  return (
+    <p className="notice">
+      <Icon name="info" /> <span>{said}</span>
+      <button
+        type="button"
+        className="button"
+        aria-label={`${undo} – ${said}`}
+        onClick={() => {
+          dismiss();
+          undoStep(step.document);
+        }}
+      >
+        <Icon name="undo" /> {undo}
+      </button>
+      <button type="button" className="button icon plain" aria-label={t.dismiss} onClick={dismiss}>
+        <Icon name="close" />
+      </button>
+    </p>
+  );
+}
+
+/** Changes of documents that are not in view, each with its undo, until their document is shown or changes again. */
+export function ChangedElsewhere() {
+  const [steps, put] = useState<ReadonlyMap<string, HistoryStep>>(new Map());
+  const inView = useDocumentInView();
+  useEffect(
+    () =>
+      useSteps.subscribe(({ newest }, before) => {
+        if (newest === null || newest === before.newest || newest.document === documentAt(document.activeElement))
+          return;
+        put((now) => new Map(now).set(newest.document, newest));
+      }),
+    [],
+  );
+  const dismiss = (of: string) => put((now) => new Map([...now].filter(([each]) => each !== of)));
+  const shown = [...steps].filter(([of]) => of !== inView);
+  if (inView !== null && steps.has(inView)) dismiss(inView);
+  return (
+    <div className="notices" role="status">
+      {shown.map(([of, step]) => (
+        <Change key={of} step={step} dismiss={() => dismiss(of)} />
+      ))}
+    </div>
+  );
+}
