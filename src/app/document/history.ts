@@ -1,3 +1,4 @@
+import type { Action } from "../base/actions.ts";
 import { draftOf } from "./edits.ts";
 import { openPrompt, shownPage, showOwn, showTools, uncoverAll, usePlace } from "../place/place.ts";
 import { useOwn } from "./own-store.ts";
@@ -39,12 +40,11 @@ function goAndShow(way: Way, run: () => void): void {
 export const undoStep = (): void => goAndShow("past", undo);
 export const redoStep = (): void => goAndShow("future", redo);
 
-/** Ctrl+Z, Ctrl+Y, Ctrl+Shift+Z anywhere on the page; fields leave their own undo to this one. */
-export function onHistoryKey(event: KeyboardEvent): void {
-  if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
-  const key = event.key.toLowerCase();
-  if (key !== "z" && key !== "y") return;
-  event.preventDefault();
-  if (key === "y" || event.shiftKey) redoStep();
-  else undoStep();
+/** Undo and redo anywhere on the page; fields leave their own undo to this one. */
+export function historyActions(): readonly Action[] {
+  const { past, future } = useSteps.getState();
+  return [
+    { id: "everywhere.undo", isUnlisted: past.length === 0, run: undoStep },
+    { id: "everywhere.redo", isUnlisted: future.length === 0, run: redoStep },
+  ];
 }

@@ -67,7 +67,8 @@ export interface OtherText {
 export type Over =
   | { readonly dialog: "which"; readonly region: WhichRegion | null }
   | { readonly dialog: "comparison"; readonly showBlock: ShowBlock; readonly against: OtherText | null }
-  | { readonly dialog: "keys"; readonly place: KeyPlace };
+  | { readonly dialog: "keys"; readonly place: KeyPlace }
+  | { readonly dialog: "commands" };
 
 /** Where the operator is. It is no part of the work, so undo does not touch it. */
 export interface Place {
@@ -172,6 +173,7 @@ export const closeOver = (): void => set({ over: null });
 export const showWhich = (region: WhichRegion | null = null): void => showOver({ dialog: "which", region });
 export const showComparison = (showBlock: ShowBlock, against: OtherText | null = null): void =>
   showOver({ dialog: "comparison", showBlock, against });
+export const showCommands = (): void => showOver({ dialog: "commands" });
 export const showKeys = (place: KeyPlace): void => showOver({ dialog: "keys", place });
 
 export const showSheet = (): void => cover({ page: "sheet" });

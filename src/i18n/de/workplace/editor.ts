@@ -24,6 +24,9 @@ export const editor = {
   operations: "Bearbeitungen",
   toolChanges: "Werkzeugwechsel",
   blocks: "Sätze",
+  parameters: "$ Parameter",
+  fold: "Zyklus zuklappen",
+  unfold: "Zyklus aufklappen",
   /* files of a program */
   files: {
     title: "Dateien dieses Programms",

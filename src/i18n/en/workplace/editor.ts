@@ -28,6 +28,11 @@ export const editor = {
   toolChanges: "Tool changes",
   blocks: "Blocks",
 
+  /* text */
+  parameters: "$ parameters",
+  fold: "Collapse the cycle",
+  unfold: "Expand the cycle",
+
   /* files of a program */
   files: {
     title: "Files of this program",

@@ -24,6 +24,9 @@ export const editor = {
   operations: "Opérations",
   toolChanges: "Changements d’outil",
   blocks: "Séquences",
+  parameters: "$ paramètres",
+  fold: "Replier le cycle",
+  unfold: "Déplier le cycle",
   /* files of a program */
   files: {
     title: "Fichiers de ce programme",

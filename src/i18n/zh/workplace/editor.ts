@@ -23,6 +23,9 @@ export const editor = {
   operations: "工序",
   toolChanges: "换刀",
   blocks: "程序段",
+  parameters: "$ 个参数",
+  fold: "折叠循环",
+  unfold: "展开循环",
   /* files of a program */
   files: {
     title: "此程序的文件",
