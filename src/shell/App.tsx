@@ -53,6 +53,9 @@ const ElsewherePage = lazyPart(async () => ({ default: (await fetchOtherTabPage(
 /** Fetched with their texts when somebody asks. */
 const ChooseProgram = lazyPart(async () => ({ default: (await fetchChooseProgram()).ChooseProgram }));
 const KeySheet = lazyPart(async () => ({ default: (await import("../app/fields/keys/KeySheet.tsx")).KeySheet }));
+const CommandDialog = lazyPart(async () => ({
+  default: (await import("./commands/CommandDialog.tsx")).CommandDialog,
+}));
 const CompareDialog = lazyPart(async () => ({ default: (await fetchCompareDialog()).CompareDialog }));
 const WhichCycle = lazyPart(async () => ({ default: (await fetchWhichCycle()).WhichCycle }));
 const fetchSheet = withTexts(fetchSheetPage);
@@ -145,6 +148,7 @@ export function App() {
           {over.dialog === "comparison" && (
             <CompareDialog done={closeOver} showBlock={over.showBlock} against={over.against} />
           )}
+          {over.dialog === "commands" && <CommandDialog done={closeOver} />}
           {over.dialog === "keys" && <KeySheet done={closeOver} place={over.place} />}
         </Suspense>
       )}
