@@ -2,6 +2,7 @@ import { Suspense, useState, type ReactNode } from "react";
 import { flushEdits, useEditor } from "../../document/store.ts";
 import type { ShownVerdict } from "../../findings/verdict.ts";
 import { showComparison, type ShowBlock, showSheet } from "../../place/place.ts";
+import { useActions } from "../../base/actions.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { confirmExport } from "../leaving/confirm-export.ts";
 import { lazyPart } from "../../base/parts.ts";
@@ -63,16 +64,28 @@ export function ProgramMore({ showBlock, children }: { readonly showBlock: ShowB
   const [clamps, setClamps] = useState(false);
   const ofProgram = useEditor((s) => s.program !== null);
   const [taught, teach] = useState<{ readonly text: string; readonly work: string } | null>(null);
+  const openSheet = () => {
+    flushEdits();
+    showSheet();
+  };
+  useActions([
+    { id: "do.sheet", name: t.setupSheet, run: openSheet },
+    { id: "do.drawing", name: t.workshopDrawing, run: () => draw(openStem()) },
+    { id: "do.share", name: t.handOn, run: () => void leaving().then(handOn) },
+    { id: "do.exportPart", name: t.exportPart, run: () => exportPart(openStem()) },
+    { id: "do.flip", name: t.turnRound, run: () => turnRound(openText()) },
+    {
+      id: "do.exercise",
+      name: t.makeTask,
+      run: () => teach({ text: openText(), work: useEditor.getState().work ?? "" }),
+    },
+    ...(ofProgram ? [{ id: "do.clamping", name: t.clamping, run: () => setClamps(true) } as const] : []),
+    { id: "do.compare", name: t.compare, run: () => showComparison(showBlock) },
+    { id: "do.output", name: t.output, run: () => setOutput(true) },
+  ]);
   return (
     <div className="program-more">
-      <button
-        type="button"
-        className="button plain"
-        onClick={() => {
-          flushEdits();
-          showSheet();
-        }}
-      >
+      <button type="button" className="button plain" onClick={openSheet}>
         <Icon name="print" /> {t.setupSheet}
       </button>
       <button type="button" className="button plain" aria-haspopup="dialog" onClick={() => draw(openStem())}>

@@ -53,6 +53,7 @@ export const editor = {
   previous: "Séquence précédente",
   next: "Séquence suivante",
   palette: "Insérer une séquence",
+  findBlock: "Rechercher : mot, nom ou numéro de cycle",
   groups: {
     frame: "Programme",
     technology: "Outil et broche",
@@ -71,6 +72,7 @@ export const editor = {
   comment: "Commentaire",
   none: "aucune",
   notReadable: "Ce n’est pas une valeur valide pour ce champ.",
+  moreOnWords: "En savoir plus sur les mots",
   incremental: "incrémental",
   incrementalOf: (field) => `${field} incrémental`,
   kinds: {
