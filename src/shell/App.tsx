@@ -53,9 +53,8 @@ const ElsewherePage = lazyPart(async () => ({ default: (await fetchOtherTabPage(
 /** Fetched with their texts when somebody asks. */
 const ChooseProgram = lazyPart(async () => ({ default: (await fetchChooseProgram()).ChooseProgram }));
 const KeySheet = lazyPart(async () => ({ default: (await import("../app/fields/keys/KeySheet.tsx")).KeySheet }));
-const CommandDialog = lazyPart(async () => ({
-  default: (await import("./commands/CommandDialog.tsx")).CommandDialog,
-}));
+const fetchCommands = () => import("./commands/CommandDialog.tsx");
+const CommandDialog = lazyPart(async () => ({ default: (await fetchCommands()).CommandDialog }));
 const CompareDialog = lazyPart(async () => ({ default: (await fetchCompareDialog()).CompareDialog }));
 const WhichCycle = lazyPart(async () => ({ default: (await fetchWhichCycle()).WhichCycle }));
 const fetchSheet = withTexts(fetchSheetPage);
@@ -122,6 +121,8 @@ export function App() {
   }, [name]);
 
   useEffect(() => prefetchIdle(fetchWorkplace), []);
+  // What is typed right after its shortcut must not go elsewhere.
+  useEffect(() => prefetchIdle(fetchCommands), []);
 
   return (
     <div className="page">

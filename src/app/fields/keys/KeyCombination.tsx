@@ -1,4 +1,5 @@
 import { Fragment } from "react";
+import "./keys.css";
 
 /** Keys pressed together, with their names in the screen language. */
 export function KeyCombination({
