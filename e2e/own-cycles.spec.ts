@@ -65,7 +65,7 @@ test("an unknown block is described, its dialog changes the text, and it is inse
   await editor.tool("insertLong").click();
   await page
     .getByRole("group", { name: t.editor.palette })
-    .getByRole("button", { name: t.editor.kinds.cycle, exact: true })
+    .getByRole("button", { name: `CYCL DEF ${t.editor.kinds.cycle}`, exact: true })
     .click();
   await own.group.getByRole("button", { name: t.page.own.title }).click();
   await expect(own.group).toContainText(t.own.mark);

@@ -6,6 +6,7 @@ import type { Shape } from "./shape.ts";
 interface English {
   readonly advice: typeof import("./en/advice.ts");
   readonly clamping: typeof import("./en/clamping.ts");
+  readonly commands: typeof import("./en/commands.ts");
   readonly compare: typeof import("./en/compare.ts");
   readonly course: typeof import("./en/course.ts");
   readonly "course-drawing": typeof import("./en/course-drawing.ts");
@@ -14,6 +15,7 @@ interface English {
   readonly device: typeof import("./en/device.ts");
   readonly export: typeof import("./en/export.ts");
   readonly files: typeof import("./en/files.ts");
+  readonly find: typeof import("./en/find.ts");
   readonly first: typeof import("./en/first.ts");
   readonly glossary: typeof import("./en/glossary.ts");
   readonly guide: typeof import("./en/guide.ts");

@@ -1,6 +1,6 @@
 import * as fc from "fast-check";
 import { describe, expect, test } from "vitest";
-import { renumbered, withBlock, withInserted, withoutBlocks } from "./edit.ts";
+import { numberedFromZero, renumbered, withBlock, withInserted, withNumbers, withoutBlocks } from "./edit.ts";
 import { parse } from "./parse.ts";
 import { print } from "./program.ts";
 import type { Statement } from "./statement.ts";
@@ -108,4 +108,46 @@ test("an edit touches no other block, and the text reads back as edited", () => 
     ),
     { numRuns: 2000 },
   );
+});
+
+describe("numbers", () => {
+  test.each([
+    ["gaps and repetitions", "0 BEGIN PGM A MM\n7 L X+1\n7 L X+2\n", "0 BEGIN PGM A MM\n1 L X+1\n2 L X+2\n"],
+    ["missing ones, also of comments", "BEGIN PGM A MM\n; a\n\n  /L X+1\n", "0 BEGIN PGM A MM\n1 ; a\n\n  /2 L X+1\n"],
+    [
+      "only the first line of a list",
+      "5 CYCL DEF 200 A ~\n  Q200=+2\n6 L X+1\n",
+      "0 CYCL DEF 200 A ~\n  Q200=+2\n1 L X+1\n",
+    ],
+    ["tens, with N", "N10 BEGIN PGM A MM\nL X+1\nN20 L X+2", "N0 BEGIN PGM A MM\nN1 L X+1\nN2 L X+2"],
+  ])("from 0 in steps of 1: %s", (_, before, after) => {
+    expect(print(numberedFromZero(parse(before)))).toBe(after);
+    expect(numberedFromZero(parse(after)).blocks.map((b) => b.number)).toEqual(
+      parse(after).blocks.map((b) => b.number),
+    );
+  });
+
+  test.each([
+    [
+      "a typed block, and those behind it",
+      "0 BEGIN PGM A MM\nL X+1\n1 L X+2\n",
+      "0 BEGIN PGM A MM\n1 L X+1\n2 L X+2\n",
+    ],
+    ["a comment, but no blank line", "0 BEGIN PGM A MM\n\n; a\n1 L X+2\n", "0 BEGIN PGM A MM\n\n1 ; a\n2 L X+2\n"],
+    ["nothing in a program without numbers", "BEGIN PGM A MM\nL X+1\n", "BEGIN PGM A MM\nL X+1\n"],
+    ["the line end stays", "0 BEGIN PGM A MM\r\n L X+1\r\n", "0 BEGIN PGM A MM\r\n1 L X+1\r\n"],
+  ])("of blocks without one: %s", (_, before, after) => {
+    const program = parse(before);
+    expect(print(withNumbers(program, 1, program.blocks.length - 1))).toBe(after);
+  });
+
+  test("every sample is numbered as reading the numbered text again says", () => {
+    for (const text of samples) {
+      const made = numberedFromZero(parse(text));
+      expect(made.blocks.filter((b) => b.number !== null).map((b) => b.number)).toEqual([
+        ...made.blocks.filter((b) => b.number !== null).keys(),
+      ]);
+      expect(parse(print(made)).blocks).toEqual(made.blocks);
+    }
+  });
 });

@@ -115,6 +115,53 @@ export function withoutBlocks(program: Program, index: number, count = 1): Progr
 
 const nextNumber = (blocks: readonly Block[]) => (blocks.findLast((b) => b.number !== null)?.number ?? -1) + 1;
 
+/** The block with another number, or its first one: written behind the skip mark, as `12 ` or `N12 `. */
+function withNumber(b: Block, number: number, letter: string): Block {
+  if (b.number === number) return b;
+  const old = headOf(b.raw);
+  const head =
+    b.number === null
+      ? old.replace(/\/?[ \t]*$/, (mark) => `${mark.trimEnd()}${letter}${number} `)
+      : old.replace(/\d+/, String(number));
+  return {
+    ...b,
+    number,
+    raw: head + b.raw.slice(old.length),
+    issues: b.issues.map((x) => shifted(x, head.length - old.length)),
+  };
+}
+
+/** `N` where the numbers of a program are written with it. */
+const letterOf = (blocks: readonly Block[]) =>
+  blocks.some((b) => b.number !== null && /^[ \t]*\/?[ \t]*N\d/i.test(b.raw)) ? "N" : "";
+
+const isBlank = ({ statement: { kind } }: Block) => kind === "empty";
+
+/** The program numbered as the control does: from 0 in steps of 1, every block but blank lines. */
+export function numberedFromZero({ blocks }: Program): Program {
+  const letter = letterOf(blocks);
+  let next = 0;
+  return { blocks: blocks.map((b) => (isBlank(b) && b.number === null ? b : withNumber(b, next++, letter))) };
+}
+
+/**
+ * Numbers the blocks without a number from `first` to `last`, if the program is numbered; those behind follow.
+ */
+export function withNumbers(program: Program, first: number, last: number): Program {
+  if (program.blocks.every((b) => b.number === null)) return program;
+  const blocks = [...program.blocks];
+  const isMissing = (b: Block) => b.number === null && !isBlank(b);
+  const start = blocks.findIndex((b, i) => i >= first && i <= last && isMissing(b));
+  if (start < 0) return program;
+  const letter = letterOf(blocks.slice(Math.max(0, start - 1), last + 2));
+  let next = nextNumber(blocks.slice(0, start));
+  for (let i = start; i <= last; i += 1) {
+    const b = blocks[i];
+    if (b && (b.number !== null || isMissing(b))) blocks[i] = withNumber(b, next++, letter);
+  }
+  return renumbered({ blocks }, last + 1);
+}
+
 /** Renumbers blocks from `index` up to the first correct number; only the digits change. */
 export function renumbered(program: Program, index: number): Program {
   let next = nextNumber(program.blocks.slice(0, index));
@@ -123,13 +170,7 @@ export function renumbered(program: Program, index: number): Program {
     const b = blocks[i];
     if (!b || b.number === null) continue;
     if (b.number === next) break;
-    const head = headOf(b.raw);
-    blocks[i] = {
-      ...b,
-      number: next,
-      raw: head.replace(/\d+/, String(next)) + b.raw.slice(head.length),
-      issues: b.issues.map((x) => shifted(x, String(next).length - String(b.number).length)),
-    };
+    blocks[i] = withNumber(b, next, "");
     next += 1;
   }
   return { blocks };

@@ -57,6 +57,8 @@ const KeySheet = lazyPart(async () => ({ default: (await import("../app/fields/k
 const WorkDialog = lazyPart(
   withTexts(async () => ({ default: (await import("../app/fields/program/WorkDialog.tsx")).WorkDialog })),
 );
+const fetchCommands = () => import("./commands/CommandDialog.tsx");
+const CommandDialog = lazyPart(async () => ({ default: (await fetchCommands()).CommandDialog }));
 const CompareDialog = lazyPart(async () => ({ default: (await fetchCompareDialog()).CompareDialog }));
 const WhichCycle = lazyPart(async () => ({ default: (await fetchWhichCycle()).WhichCycle }));
 const fetchSheet = withTexts(fetchSheetPage);
@@ -123,6 +125,8 @@ export function App() {
   }, [name]);
 
   useEffect(() => prefetchIdle(fetchWorkplace), []);
+  // What is typed right after its shortcut must not go elsewhere.
+  useEffect(() => prefetchIdle(fetchCommands), []);
 
   return (
     <div className="page">
@@ -151,6 +155,7 @@ export function App() {
             <CompareDialog done={closeOver} showBlock={over.showBlock} against={over.against} />
           )}
           {(over.dialog === "drawing" || over.dialog === "share") && <WorkDialog of={over.dialog} done={closeOver} />}
+          {over.dialog === "commands" && <CommandDialog done={closeOver} />}
           {over.dialog === "keys" && <KeySheet done={closeOver} place={over.place} />}
         </Suspense>
       )}

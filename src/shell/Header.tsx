@@ -1,7 +1,8 @@
 import { Suspense, useEffect, useRef, useState, type MouseEvent } from "react";
 import { goHome } from "../app/document/go-home.ts";
+import { useActions } from "../app/base/actions.ts";
 import { Icon } from "../app/base/Icon.tsx";
-import { shownPage, showTools, usePlace } from "../app/place/place.ts";
+import { shownPage, showCommands, showTools, usePlace } from "../app/place/place.ts";
 import { useTexts } from "../app/base/settings/use-texts.ts";
 import { useDocumentInView } from "../app/document/history.ts";
 import { lazyPart } from "../app/base/parts.ts";
@@ -39,6 +40,11 @@ export function Header() {
   const toTools = useRef<HTMLButtonElement>(null);
   const wereTools = useRef(false);
   const words = job && t.menu.of[job.cycle];
+
+  useActions([
+    { id: "do.newProgram", name: t.page.newProgram, run: () => create(true) },
+    { id: "do.settings", name: t.page.settings, run: () => showSettings(true) },
+  ]);
 
   useEffect(() => {
     if (wereTools.current && !tools) toTools.current?.focus();
@@ -98,6 +104,16 @@ export function Header() {
             <Icon name="add" /> <span>{t.page.newProgram}</span>
           </button>
         )}
+        <button
+          type="button"
+          className="button icon plain"
+          aria-label={t.page.commands}
+          title={`${t.page.commands} (Ctrl+K)`}
+          aria-haspopup="dialog"
+          onClick={showCommands}
+        >
+          <Icon name="search" />
+        </button>
         <button
           type="button"
           className="button icon plain"

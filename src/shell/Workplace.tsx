@@ -23,10 +23,11 @@ import { MeasuredTargetContext } from "../app/document/measured-target-context.t
 import { useMeasuredTarget } from "../app/document/measured-target.ts";
 import { DeferredUntilPaint, useDeferredUntilPaint } from "../app/base/typing.ts";
 import { lazyPart } from "../app/base/parts.ts";
-import { usePlace, type JobSection } from "../app/place/place.ts";
+import { showSection, usePlace, type JobSection } from "../app/place/place.ts";
 import { playback } from "../app/calculation/playback.ts";
 import { openAsked } from "../app/fields/program/choose-line.ts";
 import { PrintedProgram } from "../app/fields/program/PrintedProgram.tsx";
+import { useTextBar } from "../app/fields/find/text-bar.ts";
 import { ProgramPanel } from "../app/fields/program/ProgramPanel.tsx";
 import { useReading, type JobReading } from "../app/document/reading.ts";
 import { prefetchIdle } from "../app/base/idle.ts";
@@ -78,6 +79,10 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
   const measured = useMeasuredTarget(read, setPrompt);
   useEffect(() => () => chooseElement(null), []);
   useEffect(() => prefetchIdle(() => Promise.all([fetchSetup(), fetchFindings()])), []);
+  const bar = useTextBar({
+    modes: ["find"],
+    show: () => (wide ? changeSettings({ programFolded: false }) : showSection("program")),
+  });
   const free = read.cycle.contour === "free";
   const possible: readonly JobSection[] = [
     "prompts",
@@ -107,7 +112,7 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
         <FindingsPanel host={host} />
       </Suspense>
     ),
-    program: <ProgramPanel read={read} foldable={false} />,
+    program: <ProgramPanel read={read} foldable={false} bar={bar} />,
   };
 
   return (
@@ -181,7 +186,7 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
               <Icon name="unfold" /> <span>{t.program}</span>
             </button>
           ) : (
-            <ProgramPanel read={read} foldable />
+            <ProgramPanel read={read} foldable bar={bar} />
           )}
         </div>
       )}

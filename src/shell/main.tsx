@@ -9,7 +9,8 @@ import { CrashGuard } from "./CrashGuard.tsx";
 import { startReports } from "../app/records/reports.ts";
 import { startCalculationIdle } from "../app/calculation/start-idle.ts";
 import { openShared } from "./open-shared.ts";
-import { onHistoryKey } from "../app/document/history.ts";
+import { declareActions, onActionKey } from "../app/base/actions.ts";
+import { historyActions } from "../app/document/history.ts";
 import { useNotices } from "../app/base/notices.ts";
 import { followMissing, retryImport } from "../app/base/parts.ts";
 import "./slots.ts";
@@ -26,7 +27,7 @@ import "../app/base/styles/dialog.css";
 import "../app/base/styles/panels.css";
 import "../app/base/styles/start.css";
 import { guardFocus } from "../app/base/focus-guard.ts";
-import { onKeysKey } from "../app/fields/keys/keys-key.ts";
+import { PAGE_ACTIONS } from "../app/fields/keys/page-actions.ts";
 import { startOfflineLater } from "../features/offline/first.ts";
 
 z.config({ jitless: true });
@@ -34,8 +35,8 @@ startReports();
 followAppearance();
 followMissing();
 startOfflineLater();
-document.addEventListener("keydown", onHistoryKey);
-document.addEventListener("keydown", onKeysKey);
+declareActions(() => [...historyActions(), ...PAGE_ACTIONS]);
+document.addEventListener("keydown", onActionKey);
 guardFocus();
 /** Starts saving the history in this tab and the picture of the work. The first screen waits for neither. */
 async function startKeepingExtras(): Promise<void> {

@@ -3,7 +3,7 @@
  * a plus between two names; several entries are alternatives.
  */
 export const KEY_LIST = {
-  everywhere: { undo: ["Ctrl Z"], redo: ["Ctrl Y", "Ctrl Shift Z"], keys: ["?"] },
+  everywhere: { undo: ["Ctrl Z"], redo: ["Ctrl Y", "Ctrl Shift Z"], commands: ["Ctrl K"], keys: ["?"] },
   prompts: {
     accept: ["Enter"],
     move: ["↑", "↓"],
@@ -14,7 +14,16 @@ export const KEY_LIST = {
     sign: ["−"],
   },
   cycles: { move: ["↑", "↓", "←", "→"], choose: ["Enter"] },
-  text: { suggest: ["Ctrl Space"] },
+  text: {
+    find: ["Ctrl F"],
+    next: ["F3"],
+    previous: ["Shift F3"],
+    replace: ["Ctrl H"],
+    goTo: ["Ctrl G"],
+    fold: ["F9"],
+    foldAll: ["Shift F9"],
+    suggest: ["Ctrl Space"],
+  },
   operations: { move: ["Alt ↑", "Alt ↓"], remove: ["Del"] },
   contourTable: {
     next: ["Enter"],

@@ -1,3 +1,4 @@
+import type { Action } from "../base/actions.ts";
 import { draftOf } from "./edits.ts";
 import { COURSE, WORKS, workOfDocument } from "./documents.ts";
 import { openOwn, openPrompt, openToolRow, shownPage, uncoverAll, usePlace, type Place } from "../place/place.ts";
@@ -89,13 +90,12 @@ function goStep(way: Way, document: DocumentId | null): void {
 export const undoStep = (document: DocumentId | null = documentInView()): void => goStep("past", document);
 export const redoStep = (document: DocumentId | null = documentInView()): void => goStep("future", document);
 
-/** Ctrl+Z, Ctrl+Y, Ctrl+Shift+Z anywhere on the page; fields leave their own undo to this one. */
-export function onHistoryKey(event: KeyboardEvent): void {
-  if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
-  const key = event.key.toLowerCase();
-  if (key !== "z" && key !== "y") return;
-  event.preventDefault();
-  const document = documentAt(event.target);
-  if (key === "y" || event.shiftKey) redoStep(document);
-  else undoStep(document);
+/** Undo and redo anywhere on the page, of the document with the focus; fields leave their own undo to this one. */
+export function historyActions(): readonly Action[] {
+  const { past, future } = historyOf(documentInView());
+  const common = { worksInDialogs: true } as const;
+  return [
+    { ...common, id: "everywhere.undo", isUnlisted: past.length === 0, run: (at) => undoStep(documentAt(at)) },
+    { ...common, id: "everywhere.redo", isUnlisted: future.length === 0, run: (at) => redoStep(documentAt(at)) },
+  ];
 }

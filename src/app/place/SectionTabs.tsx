@@ -1,5 +1,6 @@
 import { createContext, memo, useContext, useMemo, type ReactNode } from "react";
 import { Tab, TabList, TabPanel, Tabs } from "react-aria-components/Tabs";
+import { useActions } from "../base/actions.ts";
 import { showSection, type WorkSection } from "./place.ts";
 
 interface Section {
@@ -56,6 +57,13 @@ export function SectionTabs({
   readonly tabs: readonly Section[];
   readonly open: WorkSection;
 }) {
+  useActions(
+    tabs.map(({ section, name: label }) => ({
+      id: `do.section ${section}` as const,
+      name: label,
+      run: () => showSection(section),
+    })),
+  );
   const contents = useMemo(() => new Map(tabs.map(({ section, content }) => [section, content])), [tabs]);
   return (
     <Contents value={contents}>

@@ -69,7 +69,8 @@ export type Over =
   | { readonly dialog: "which"; readonly region: WhichRegion | null }
   | { readonly dialog: "comparison"; readonly showBlock: ShowBlock; readonly against: OtherText | null }
   | { readonly dialog: "keys"; readonly place: KeyPlace }
-  | { readonly dialog: "drawing" | "share" };
+  | { readonly dialog: "drawing" | "share" }
+  | { readonly dialog: "commands" };
 
 /** Where the operator is. It is no part of the work, so undo does not touch it. */
 export interface Place {
@@ -177,6 +178,7 @@ export const showComparison = (showBlock: ShowBlock, against: OtherText | null =
 /** Shows the workshop drawing of the open work, or shares it. */
 export const showDrawing = (): void => showOver({ dialog: "drawing" });
 export const showShare = (): void => showOver({ dialog: "share" });
+export const showCommands = (): void => showOver({ dialog: "commands" });
 export const showKeys = (place: KeyPlace): void => showOver({ dialog: "keys", place });
 
 export const showSheet = (): void => cover({ page: "sheet" });

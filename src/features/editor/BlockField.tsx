@@ -12,6 +12,8 @@ interface Props {
   readonly change: (next: Statement, field: string) => void;
   /** The link to its page of the guide. */
   readonly more: ReactNode;
+  /** X is a diameter: the block turns. */
+  readonly isTurned: boolean;
 }
 
 /** The typed text, and the block's text at that time: if the block has changed since, its text wins. */
@@ -23,13 +25,14 @@ interface Typed {
 /**
  * One word of a block. Each readable keystroke changes the text of the block; leaving the field ends the step of undo.
  */
-export function BlockField({ field, statement, change, more }: Props) {
+export function BlockField({ field, statement, change, more, isTurned }: Props) {
   const t = useTexts().editor;
   const id = useId();
   const [typed, setTyped] = useState<Typed | null>(null);
   const said = field.read(statement);
   const shown = typed && typed.said === said ? typed.text : said;
-  const name = typeof field.name === "string" ? t.fields[field.name] : t.fields.wordOf(field.name.word);
+  const plain = typeof field.name === "string" ? t.fields[field.name] : t.fields.wordOf(field.name.word);
+  const name = isTurned && field.id === "X" ? `${plain} ⌀` : plain;
   const wrong = typed !== null && typed.said === said && field.write(statement, typed.text) === null;
 
   const write = (text: string) => {

@@ -1,10 +1,11 @@
-import { Suspense, useEffect, useRef } from "react";
+import { Suspense, useEffect, useRef, useState } from "react";
 import { isUnsimulated } from "../../cycles/unsimulated-cycles.ts";
 import { withBlock } from "../../nc/edit.ts";
-import { blockNumbers, startLines } from "../../nc/program.ts";
+import { blockNumbers, startLines, type Program } from "../../nc/program.ts";
 import type { Statement } from "../../nc/statement.ts";
 import { FieldMessage } from "../../app/fields/number/FieldMessage.tsx";
 import type { FindingEntry } from "../../app/findings/entry.ts";
+import { Icon } from "../../app/base/Icon.tsx";
 import { Message } from "../../app/base/Message.tsx";
 import { CalledTool } from "./operations/CalledTool.tsx";
 import { DescribeCycle } from "../../app/fields/own/DescribeCycle.tsx";
@@ -44,6 +45,15 @@ function backToWord(form: HTMLElement | null): void {
   form.querySelector<HTMLElement>(`[data-word="${CSS.escape(block.word)}"]`)?.focus();
 }
 
+/** Fields whose links to the guide are shown at once; more of them are behind one button. */
+const FEW_LINKS = 2;
+
+/** Whether a block turns: X is a diameter there. */
+const isTurnedAt = ({ blocks }: Program, index: number): boolean => {
+  const mode = blocks.slice(0, index).findLast(({ statement }) => statement.kind === "mode")?.statement;
+  return mode?.kind === "mode" && mode.mode === "TURN";
+};
+
 /** The dialog of a block that is no catalogue cycle: one field per word, from the description of its kind. */
 export function BlockForm({ problems }: { readonly problems: readonly FindingEntry[] }) {
   const all = useTexts();
@@ -55,12 +65,16 @@ export function BlockForm({ problems }: { readonly problems: readonly FindingEnt
     index,
   } = useSession();
   const form = useRef<HTMLDivElement>(null);
+  const [hasLinks, showLinks] = useState(false);
   const block = program.blocks[index];
   useEffect(() => backToWord(form.current), []);
   if (!block) return null;
   const s = block.statement;
   const line = startLines(program)[index] ?? 1,
-    kind = kindOf(s);
+    kind = kindOf(s),
+    fields = fieldsOf(s),
+    isTurned = isTurnedAt(program, index);
+  const hasPages = kind !== "unknown" && kind !== "empty";
   const change = (next: Statement, field: string) =>
     editProgram(withBlock(program, index, next), `block ${index} ${field}`);
   const away = s.kind === "cycleCall" && file === null ? definedElsewhere(newest, blockNumbers(program)[index]) : null;
@@ -80,13 +94,26 @@ export function BlockForm({ problems }: { readonly problems: readonly FindingEnt
         </Suspense>
       )}
       {s.kind === "toolCall" && <CalledTool key={index} statement={s} change={(next) => change(next, "tool chosen")} />}
-      {fieldsOf(s).map((field) => (
+      {fields.length > FEW_LINKS && hasPages && (
+        <button
+          type="button"
+          className="button plain small block-links"
+          aria-expanded={hasLinks}
+          onClick={() => showLinks(!hasLinks)}
+        >
+          <Icon name="question" /> {t.moreOnWords}
+        </button>
+      )}
+      {fields.map((field) => (
         <BlockField
           key={`${index} ${field.id}`}
           field={field}
           statement={s}
           change={change}
-          more={kind !== "unknown" && kind !== "empty" && <BlockMore kind={kind} field={field} line={line} />}
+          isTurned={isTurned}
+          more={
+            hasPages && (hasLinks || fields.length <= FEW_LINKS) && <BlockMore kind={kind} field={field} line={line} />
+          }
         />
       ))}
       {definition >= 0 && (

@@ -7,12 +7,12 @@ import { Icon } from "../../app/base/Icon.tsx";
 import type { Statement } from "../../nc/statement.ts";
 import { useOwnOffer } from "../../app/fields/own/OwnCycles.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
+import { useFingers } from "../../app/base/use-media.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { inserted } from "../../app/fields/blocks/block-edits.ts";
-import { cycleStatement, palette, type Offered } from "./palette.ts";
+import { BlockKinds } from "./BlockKinds.tsx";
+import { cycleStatement, type Offered } from "./palette.ts";
 import { editProgram, useSession } from "../../app/fields/blocks/session.ts";
-
-const groups = [...new Set(palette.map((offered) => offered.group))];
 
 interface Props {
   readonly index: number;
@@ -26,11 +26,13 @@ export function Palette({ index, done }: Props) {
   const program = useSession((s) => s.reading.program);
   const box = useRef<HTMLDivElement>(null);
   const [cycles, showCycles] = useState(false);
+  // A field with the focus opens the keyboard of a touch screen.
+  const fingers = useFingers();
   // Takes focus from the clicked button it replaces; focus elsewhere stays.
   useEffect(() => {
     if (!cycles && document.activeElement === document.body)
-      box.current?.querySelector<HTMLElement>("button")?.focus({ preventScroll: true });
-  }, [cycles]);
+      box.current?.querySelector<HTMLElement>(fingers ? "button" : "input")?.focus({ preventScroll: true });
+  }, [cycles, fingers]);
 
   const put = (statement: Statement) => {
     if (statement.kind === "approach") markFresh(index + 1);
@@ -75,22 +77,7 @@ export function Palette({ index, done }: Props) {
           ways={[{ name: t.chooser.insert, short: t.chooser.insert, go: putCycle }]}
         />
       )}
-      {!cycles &&
-        groups.map((group) => (
-          <section key={group} aria-label={t.editor.groups[group]}>
-            <h3 className="panel-title">{t.editor.groups[group]}</h3>
-            <div className="palette-kinds">
-              {palette
-                .filter((offered) => offered.group === group)
-                .map((offered) => (
-                  <button key={offered.kind} type="button" className="button" onClick={() => choose(offered)}>
-                    {/^[A-Z]/.test(offered.kind) && <b className="number">{offered.kind}</b>}{" "}
-                    {t.editor.kinds[offered.kind]}
-                  </button>
-                ))}
-            </div>
-          </section>
-        ))}
+      {!cycles && <BlockKinds choose={choose} chooseCycle={putCycle} />}
     </div>
   );
 }

@@ -1,3 +1,4 @@
+import type { EditorView } from "@codemirror/view";
 import { Suspense, useEffect, useMemo, type ReactNode } from "react";
 import { partialWork } from "../../program/job/partial-work.ts";
 import { MachineView } from "../../app/pictures/plane/MachineView.tsx";
@@ -29,9 +30,13 @@ import { openChosen } from "../../app/fields/blocks/choose-block.ts";
 import { useBlockCounting } from "../../app/fields/blocks/block-counting.ts";
 import { setBlockPrompt, useOpenBlock } from "../../app/fields/blocks/open-block.ts";
 import { openSourceBlock } from "./open-source-block.ts";
-import { closeSession, flushText, openSession } from "../../app/fields/blocks/session.ts";
+import { closeSession, flushText, openSession, sessionView } from "../../app/fields/blocks/session.ts";
 import { showFile } from "../../app/document/shown-file.ts";
 import { lazyPart } from "../../app/base/parts.ts";
+import { toggleAllFolds, toggleFold } from "../../app/fields/blocks/folding.ts";
+import { useTextBar } from "../../app/fields/find/text-bar.ts";
+import { useActions } from "../../app/base/actions.ts";
+import { selectedText } from "./editor-text.ts";
 import { StructurePanel } from "./StructurePanel.tsx";
 import { TextPanel } from "./TextPanel.tsx";
 import { TotalsStrip } from "./TotalsStrip.tsx";
@@ -71,6 +76,11 @@ function openMove(step: number, byKey = false): void {
   if (byKey) usePlace.setState((p) => ({ focus: p.focus + 1 }));
 }
 
+const withView = (act: (view: EditorView) => void) => () => {
+  const view = sessionView();
+  if (view) act(view);
+};
+
 /** Blocks, lathe and text of a whole program. */
 export function ProgramWorkplace() {
   const { editor: t, findings: words } = useTexts();
@@ -100,10 +110,21 @@ export function ProgramWorkplace() {
     [late, shown, tools],
   );
   useProgramSession();
+  const bar = useTextBar({
+    modes: ["find", "replace", "goTo"],
+    show: () => {
+      if (!wide) showSection("text");
+    },
+    selected: selectedText,
+  });
+  useActions([
+    { id: "text.fold", run: withView(toggleFold) },
+    { id: "text.foldAll", run: withView(toggleAllFolds) },
+  ]);
   const possible: readonly ProgramSection[] = [...(wide ? [] : ["text" as const]), "block", "structure", "findings"];
   const open = possible.find((section) => section === asked) ?? (wide ? "structure" : "text");
   const content: Readonly<Record<ProgramSection, ReactNode>> = {
-    text: <TextPanel toBlock={() => enterSection("block")} />,
+    text: <TextPanel bar={bar} toBlock={() => enterSection("block")} />,
     block: <BlockPanel />,
     structure: <StructurePanel />,
     findings: <FindingsPanel host={host} />,
@@ -144,7 +165,7 @@ export function ProgramWorkplace() {
       {wide && <Splitter of="program" side="right" />}
       {wide && (
         <div className="right">
-          <TextPanel />
+          <TextPanel bar={bar} />
         </div>
       )}
       {inserting && (

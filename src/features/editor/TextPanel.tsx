@@ -1,5 +1,6 @@
-import { useEffect, useMemo, useRef, useState } from "react";
+import { Suspense, useEffect, useMemo, useRef, useState } from "react";
 import { Icon } from "../../app/base/Icon.tsx";
+import { lazyPart } from "../../app/base/parts.ts";
 import { Message } from "../../app/base/Message.tsx";
 import { useVerdict } from "../../app/findings/use-findings.ts";
 import { copyProgram } from "../../app/fields/leaving/copy-program.ts";
@@ -26,12 +27,21 @@ import {
 } from "../../app/fields/blocks/session.ts";
 import { shownFile, useShownName } from "../../app/document/shown-file.ts";
 import { showTextBlock } from "../../app/fields/blocks/show-text-block.ts";
+import { TEXT_AREA, type TextBar } from "../../app/fields/find/text-bar.ts";
 import { SaveButton } from "./SaveButton.tsx";
 import { SkipSwitch } from "./SkipSwitch.tsx";
 import { WorkFiles } from "./WorkFiles.tsx";
 
+const TextTools = lazyPart(async () => ({ default: (await import("./TextTools.tsx")).TextTools }));
+
+interface Props {
+  /** The bar above the text: find, replace, go to. */
+  readonly bar: TextBar;
+  readonly toBlock?: () => void;
+}
+
 /** The text of the program, with the actions on its file. */
-export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
+export function TextPanel({ bar, toBlock }: Props) {
   const t = useTexts();
   const box = useRef<HTMLDivElement>(null);
   const name = useShownName();
@@ -71,7 +81,12 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
     <section className={`program text-panel${leavesOut ? " leaves-out" : ""}`} aria-label={t.page.text.title}>
       <WorkFiles />
       <SkipSwitch />
-      <div ref={box} className="text-editor number" />
+      <div className="text-area" {...{ [TEXT_AREA]: "" }}>
+        <Suspense fallback={<div className="text-tools" />}>
+          <TextTools bar={bar} />
+        </Suspense>
+        <div ref={box} className="text-editor number" />
+      </div>
       {foreign !== null && (
         <Message role="status" tone="warning">
           {t.editor.otherEncoding(foreign, name)}

@@ -1,6 +1,7 @@
 import { EditorView } from "@codemirror/view";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { openPrompt, usePlace } from "../../app/place/place.ts";
+import { undoStep } from "../../app/document/history.ts";
 import { forgetAllSteps } from "../../app/document/steps.ts";
 import { openFirstWork, useEditor } from "../../app/document/store.ts";
 import { parse } from "../../nc/parse.ts";
@@ -52,12 +53,46 @@ function key(letter: string): void {
   vi.advanceTimersByTime(200);
 }
 
-test("a cycle definition is typed undisturbed while its prompts open next to it", () => {
+test("a cycle definition is typed undisturbed while its prompts open next to it, and has its number", () => {
   const view = sessionView();
   view?.dispatch({ selection: { anchor: BEFORE.length } });
   for (const letter of WRITTEN) key(letter);
-  expect(sessionText()).toBe(BEFORE + WRITTEN + AFTER);
+  expect(sessionText()).toBe(`${BEFORE}2 ${WRITTEN}\n3 M30\n4 END PGM A MM\n`);
   expect(usePlace.getState().prompt).toBe("Q493");
+});
+
+/** What is typed after the first tool call, and the text with it. */
+test.each([
+  ["L X+1", "2 L X+1\n3 M30\n4 END PGM A MM\n"],
+  ["; note", "2 ; note\n3 M30\n4 END PGM A MM\n"],
+  ["9 L X+1", "9 L X+1\n2 M30\n3 END PGM A MM\n"],
+  ["  ", "  \n2 M30\n3 END PGM A MM\n"],
+])("typing %j numbers the block and those behind it, in one step of undo", (typed, after) => {
+  const view = sessionView();
+  view?.dispatch({ selection: { anchor: BEFORE.length } });
+  for (const letter of typed) key(letter);
+  expect(sessionText()).toBe(BEFORE + after);
+  undoStep();
+  expect(sessionText()).toBe(BEFORE + AFTER);
+});
+
+test("a parameter typed behind a cycle may join its list, and is numbered when its line is left", () => {
+  const cycle = "2 CYCL DEF 811 A ~\nQ460=+2\n";
+  const view = sessionView();
+  view?.dispatch({ changes: { from: BEFORE.length, insert: cycle }, userEvent: "input.dialog" });
+  view?.dispatch({ selection: { anchor: BEFORE.length + cycle.length } });
+  for (const letter of "Q5") key(letter);
+  expect(sessionText()).toContain("\nQ5\n");
+  key("\n");
+  expect(sessionText()).toContain("\n3 Q5\n");
+});
+
+test("a block that was not typed keeps its missing number", () => {
+  const view = sessionView();
+  view?.dispatch({ changes: { from: BEFORE.length, insert: "M8\n" }, userEvent: "input.dialog" });
+  view?.dispatch({ selection: { anchor: 2 } });
+  key("x");
+  expect(sessionText()).toContain("\nM8\n");
 });
 
 test("a prompt opened in the dialog scrolls the text", () => {

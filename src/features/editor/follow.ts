@@ -13,6 +13,7 @@ import { chooseOpenBlock, followOpenBlock } from "../../app/fields/blocks/choose
 import { diagnosticsOf } from "./diagnostics.ts";
 import { inWords } from "../../app/fields/blocks/editor-extensions.ts";
 import { openPrompts } from "../../app/fields/blocks/open-block.ts";
+import { isInTextArea } from "../../app/fields/find/text-bar.ts";
 import { blockRange } from "../../app/fields/blocks/reading-field.ts";
 import { thirdColumn } from "../../app/base/use-media.ts";
 import { isUpToDate } from "../../app/fields/blocks/up-to-date.ts";
@@ -36,7 +37,7 @@ function showAskedPrompt(leads: Leading): void {
   const { parameter } = useSession.getState();
   const q = parameter !== null && ids.includes(parameter) ? parameter : ids[0];
   if (q === undefined) return;
-  leads.cursor = sessionView()?.hasFocus ?? false;
+  leads.cursor = (sessionView()?.hasFocus ?? false) || isInTextArea();
   usePlace.setState({ prompt: q, before: draft[q] ?? "", field: null });
   leads.cursor = false;
 }

@@ -4,7 +4,8 @@ import userEvent from "@testing-library/user-event";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { parse } from "../../nc/parse.ts";
 import { newParameter, OWN_SIZES, type OwnEntry } from "../../program/edits/own-cycle.ts";
-import { onHistoryKey } from "../../app/document/history.ts";
+import { declareActions, onActionKey } from "../../app/base/actions.ts";
+import { historyActions } from "../../app/document/history.ts";
 import { changeSettings } from "../../app/base/settings/settings.ts";
 import { redo, undo, historyOf } from "../../app/document/steps.ts";
 import { describeBlock } from "../../app/fields/blocks/own-edits.ts";
@@ -72,7 +73,8 @@ test("a fault is shown at its field, and the list names the unusable cycle", asy
 
 test("typing in one field is one step of undo; the history keys work here and leave focus where it is", async () => {
   ownRecord.replace([entry("c1", "317")]);
-  document.addEventListener("keydown", onHistoryKey);
+  const undeclare = declareActions(historyActions);
+  document.addEventListener("keydown", onActionKey);
   render(<OwnPage />);
   const user = userEvent.setup();
   await user.type(field(t.name), " 2");
@@ -84,7 +86,8 @@ test("typing in one field is one step of undo; the history keys work here and le
   expect(document.activeElement).toBe(field(t.name));
   redo("own-cycles");
   expect(list()[0]?.name).toBe("BAR PULLER 2");
-  document.removeEventListener("keydown", onHistoryKey);
+  document.removeEventListener("keydown", onActionKey);
+  undeclare();
 });
 
 test("duplicate, delete, and undo next to the status", async () => {

@@ -6,7 +6,8 @@ import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { cellOf, tableOrigin } from "../../program/tools/tool-entry.ts";
 import { shippedList } from "../../program/tools/tool-list.ts";
 import { writeTableText } from "../../program/tools/tool-table-text.ts";
-import { onHistoryKey } from "../../app/document/history.ts";
+import { declareActions, onActionKey } from "../../app/base/actions.ts";
+import { historyActions } from "../../app/document/history.ts";
 import { changeSettings } from "../../app/base/settings/settings.ts";
 import { undo, historyOf } from "../../app/document/steps.ts";
 import { showToolKind, showTools, usePlace } from "../../app/place/place.ts";
@@ -53,7 +54,8 @@ test("typing in one cell is one step of undo, and other tools stay as they are",
 
 test("the history keys work on the table while it is shown, and open the changed row", async () => {
   render(<ToolPage />);
-  document.addEventListener("keydown", onHistoryKey);
+  const undeclare = declareActions(historyActions);
+  document.addEventListener("keydown", onActionKey);
   const user = userEvent.setup();
   await user.type(field("NAME: tool name"), "x");
   expect(cellOf(row(1) ?? shippedList[0]!, "NAME")).toBe("CNMG-80-R08X");
@@ -61,7 +63,8 @@ test("the history keys work on the table while it is shown, and open the changed
   await user.keyboard("{Control>}z{/Control}");
   expect(row(1)).toEqual(shippedList[0]);
   expect(usePlace.getState().tools.row).toBe("r1");
-  document.removeEventListener("keydown", onHistoryKey);
+  document.removeEventListener("keydown", onActionKey);
+  undeclare();
 });
 
 test("an invalid cell is marked at its column, refused for programs, and its last valid insert stays", async () => {

@@ -28,7 +28,12 @@ export const keys: KeysTexts = {
     measuring: "Messen",
   },
   does: {
-    everywhere: { undo: "Rückgängig", redo: "Wiederholen", keys: "Tastenkürzel anzeigen" },
+    everywhere: {
+      undo: "Rückgängig",
+      redo: "Wiederholen",
+      commands: "Befehle, Zyklen und Seiten suchen",
+      keys: "Tastenkürzel",
+    },
     prompts: {
       accept: "ENT: Wert übernehmen, nächste Eingabe",
       move: "Vorherige und nächste Eingabe",
@@ -39,7 +44,16 @@ export const keys: KeysTexts = {
       sign: "Vorzeichen wechseln",
     },
     cycles: { move: "Von Zyklus zu Zyklus", choose: "Zyklus wählen" },
-    text: { suggest: "Wörter vorschlagen" },
+    text: {
+      find: "Suchen",
+      next: "Nächste Fundstelle",
+      previous: "Vorherige Fundstelle",
+      replace: "Ersetzen",
+      goTo: "Gehe zu Satz, Label, Werkzeug oder Q",
+      fold: "Zyklus zu- oder aufklappen",
+      foldAll: "Alle Zyklen zu- oder aufklappen",
+      suggest: "Wörter vorschlagen",
+    },
     operations: { move: "Bearbeitung nach oben oder unten schieben", remove: "Bearbeitung löschen" },
     contourTable: {
       next: "Nächstes Feld",

@@ -29,7 +29,12 @@ export const keys = {
     measuring: "Measuring",
   },
   does: {
-    everywhere: { undo: "Undo", redo: "Redo", keys: "Show these shortcuts" },
+    everywhere: {
+      undo: "Undo",
+      redo: "Redo",
+      commands: "Search commands, cycles and pages",
+      keys: "Keyboard shortcuts",
+    },
     prompts: {
       accept: "ENT: accept the value, next prompt",
       move: "Previous and next prompt",
@@ -40,7 +45,16 @@ export const keys = {
       sign: "Change the sign",
     },
     cycles: { move: "From cycle to cycle", choose: "Select the cycle" },
-    text: { suggest: "Suggest words" },
+    text: {
+      find: "Find",
+      next: "Next match",
+      previous: "Previous match",
+      replace: "Replace",
+      goTo: "Go to block, label, tool or Q",
+      fold: "Collapse or expand the cycle",
+      foldAll: "Collapse or expand all cycles",
+      suggest: "Suggest words",
+    },
     operations: { move: "Move the operation up or down", remove: "Delete the operation" },
     contourTable: {
       next: "Next field",

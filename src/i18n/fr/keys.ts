@@ -28,7 +28,12 @@ export const keys: KeysTexts = {
     measuring: "Mesure",
   },
   does: {
-    everywhere: { undo: "Annuler", redo: "Rétablir", keys: "Afficher les raccourcis" },
+    everywhere: {
+      undo: "Annuler",
+      redo: "Rétablir",
+      commands: "Rechercher commandes, cycles et pages",
+      keys: "Raccourcis clavier",
+    },
     prompts: {
       accept: "ENT : valider la valeur, question suivante",
       move: "Question précédente et suivante",
@@ -39,7 +44,16 @@ export const keys: KeysTexts = {
       sign: "Changer le signe",
     },
     cycles: { move: "D’un cycle à l’autre", choose: "Choisir le cycle" },
-    text: { suggest: "Proposer des mots" },
+    text: {
+      find: "Rechercher",
+      next: "Résultat suivant",
+      previous: "Résultat précédent",
+      replace: "Remplacer",
+      goTo: "Atteindre une séquence, un label, un outil ou un Q",
+      fold: "Replier ou déplier le cycle",
+      foldAll: "Replier ou déplier tous les cycles",
+      suggest: "Proposer des mots",
+    },
     operations: { move: "Monter ou descendre l’opération", remove: "Supprimer l’opération" },
     contourTable: {
       next: "Champ suivant",

@@ -28,7 +28,7 @@ export const keys: KeysTexts = {
     measuring: "测量",
   },
   does: {
-    everywhere: { undo: "撤销", redo: "重做", keys: "显示快捷键" },
+    everywhere: { undo: "撤销", redo: "重做", commands: "搜索命令、循环和页面", keys: "键盘快捷键" },
     prompts: {
       accept: "ENT：确认数值，转到下一项",
       move: "上一项、下一项",
@@ -39,7 +39,16 @@ export const keys: KeysTexts = {
       sign: "改变正负号",
     },
     cycles: { move: "在循环之间移动", choose: "选择该循环" },
-    text: { suggest: "提示可用的字" },
+    text: {
+      find: "查找",
+      next: "下一处",
+      previous: "上一处",
+      replace: "替换",
+      goTo: "转到程序段、标签、刀具或 Q 参数",
+      fold: "折叠或展开循环",
+      foldAll: "折叠或展开所有循环",
+      suggest: "提示可用的字",
+    },
     operations: { move: "上移或下移加工操作", remove: "删除加工操作" },
     contourTable: {
       next: "下一个字段",

@@ -8,7 +8,9 @@ import type { Language } from "../../../i18n/languages.ts";
 import { guardCopy } from "../leaving/whole-program.ts";
 import { KEEPS_KEYBOARD } from "../../place/place.ts";
 import { blockMarks } from "./block-marks.ts";
+import { foundMarks } from "../find/found-marks.ts";
 import { cycleHelp } from "./cycle-help.ts";
+import { cycleFolding, FOLDED_PHRASE } from "./folding.ts";
 import { klartext } from "./nc-language.ts";
 import { readingField } from "./reading-field.ts";
 
@@ -28,7 +30,14 @@ const worded = (t: Texts, language: Language): Extension => [
     autocapitalize: "characters",
     autocorrect: "off",
   }),
-  EditorState.phrases.of({ Diagnostics: t.findings.title, "No diagnostics": t.findings.none, close: t.page.close }),
+  EditorState.phrases.of({
+    Diagnostics: t.findings.title,
+    "No diagnostics": t.findings.none,
+    close: t.page.close,
+    [FOLDED_PHRASE]: t.editor.parameters,
+    "Fold line": t.editor.fold,
+    "Unfold line": t.editor.unfold,
+  }),
 ];
 
 /** Switches hover help, completion and names to a screen language. */
@@ -43,6 +52,8 @@ export const editorExtensions = (mixedEnds: boolean): Extension => [
   readingField,
   klartext,
   blockMarks,
+  foundMarks,
+  cycleFolding,
   lintGutter(),
   history({ minDepth: 1000 }),
   highlightSpecialChars(),

@@ -10,7 +10,7 @@ import { documentOfWork } from "../../document/documents.ts";
 import { closeStep, continuesStep, recordStep, useSteps, type HistoryStep } from "../../document/steps.ts";
 import { setProgram, useEditor } from "../../document/store.ts";
 import { fileOf, withText, type ProgramWork, type WorkFile } from "../../document/work.ts";
-import { changesBetween } from "./block-edits.ts";
+import { changesBetween, type TextChange } from "./block-edits.ts";
 import { editorExtensions } from "./editor-extensions.ts";
 import { forgetHalfTyped, watchText } from "./half-typed.ts";
 import {
@@ -30,6 +30,7 @@ import {
   readFurther,
   readingField,
 } from "./reading-field.ts";
+import { numberTyped } from "./typed-numbers.ts";
 import { createTextView, type TextUpdate, type TextView } from "./text-view.ts";
 import { onShown, shownFile, showFile } from "../../document/shown-file.ts";
 import { createDeferredStore } from "../../base/typing.ts";
@@ -153,6 +154,11 @@ function onChange(update: TextUpdate): void {
   }
   // A short program is planned on the page, so its text is flushed at once.
   if (update.docChanged && calculating.plansOnPage(update.state.doc.length)) flushText();
+  if (!byDialog && !view?.get().composing) {
+    const changes = numberTyped(update);
+    // The number belongs to the typing before it, in one step of undo.
+    if (changes.length > 0) return view?.get().dispatch({ changes: [...changes], userEvent: "input.type.compose" });
+  }
   const more = update.state.field(readingField) !== update.startState.field(readingField);
   if (!more && !update.selectionSet) return;
   if (typed && !byDialog) panels.start(() => show(true), TYPING.panels);
@@ -291,6 +297,15 @@ export function dispatchEdit(spec: TransactionSpec, place: string | null): void 
       userEvent: on ? "input.type.compose" : "input.dialog",
     }),
   );
+}
+
+/** Replaces parts of the text as typing does, in one step of undo. */
+export function replaceText(changes: readonly TextChange[]): void {
+  sessionView()?.dispatch({
+    changes: [...changes],
+    annotations: isolateHistory.of("full"),
+    userEvent: "input.replace",
+  });
 }
 
 /** Replaces the open program as one step of undo; only the differences change in the text. */

@@ -1,13 +1,12 @@
-import { Fragment } from "react";
 import { ModalDialog } from "../../base/ModalDialog.tsx";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { KEY_LIST, KEY_PLACES, type KeyPlace } from "../../base/key-list.ts";
+import { KeyCombination } from "./KeyCombination.tsx";
 import "./keys.css";
 
 /** All keyboard shortcuts by place; those of the place it was opened from come first. */
 export function KeySheet({ place, done }: { readonly place: KeyPlace; readonly done: () => void }) {
   const t = useTexts("keys");
-  const names: Readonly<Record<string, string>> = t.names;
   const places = [place, ...KEY_PLACES.filter((other) => other !== place)];
   return (
     <ModalDialog title={t.title} done={done} className="modal key-sheet">
@@ -21,14 +20,7 @@ export function KeySheet({ place, done }: { readonly place: KeyPlace; readonly d
                 <div key={id}>
                   <dt>
                     {keys.map((combination) => (
-                      <span key={combination}>
-                        {combination.split(" ").map((key, i) => (
-                          <Fragment key={key}>
-                            {i > 0 && "+"}
-                            <kbd>{names[key] ?? key}</kbd>
-                          </Fragment>
-                        ))}
-                      </span>
+                      <KeyCombination key={combination} keys={combination} names={t.names} />
                     ))}
                   </dt>
                   <dd>{does[id]}</dd>

@@ -2,6 +2,7 @@ import { Suspense, useState, type ReactNode } from "react";
 import { flushEdits, useEditor } from "../../document/store.ts";
 import type { ShownVerdict } from "../../findings/verdict.ts";
 import { showComparison, type ShowBlock, showSheet } from "../../place/place.ts";
+import { useActions } from "../../base/actions.ts";
 import { Menu, type MenuItem } from "../../base/Menu.tsx";
 import { confirmExport } from "../leaving/confirm-export.ts";
 import { lazyPart } from "../../base/parts.ts";
@@ -77,6 +78,23 @@ export function ProgramMenus({
     if (handed) show(<HandOnDialog {...handed} done={done} />);
   };
   const exercise = () => show(<TeachDialog text={openText()} work={useEditor.getState().work ?? ""} done={done} />);
+  const draw = () => show(<ProgramDrawing stem={openStem()} done={done} />);
+  const exportPart = () => show(<PartExport stem={openStem()} done={done} />);
+  const compare = () => showComparison(showBlock);
+  const flip = () => show(<TurnRound text={openText()} done={done} />);
+  const clamp = () => show(<ClampingDialog done={done} />);
+  const setOutput = () => show(<OutputDialog done={done} />);
+  useActions([
+    { id: "do.sheet", name: t.setupSheet, run: sheet },
+    { id: "do.drawing", name: t.workshopDrawing, run: draw },
+    { id: "do.share", name: t.handOn, run: () => void share() },
+    { id: "do.exportPart", name: t.exportPart, run: exportPart },
+    { id: "do.flip", name: t.turnRound, run: flip },
+    { id: "do.exercise", name: t.makeTask, run: exercise },
+    ...(ofProgram ? [{ id: "do.clamping", name: t.clamping, run: clamp } as const] : []),
+    { id: "do.compare", name: t.compare, run: compare },
+    { id: "do.output", name: t.output, run: setOutput },
+  ]);
   return (
     <div className="program-more">
       <Menu
@@ -86,13 +104,8 @@ export function ProgramMenus({
           files,
           [
             { name: t.setupSheet, icon: "print", go: sheet },
-            {
-              name: t.workshopDrawing,
-              icon: "drawing",
-              opens,
-              go: () => show(<ProgramDrawing stem={openStem()} done={done} />),
-            },
-            { name: t.exportPart, icon: "solid", opens, go: () => show(<PartExport stem={openStem()} done={done} />) },
+            { name: t.workshopDrawing, icon: "drawing", opens, go: draw },
+            { name: t.exportPart, icon: "solid", opens, go: exportPart },
           ],
           [
             { name: t.handOn, icon: "share", opens, go: () => void share() },
@@ -105,13 +118,11 @@ export function ProgramMenus({
         icon="settings"
         groups={[
           [
-            { name: t.compare, icon: "compare", opens, go: () => showComparison(showBlock) },
-            { name: t.turnRound, icon: "turn", opens, go: () => show(<TurnRound text={openText()} done={done} />) },
-            ...(ofProgram
-              ? [{ name: t.clamping, opens, go: () => show(<ClampingDialog done={done} />) } as const]
-              : []),
+            { name: t.compare, icon: "compare", opens, go: compare },
+            { name: t.turnRound, icon: "turn", opens, go: flip },
+            ...(ofProgram ? [{ name: t.clamping, opens, go: clamp } as const] : []),
           ],
-          [{ name: t.output, icon: "settings", opens, go: () => show(<OutputDialog done={done} />) }, ...changes],
+          [{ name: t.output, icon: "settings", opens, go: setOutput }, ...changes],
         ]}
       />
       <Suspense>{dialog}</Suspense>

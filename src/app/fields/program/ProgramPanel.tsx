@@ -1,3 +1,4 @@
+import { Suspense, useCallback, useRef, useState } from "react";
 import { SCREEN_LANGUAGES } from "../../../i18n/languages.ts";
 import { NC_LANGUAGES } from "../../../nc/nc-languages.ts";
 import { hasOwnWords } from "../../../i18n/nc-labels.ts";
@@ -11,7 +12,7 @@ import { Message } from "../../base/Message.tsx";
 import { DeferredUntilPaint } from "../../base/typing.ts";
 import { CopyStatus } from "../leaving/CopyStatus.tsx";
 import { confirmExport } from "../leaving/confirm-export.ts";
-import { fileOfJob, exportedText, printedText } from "../../document/printed.ts";
+import { fileOfJob, exportedText, printedBlocks, printedText } from "../../document/printed.ts";
 import type { JobReading } from "../../document/reading.ts";
 import { changeSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
@@ -22,8 +23,16 @@ import { useReadPlayback } from "../../pictures/lathe/use-playback.ts";
 import { downloadText } from "../../base/download.ts";
 import { FileNote } from "./FileNote.tsx";
 import { useFileKind, useShownText } from "../../document/output.ts";
+import { lazyPart } from "../../base/parts.ts";
+import type { PrintedSearchState } from "../find/found-text.tsx";
+import type { TextBar } from "../find/text-bar.ts";
+import type { Match } from "../find/text-search.ts";
 import { ProgramMenus } from "./ProgramMenus.tsx";
 import { ProgramText } from "./ProgramText.tsx";
+
+const fetchSearch = () => import("../find/PrintedSearch.tsx");
+const FindButton = lazyPart(async () => ({ default: (await fetchSearch()).FindButton }));
+const PrintedSearch = lazyPart(async () => ({ default: (await fetchSearch()).PrintedSearch }));
 
 /** Block number at the playback position; null before and after the run. */
 function useRunningBlock(): number | null {
@@ -36,7 +45,16 @@ function useRunningBlock(): number | null {
 }
 
 /** The program as the control writes it: to read, copy and export. */
-export function ProgramPanel({ read, foldable }: { readonly read: JobReading; readonly foldable: boolean }) {
+export function ProgramPanel({
+  read,
+  foldable,
+  bar,
+}: {
+  readonly read: JobReading;
+  readonly foldable: boolean;
+  /** The bar that finds in the text. */
+  readonly bar: TextBar;
+}) {
   const {
     page: { text: t, programs: open },
   } = useTexts();
@@ -46,15 +64,22 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
   const kind = useFileKind();
   const running = useRunningBlock();
   const chosen = useChosenLine(read);
+  const panel = useRef<HTMLElement>(null);
+  const [search, mark] = useState<PrintedSearchState>({ sought: "", shown: null });
+  const showFound = useCallback((sought: string, shown: Match | null) => mark({ sought, shown }), []);
+  const focusText = useCallback(() => panel.current?.querySelector<HTMLElement>(".program-text")?.focus(), []);
   const download = async () => {
     const leaving = await exportedText(job);
     if (await confirmExport("download", printedText(job))) downloadText(leaving, file);
   };
 
   return (
-    <section className="program" aria-label={t.title}>
+    <section ref={panel} className="program" aria-label={t.title}>
       <header>
         <h2 className="panel-title">{t.title}</h2>
+        <Suspense>
+          <FindButton bar={bar} />
+        </Suspense>
         {foldable && (
           <button
             type="button"
@@ -113,8 +138,26 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
         {!hasOwnWords(job.ncLanguage) && <p className="small soft program-note">{t.noChinese}</p>}
       </div>
       {!read.reading.values && <Message tone="warning">{t.incomplete}</Message>}
+      {bar.mode !== null && (
+        <Suspense>
+          <PrintedSearch
+            bar={bar}
+            text={printedBlocks(text)
+              .flatMap(({ lines }) => lines)
+              .join("\n")}
+            mark={showFound}
+            focus={focusText}
+          />
+        </Suspense>
+      )}
       <DeferredUntilPaint>
-        <ProgramText text={text} running={running} chosen={chosen} choose={(line) => void chooseJobLine(read, line)} />
+        <ProgramText
+          text={text}
+          running={running}
+          chosen={chosen}
+          choose={(line) => void chooseJobLine(read, line)}
+          search={search}
+        />
       </DeferredUntilPaint>
       <FileNote
         {...(job.layout === "manual"

@@ -3,6 +3,7 @@ import { guardCopy } from "../leaving/whole-program.ts";
 import { KEEPS_KEYBOARD } from "../../place/place.ts";
 import { printedBlocks } from "../../document/printed.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
+import { foundIn, type PrintedSearchState } from "../find/found-text.tsx";
 
 /** A program line: block number, and the parameter on it. */
 export interface ChosenLine {
@@ -31,12 +32,26 @@ interface BlockProps {
   readonly isChosen: boolean;
   /** The parameter that is chosen in a chosen block. */
   readonly q: string | null;
+  readonly sought: string;
+  /** Where in its text the shown occurrence begins. */
+  readonly shown: number | null;
+}
+
+/** Offsets of texts that stand one below the other. */
+function startsOf(texts: readonly string[]): readonly number[] {
+  let next = 0;
+  return texts.map((text) => {
+    const start = next;
+    next += text.length + 1;
+    return start;
+  });
 }
 
 /** One block, memoised so that only changed ones re-render. */
-const Block = memo(function Block({ number, text, runs, isChosen, q }: BlockProps) {
+const Block = memo(function Block({ number, text, runs, isChosen, q, sought, shown }: BlockProps) {
   const t = useTexts().page.text,
-    lines = text.split("\n");
+    lines = text.split("\n"),
+    starts = startsOf(lines);
   return (
     <li
       className={`${runs ? "running" : ""}${isChosen ? " chosen" : ""}`.trim()}
@@ -45,7 +60,7 @@ const Block = memo(function Block({ number, text, runs, isChosen, q }: BlockProp
     >
       {lines.map((line, n) => (
         <code key={n} className={isChosen && q === qOfLine(line) ? "chosen-line" : ""}>
-          {line || " "}
+          {(sought !== "" && foundIn(line, sought, shown === null ? null : shown - (starts[n] ?? 0))) || line || " "}
         </code>
       ))}
       {runs && <span className="unseen">({t.running})</span>}
@@ -59,19 +74,23 @@ export function ProgramText({
   running,
   chosen,
   choose,
+  search,
 }: {
   readonly text: string;
   readonly running: number | null;
   /** The clicked line. */
   readonly chosen: ChosenLine | null;
   readonly choose: (line: ChosenLine) => void;
+  readonly search: PrintedSearchState;
 }) {
   const t = useTexts().page.text;
   const blocks = useMemo(() => printedBlocks(text), [text]);
+  const starts = useMemo(() => startsOf(blocks.map(({ lines }) => lines.join("\n"))), [blocks]);
   const box = useRef<HTMLDivElement>(null);
 
   useEffect(() => showWithPicture(box.current, "[aria-current]"), [running]);
   useEffect(() => showWithPicture(box.current, ".chosen-line"), [chosen]);
+  useEffect(() => showWithPicture(box.current, ".nc-found.shown"), [search]);
 
   const press = (pressed: EventTarget) => {
     const line = pressed instanceof Element && pressed.closest("code"),
@@ -107,7 +126,8 @@ export function ProgramText({
     >
       <ol aria-label={t.blocks} onClick={(event) => press(event.target)}>
         {blocks.map(({ number, lines }, i) => {
-          const isChosen = number === chosen?.block;
+          const isChosen = number === chosen?.block,
+            at = search.shown ? search.shown.from - (starts[i] ?? 0) : -1;
           return (
             <Block
               key={i}
@@ -116,6 +136,8 @@ export function ProgramText({
               runs={number === running}
               isChosen={isChosen}
               q={isChosen ? chosen.q : null}
+              sought={search.sought}
+              shown={at >= 0 && at < lines.join("\n").length ? at : null}
             />
           );
         })}

@@ -1,4 +1,4 @@
-import { memo, useCallback, useState } from "react";
+import { memo, useCallback, useEffect, useRef, useState } from "react";
 import type { Run } from "../../../program/state/run-types.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
@@ -53,18 +53,31 @@ const MoveRow = memo(function MoveRow({
 export function MoveRows({ run, playback }: { readonly run: Run; readonly playback: PlaybackStore }) {
   const t = useTexts().lathe;
   const running = useReadPlayback(playback, (s) => s.get().position.step);
+  const playing = useReadPlayback(playback, (s) => s.get().playing);
+  const body = useRef<HTMLTableSectionElement>(null);
   const own = Math.floor(Math.min(running, run.steps.length - 1) / PAGE);
-  const [turned, turn] = useState<number | null>(null);
+  /** The page that was turned to: it stays until another move is gone to. */
+  const [turned, setTurned] = useState<{ readonly page: number; readonly at: number } | null>(null);
+  const turn = (page: number) => setTurned({ page, at: running });
   const go = useCallback(
     (step: number) => {
-      turn(null);
+      setTurned(null);
       playback.dispatch({ do: "seek", position: { step, fraction: 0 } });
     },
     [playback],
   );
   const last = Math.floor((run.steps.length - 1) / PAGE),
-    page = Math.min(turned ?? own, last),
+    isTurned = turned !== null && (playing || turned.at === running),
+    page = Math.min(isTurned ? turned.page : own, last),
     from = page * PAGE;
+  useEffect(() => {
+    if (isTurned) return undefined;
+    // With the next frame: measuring earlier would force a layout.
+    const picture = requestAnimationFrame(() => {
+      body.current?.querySelector("[aria-current=true]")?.scrollIntoView({ block: "nearest" });
+    });
+    return () => cancelAnimationFrame(picture);
+  }, [running, isTurned]);
   return (
     <>
       {last > 0 && (
@@ -90,7 +103,7 @@ export function MoveRows({ run, playback }: { readonly run: Run; readonly playba
             ))}
           </tr>
         </thead>
-        <tbody>
+        <tbody ref={body}>
           {run.steps.slice(from, from + PAGE).map((step, i) => (
             <MoveRow key={from + i} index={from + i} step={step} isRunning={from + i === running} go={go} />
           ))}

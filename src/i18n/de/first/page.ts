@@ -7,6 +7,7 @@ export const page = {
   skipToPrompts: "Zu den Eingaben springen",
   header: "Programm und Einstellungen",
   keys: "Tastenkürzel",
+  commands: "Befehle",
   undo: "Rückgängig",
   redo: "Wiederholen",
   newProgram: "Neues Programm",

@@ -24,6 +24,9 @@ export const editor = {
   operations: "Bearbeitungen",
   toolChanges: "Werkzeugwechsel",
   blocks: "Sätze",
+  parameters: "$ Parameter",
+  fold: "Zyklus zuklappen",
+  unfold: "Zyklus aufklappen",
   /* files of a program */
   files: {
     title: "Dateien dieses Programms",
@@ -50,6 +53,7 @@ export const editor = {
   previous: "Vorheriger Satz",
   next: "Nächster Satz",
   palette: "Satz einfügen",
+  findBlock: "Suchen: Wort, Name oder Zyklusnummer",
   groups: {
     frame: "Programm",
     technology: "Werkzeug und Spindel",
@@ -68,6 +72,7 @@ export const editor = {
   comment: "Kommentar",
   none: "keine",
   notReadable: "Kein gültiger Wert für dieses Feld.",
+  moreOnWords: "Mehr zu den Wörtern",
   incremental: "inkremental",
   incrementalOf: (field) => `${field} inkremental`,
   kinds: {

@@ -7,6 +7,7 @@ export const page = {
   skipToPrompts: "Skip to the prompts",
   header: "Program and settings",
   keys: "Keyboard shortcuts",
+  commands: "Commands",
   undo: "Undo",
   redo: "Redo",
   newProgram: "New program",

@@ -28,6 +28,11 @@ export const editor = {
   toolChanges: "Tool changes",
   blocks: "Blocks",
 
+  /* text */
+  parameters: "$ parameters",
+  fold: "Collapse the cycle",
+  unfold: "Expand the cycle",
+
   /* files of a program */
   files: {
     title: "Files of this program",
@@ -55,6 +60,7 @@ export const editor = {
   previous: "Previous block",
   next: "Next block",
   palette: "Insert block",
+  findBlock: "Find by word, name or cycle number",
   groups: {
     frame: "Program",
     technology: "Tool and spindle",
@@ -73,6 +79,7 @@ export const editor = {
   comment: "Comment",
   none: "none",
   notReadable: "This is not a valid value for this field.",
+  moreOnWords: "More about the words",
   incremental: "incremental",
   incrementalOf: (field: string) => `${field} incremental`,
   kinds: {

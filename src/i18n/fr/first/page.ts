@@ -7,6 +7,7 @@ export const page = {
   skipToPrompts: "Aller au dialogue",
   header: "Programme et réglages",
   keys: "Raccourcis clavier",
+  commands: "Commandes",
   undo: "Annuler",
   redo: "Rétablir",
   newProgram: "Nouveau programme",

@@ -24,6 +24,9 @@ export const editor = {
   operations: "Opérations",
   toolChanges: "Changements d’outil",
   blocks: "Séquences",
+  parameters: "$ paramètres",
+  fold: "Replier le cycle",
+  unfold: "Déplier le cycle",
   /* files of a program */
   files: {
     title: "Fichiers de ce programme",
@@ -50,6 +53,7 @@ export const editor = {
   previous: "Séquence précédente",
   next: "Séquence suivante",
   palette: "Insérer une séquence",
+  findBlock: "Rechercher : mot, nom ou numéro de cycle",
   groups: {
     frame: "Programme",
     technology: "Outil et broche",
@@ -68,6 +72,7 @@ export const editor = {
   comment: "Commentaire",
   none: "aucune",
   notReadable: "Ce n’est pas une valeur valide pour ce champ.",
+  moreOnWords: "En savoir plus sur les mots",
   incremental: "incrémental",
   incrementalOf: (field) => `${field} incrémental`,
   kinds: {

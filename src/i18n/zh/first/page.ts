@@ -7,6 +7,7 @@ export const page = {
   skipToPrompts: "跳到对话",
   header: "程序与设置",
   keys: "键盘快捷键",
+  commands: "命令",
   undo: "撤销",
   redo: "重做",
   newProgram: "新建程序",

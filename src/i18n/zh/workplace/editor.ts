@@ -23,6 +23,9 @@ export const editor = {
   operations: "工序",
   toolChanges: "换刀",
   blocks: "程序段",
+  parameters: "$ 个参数",
+  fold: "折叠循环",
+  unfold: "展开循环",
   /* files of a program */
   files: {
     title: "此程序的文件",
@@ -49,6 +52,7 @@ export const editor = {
   previous: "上一程序段",
   next: "下一程序段",
   palette: "插入程序段",
+  findBlock: "按字、名称或循环号查找",
   groups: {
     frame: "程序",
     technology: "刀具和主轴",
@@ -67,6 +71,7 @@ export const editor = {
   comment: "注释",
   none: "无",
   notReadable: "不是此字段的有效值。",
+  moreOnWords: "各字的说明",
   incremental: "增量",
   incrementalOf: (field) => `${field} 增量`,
   kinds: {

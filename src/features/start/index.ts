@@ -1,0 +1,3 @@
+/* Ways to start a program. */
+
+export const fetchBeginCycle = () => import("./begin.ts");
