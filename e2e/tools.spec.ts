@@ -74,7 +74,7 @@ test("undo and redo, duplicate, delete and restore the default tools", async ({ 
   await expect(tools.rowButton(16)).toHaveCount(0);
   await tools.takeBack.click();
   await expect(tools.rowButton(16)).toBeVisible();
-  await tools.restore.click();
+  await tools.restore();
   await expect(tools.rowButton(16)).toHaveCount(0);
   await page.keyboard.press("Control+z");
   await expect(tools.rowButton(16)).toBeVisible();

@@ -99,8 +99,13 @@ export class ToolTable {
     return this.form.getByRole("button", { name: this.named(this.context.t.tools.removeLong) });
   }
 
-  get restore(): Locator {
-    return this.button(this.context.t.tools.restoreLong);
+  /** Restores the default tools, and confirms it. */
+  async restore(): Promise<void> {
+    await this.button(this.context.t.tools.restore).click();
+    await this.context.page
+      .getByRole("alertdialog")
+      .getByRole("button", { name: this.context.t.tools.restoreNow, exact: true })
+      .click();
   }
 
   /** The undo button in the status of the last action. */

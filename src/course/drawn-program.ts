@@ -1,8 +1,8 @@
 import { boxAround } from "../kernel/area/box.ts";
 import { areaOf } from "../kernel/area/area.ts";
 import { difference, intersection, offset, union } from "../kernel/area/clip.ts";
-import { at, part, type Ring, type Segment } from "../kernel/geometry/point.ts";
-import { SAME, SLIVER } from "../kernel/tolerance.ts";
+import { at, type Ring } from "../kernel/geometry/point.ts";
+import { SLIVER } from "../kernel/tolerance.ts";
 import { diameter, toRadius } from "../kernel/units.ts";
 import { machiningArea } from "../sim/finished.ts";
 import { outlinesOf } from "../sim/outlines.ts";
@@ -11,6 +11,7 @@ import { sweptBy } from "../sim/sweep.ts";
 import type { Answer } from "./judge/judgement.ts";
 import { sizeOn } from "./judge/sizes.ts";
 import { threadsOf, type ThreadDraft } from "./made/made-threads.ts";
+import { contourSources } from "./made/contour-sources.ts";
 import { outlineChains } from "./made/outline-text.ts";
 import { traced } from "./made/traced.ts";
 import { drawnThread, type DrawnTask, type DrawnThread } from "./drawn-task.ts";
@@ -72,16 +73,6 @@ function pitchesOf({ run }: Answer, threads: readonly ThreadDraft[]): readonly D
   });
 }
 
-/** Cuts outside cycles along an axis: the tip itself makes the surface. */
-const straightCuts = ({ run }: Answer): readonly Segment[] =>
-  run.steps.flatMap(({ from, move, operation }) =>
-    operation === null &&
-    move.kind === "feed" &&
-    (Math.abs(from.r - move.to.r) < SAME || Math.abs(from.z - move.to.z) < SAME)
-      ? [part.line(from, move.to)]
-      : [],
-  );
-
 /** Known facts of a part that its path does not show: sizes with deviations, and surface marks. */
 export type KnownOfPart = Pick<Task, "sizes" | "rules">;
 
@@ -101,10 +92,7 @@ export function drawnProgram(
     whole = filled.length > 0 ? union([...finished, ...filled]) : finished;
   const rings = pieceOf(whole),
     chains = outlineChains(rings, blank);
-  const sources = [
-    ...run.operations.flatMap(({ plan: { contour, thread } }) => (thread ? [] : contour)),
-    ...straightCuts(answer),
-  ];
+  const sources = contourSources(answer);
   const [outside, bore] = [traced(chains.outside, sources), traced(chains.bore, sources)];
   const drawn = [...threads.map(drawnThread), ...pitchesOf(answer, threads)];
   if (outside.length === 0 && bore.length === 0 && drawn.length === 0) return null;

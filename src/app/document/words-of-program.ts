@@ -31,13 +31,13 @@ function numberWords({ program, at }: Side, t: HistoryTexts): string {
   return last - first === at.length - 1 ? t.blocks(numbers[first] ?? 0, numbers[last] ?? 0) : t.blockCount(at.length);
 }
 
-/** The cycle that blocks define, if it is one; else their numbers. */
-function blockWords(side: Side, t: HistoryTexts): string {
+/** The cycle that blocks define, if it is one; else their numbers; and how many things that names. */
+function blockWords(side: Side, t: HistoryTexts): readonly [words: string, count: number] {
   const cycles = side.at.flatMap((i) => {
     const s = side.program.blocks[i]?.statement;
     return s?.kind === "cycle" || s?.kind === "cycleLine" ? [s.cycle] : [];
   });
-  return new Set(cycles).size === 1 ? t.cycle(String(cycles[0])) : numberWords(side, t);
+  return new Set(cycles).size === 1 ? [t.cycle(String(cycles[0])), 1] : [numberWords(side, t), side.at.length];
 }
 
 /** The side of all differences; null where one of them lacks it. */
@@ -66,9 +66,9 @@ export function programWords(before: Program, after: Program, t: HistoryTexts): 
     return before.blocks.some(({ raw }, i) => raw !== after.blocks[i]?.raw) ? t.fieldChanged(t.fields.numbers) : null;
   }
   const every = (side: "a" | "b") => differences.every((each) => each[side] === null);
-  if (every("a") && b) return t.inserted(blockWords(b, t), b.at.length);
-  if (every("b") && a) return t.deleted(blockWords(a, t), a.at.length);
-  if (b && differences.every(({ kind }) => kind === "moved")) return t.moved(blockWords(b, t), b.at.length);
+  if (every("a") && b) return t.inserted(...blockWords(b, t));
+  if (every("b") && a) return t.deleted(...blockWords(a, t));
+  if (b && differences.every(({ kind }) => kind === "moved")) return t.moved(...blockWords(b, t));
   if (differences.length === 1 && b && namesValues(only)) {
     const values = only.words.map(({ name, from, to }) => valueWords(name, from, to, t));
     return t.within(numberWords(b, t), joinedWords(values, t));

@@ -142,6 +142,12 @@ test.each([
   expect(programWords(parse(before), parse(after), en)).toBe(expected);
 });
 
+test("French participles agree", () => {
+  const [bare, more] = [parse(BARE), parse(BARE.replace("M30", `${OPERATION}M30`))];
+  expect(programWords(bare, more, fr)).toBe("cycle 861 inséré");
+  expect(programWords(bare, parse(BARE.replace("L X+60 FMAX\n", "")), fr)).toBe("séquence 5 supprimée");
+});
+
 test.each([
   ["Annuler : outil 4 supprimé", fr, "Annuler"],
   ["Rückgängig: Werkzeug 4 gelöscht", de, "Rückgängig"],

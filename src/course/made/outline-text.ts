@@ -1,9 +1,9 @@
 import { boxAround } from "../../kernel/area/box.ts";
 import { areaOf } from "../../kernel/area/area.ts";
 import { simplified } from "../../kernel/area/clip.ts";
-import { elementsThrough } from "../../kernel/contour/elements-through.ts";
 import { part, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import { rounded, toDiameter } from "../../kernel/units.ts";
+import { traced } from "./traced.ts";
 
 /** Outlines as lines of a contour subprogram, from the free end; absent where nothing was turned. */
 export interface OutlineLines {
@@ -11,10 +11,8 @@ export interface OutlineLines {
   readonly bore?: readonly string[];
 }
 
-/** Greatest deviation of the lines and arcs from the shape, mm. */
-const NEAR = 0.004;
-/** A chain of points as lines and arcs within that deviation. */
-export const fewElements = (points: readonly Pt[]) => elementsThrough(points, { line: NEAR, arc: NEAR });
+/** Greatest deviation of the simplified chain from the shape, mm. */
+const NEAR = 0.001;
 /** A point this near to the blank or the axis is on it, mm. */
 const ON = 0.01;
 const number = (value: number): string => {
@@ -76,7 +74,7 @@ export interface OutlineChains {
 
 /** The outlines of a part turned from a blank; of several pieces, the largest. */
 export function outlineChains(finished: readonly Ring[], blank: readonly Ring[]): OutlineChains {
-  const [body] = simplified(finished, NEAR / 4)
+  const [body] = simplified(finished, NEAR)
     .map((ring) => ({ ring, area: areaOf([ring]) }))
     .sort((a, b) => b.area - a.area);
   if (!body || body.ring.length < 3) return { outside: [], bore: [] };
@@ -97,9 +95,16 @@ export function outlineChains(finished: readonly Ring[], blank: readonly Ring[])
   };
 }
 
-/** The outlines of a part turned from a blank, simplified to lines and arcs, as the control reads them. */
-export function outlineText(finished: readonly Ring[], blank: readonly Ring[]): OutlineLines {
+/**
+ * The outlines of a part turned from a blank, as the control reads them: the elements of the contours that they come
+ * from (`sources`), the rest simplified to lines and arcs.
+ */
+export function outlineText(
+  finished: readonly Ring[],
+  blank: readonly Ring[],
+  sources: readonly Segment[] = [],
+): OutlineLines {
   const chains = outlineChains(finished, blank);
-  const [outside, bore] = [linesOf(fewElements(chains.outside)), linesOf(fewElements(chains.bore))];
+  const [outside, bore] = [linesOf(traced(chains.outside, sources)), linesOf(traced(chains.bore, sources))];
   return { ...(outside && { outside }), ...(bore && { bore }) };
 }

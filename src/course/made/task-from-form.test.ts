@@ -7,6 +7,7 @@ import { possibleFaults, withFaults } from "./faults.ts";
 import {
   startProgramOfForm,
   linesOfText,
+  outlinesFrom,
   proposedTask,
   learnerProgramOfForm,
   promptsOf,
@@ -50,6 +51,15 @@ test("proposed rules hold the numbers of the program", () => {
   expect(rules.tools).toEqual([15, 1, 3, 5, 6, 8]);
   expect(rules.speed).toBe(3000);
   expect(rules.depth).toBeGreaterThan(1.1);
+});
+
+test("the outlines have the programmed sizes, from the contours or from the part as made", () => {
+  const { outside, bore } = proposedTask(flange);
+  for (const line of ["L X+62 Z-1.5", "L X+62 Z-38.5", "CR X+65 Z-40 R+1.5 DR-", "L X+80 Z-56.8"])
+    expect(outside.split("\n")).toContain(line);
+  expect(bore.split("\n")).toContain("L X+40 Z-31");
+  expect(outlinesFrom(flange, "contours", [])).toEqual({ outside, bore });
+  expect(outlinesFrom(flange, "made", []).outside.split("\n")).toContain("L X+62 Z-38.5");
 });
 
 test("missing fields are named", () => {

@@ -15,6 +15,7 @@ import { withFaults } from "./faults.ts";
 import { NUMBER_RULES, type TaskForm, type RuleDraft, type WordsDraft } from "./task-form.ts";
 import { choicesOf, isComplete, predictionOf } from "./made-questions.ts";
 import { grooveFilling, threadsOf, targetThread, type ThreadDraft } from "./made-threads.ts";
+import { contourSources } from "./contour-sources.ts";
 import { outlineText } from "./outline-text.ts";
 
 /*
@@ -65,8 +66,8 @@ const ROUNDED = 0.001;
 const STEPS = { depth: 0.1, speed: 100, seconds: 10, residue: 0.1, rz: 1 } as const,
   LONGER = 1.3;
 
-/** The sources of a part's outlines: the made stock, or the finished contours of the program. */
-export const PART_SOURCES = ["made", "contours"] as const;
+/** The sources of a part's outlines: the finished contours of the program, or the made stock. */
+export const PART_SOURCES = ["contours", "made"] as const;
 export type PartSource = (typeof PART_SOURCES)[number];
 
 /** The outlines of the part that an answer makes; chosen threads are drawn by their crest. */
@@ -88,7 +89,7 @@ export function outlinesFrom(
     .filter((ring) => ring.length > 2);
   const shape = contours.length > 0 ? contours : made,
     rings = grooves.length > 0 ? union([...shape, ...grooves]) : shape;
-  const { outside = [], bore = [] } = outlineText(rings, run.blank);
+  const { outside = [], bore = [] } = outlineText(rings, run.blank, contourSources(answer));
   return { outside: outside.join("\n"), bore: bore.join("\n") };
 }
 
@@ -123,7 +124,7 @@ export function proposedTask(answer: Answer): TaskForm {
   const { run } = answer;
   const blank = blankLines(answer.text).join("\n");
   const threads = threadsOf(answer);
-  const made = { blank, ...outlinesFrom(answer, "made", threads), threads };
+  const made = { blank, ...outlinesFrom(answer, "contours", threads), threads };
   const wanted = targetPart(targetPartOfForm(made)),
     { left, right } = boxAround([...wanted.rings]);
   const probe: Task = {

@@ -1,5 +1,5 @@
 import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
-import { fewElements } from "./outline-text.ts";
+import { elementsThrough } from "../../kernel/contour/elements-through.ts";
 
 /**
  * A chord within this of an element is on it, mm: the first chord of a rounding that leaves the element is not. Nearer
@@ -10,6 +10,9 @@ const NEAR = { chord: 0.003, end: 0.012 } as const;
 const MEET = 0.08;
 /** Shorter segments between two elements that meet are left over from the polygon, mm. */
 const DUST = 0.06;
+
+/** Greatest deviation of lines and arcs from points that are on no element, mm. */
+const LEFT_OVER = 0.004;
 
 interface Piece {
   readonly source: Segment | null;
@@ -83,7 +86,7 @@ export function traced(chain: readonly Pt[], sources: readonly Segment[]): reado
   return pieces.flatMap(({ source, points }, i): readonly Segment[] => {
     const [from, to] = [joints[i - 1] ?? points[0], joints[i] ?? points.at(-1)];
     if (!from || !to || part.apart(from, to) < NEAR.end) return [];
-    if (!source) return fewElements([from, ...points.slice(1, -1), to]);
+    if (!source) return elementsThrough([from, ...points.slice(1, -1), to], { line: LEFT_OVER, arc: LEFT_OVER });
     return [along(source, from, to, points[Math.floor(points.length / 2)] ?? from)];
   });
 }

@@ -12,6 +12,7 @@ import { TableStatus, type TableMessage } from "../../app/fields/table/TableStat
 import { ExportDialog } from "./ExportDialog.tsx";
 import { ImportDialog } from "./ImportDialog.tsx";
 import { TableTabs } from "../../app/fields/table/TableTabs.tsx";
+import { RestoreToolsDialog } from "./RestoreToolsDialog.tsx";
 import { ToolForm } from "./ToolForm.tsx";
 import { ToolGrid } from "./ToolGrid.tsx";
 import "../../app/fields/table/tools.css";
@@ -23,7 +24,7 @@ export function ToolPage() {
   const list = useTools((s) => s.list);
   const { row: asked, kind: lastKind } = usePlace((p) => p.tools);
   const [said, setSaid] = useState<TableMessage | null>(null);
-  const [asking, ask] = useState<ToolImport | "export" | null>(null);
+  const [asking, ask] = useState<ToolImport | "export" | "restore" | null>(null);
   const w = useTextsOrNull("tool-files");
   const language = useSettings((s) => s.language);
   const page = useRef<HTMLElement>(null);
@@ -86,17 +87,6 @@ export function ToolPage() {
           <button type="button" className="button primary" onClick={() => edited(addTool(kind))}>
             <Icon name="add" /> {t.add}
           </button>
-          <button
-            type="button"
-            className="button"
-            aria-label={t.restoreLong}
-            onClick={() => {
-              restoreShippedTools();
-              setSaid({ sentences: [t.restored], failed: false, changed: true });
-            }}
-          >
-            {t.restore}
-          </button>
         </div>
         <div className="tool-buttons" role="group" aria-label={t.files}>
           {w && (
@@ -109,6 +99,9 @@ export function ToolPage() {
               </button>
             </>
           )}
+          <button type="button" className="button plain" aria-haspopup="dialog" onClick={() => ask("restore")}>
+            {t.restore}
+          </button>
           <input
             ref={file}
             type="file"
@@ -145,7 +138,17 @@ export function ToolPage() {
           }}
         />
       )}
-      {w && asking !== null && asking !== "export" && (
+      {asking === "restore" && (
+        <RestoreToolsDialog
+          done={() => ask(null)}
+          restore={() => {
+            ask(null);
+            restoreShippedTools();
+            setSaid({ sentences: [t.restored], failed: false, changed: true });
+          }}
+        />
+      )}
+      {w && asking !== null && typeof asking === "object" && (
         <ImportDialog
           brought={asking}
           words={w}

@@ -97,7 +97,8 @@ export const WorkRow = memo(function WorkRow({
           <span className="kept-words">
             <b className="kept-name">{name}</b>
             <span className="small">
-              <span className="number card-number">{cycle ?? ".h"}</span> {task !== null && <b>{task}</b>} {kind}
+              {cycle !== null && <span className="number card-number">{cycle}</span>}{" "}
+              {[task, kind].filter((each) => each !== null).join(" · ")}
             </span>
             <span className="soft small">{about}</span>
             {elsewhere !== null && <span className="small work-elsewhere">{elsewhere}</span>}

@@ -4,6 +4,10 @@ import type { HistoryTexts } from "../en/history.ts";
 const of = (field: string): string => (/^[aeéiouh]/i.test(field) ? `d’${field}` : `de ${field}`);
 const plural = (count: number): string => (count > 1 ? "s" : "");
 
+/** A participle that agrees with its noun: of those used here only "séquence" is feminine. */
+const agreed = (participle: string, thing: string, count: number): string =>
+  `${thing} ${participle}${/séquence/.test(thing) ? "e" : ""}${plural(count)}`;
+
 export const history: HistoryTexts = {
   step: (way, change) => `${way} : ${change}`,
   value: (name, from, to) => `${name} ${from} → ${to}`.trim(),
@@ -12,15 +16,15 @@ export const history: HistoryTexts = {
   on: (field) => `${field} : activé`,
   off: (field) => `${field} : désactivé`,
   more: (first, count) => `${first} et ${count} autre${plural(count)}`,
-  inserted: (thing, count) => `${thing} inséré${plural(count)}`,
-  added: (thing, count) => `${thing} ajouté${plural(count)}`,
-  deleted: (thing, count) => `${thing} supprimé${plural(count)}`,
-  moved: (thing, count) => `${thing} déplacé${plural(count)}`,
-  changed: (thing, count) => `${thing} modifié${plural(count)}`,
+  inserted: (thing, count) => agreed("inséré", thing, count),
+  added: (thing, count) => agreed("ajouté", thing, count),
+  deleted: (thing, count) => agreed("supprimé", thing, count),
+  moved: (thing, count) => agreed("déplacé", thing, count),
+  changed: (thing, count) => agreed("modifié", thing, count),
   fieldChanged: (field) => `modification ${of(field)}`,
-  block: (number) => `bloc ${number}`,
-  blocks: (first, last) => `blocs ${first}–${last}`,
-  blockCount: (count) => `${count} blocs`,
+  block: (number) => `séquence ${number}`,
+  blocks: (first, last) => `séquences ${first}–${last}`,
+  blockCount: (count) => `${count} séquences`,
   cycle: (name) => `cycle ${name}`,
   cycles: (count) => `${count} cycles`,
   tool: (name) => `outil ${name}`,
@@ -59,9 +63,9 @@ export const history: HistoryTexts = {
     control: "commande",
     machine: "machine",
     encoding: "encodage",
-    skipMarked: "saut de blocs (/)",
+    skipMarked: "saut de séquences (/)",
     mainProgram: "programme principal",
-    numbers: "numéros de blocs",
+    numbers: "numéros de séquences",
     text: "texte du programme",
     toolTable: "tableau d’outils",
     ownCycles: "cycles personnalisés",

@@ -5,7 +5,7 @@ import type { HolderCode } from "./holder-code.ts";
 import { holderCellsOf, type HeldInsert, type NoShank } from "./holder-shape.ts";
 import type { InsertCode } from "./insert-code.ts";
 import { circleOf, edgeOf, INSERT_SHAPES } from "./insert-facts.ts";
-import type { ToolCodes } from "./tool-code.ts";
+import { readToolCodes, type ToolCodes } from "./tool-code.ts";
 
 /** A cell filled by a code: its old and new text. */
 export interface Filling {
@@ -161,13 +161,25 @@ function insertNotes(insert: InsertCode): CodeNote[] {
 /** Code used as tool name: of its insert, else of its holder. */
 export const nameOfCodes = ({ insert, holder }: ToolCodes): string => insert?.code ?? holder?.code ?? "";
 
-/** Cells that codes fill into a row, with notes. Only stated cells are filled; the name only where it is empty. */
+/** Whether codes rename a row: one without a name, or one that has its name from an earlier code. */
+function renames(codes: ToolCodes, entry: ToolEntry): boolean {
+  const name = cellOf(entry, "NAME").trim();
+  if (name === "" || nameOfCodes(codes) === "") return nameOfCodes(codes) !== "";
+  const earlier = readToolCodes(name);
+  // The insert names a tool rather than its holder.
+  const isOther = isWholeCode(earlier) && nameOfCodes(earlier) !== nameOfCodes(codes);
+  return isOther && (codes.insert !== null || earlier.insert === null);
+}
+
+/**
+ * Cells that codes fill into a row, with notes. Only stated cells are filled; the name only where no operator wrote
+ * one.
+ */
 export function fillingOf(codes: ToolCodes, entry: ToolEntry): CodeFilling {
   const { insert, holder } = codes;
   const ofHolder = holder ? holderFacts(codes, holder, entry) : null;
   const asked = holder && !insert ? holderInsert(holder, entry) : null;
-  const name: Cells =
-    cellOf(entry, "NAME").trim() === "" && nameOfCodes(codes) !== "" ? { NAME: nameOfCodes(codes) } : {};
+  const name: Cells = renames(codes, entry) ? { NAME: nameOfCodes(codes) } : {};
   const wanted: Cells = { ...name, ...(insert && insertCells(insert, entry)), ...asked?.found, ...ofHolder?.found };
   const isSpecial = [...(insert?.parts ?? []), ...(holder?.parts ?? [])].some((each) => each.meaning?.is === "special");
   const cells = Object.entries(wanted)

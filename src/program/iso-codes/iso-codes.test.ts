@@ -153,6 +153,15 @@ describe("holders", () => {
     expect(filled("DNMG 150608", entry)).toEqual({ RS: "0.8" });
   });
 
+  test("another code renames a row that has its name from a code, and no name that was typed", () => {
+    const named = (NAME: string) => row({ T: "5", NAME, TYPE: "ROUGH", TO: "1" });
+    expect(filled("CNMG120408", named("DNMG150608")).NAME).toBe("CNMG120408");
+    expect(filled("DNMG150608", named("PDJNR2525M15")).NAME).toBe("DNMG150608");
+    expect(filled("PCLNR 2525M12", named("PDJNR2525M15")).NAME).toBe("PCLNR2525M12");
+    expect(filled("PDJNR 2525M15", named("DNMG150608")).NAME).toBeUndefined();
+    expect(filled("CNMG120408", named("ROUGHER 1")).NAME).toBeUndefined();
+  });
+
   test("contradictions between holder and insert are reported", () => {
     expect(notes("DNMG 150608 PCLNR 2525M12")).toContain("shapesDiffer");
     expect(notes("DNMG 110408 + PDJNR 2525M15")).toContain("sizesDiffer");

@@ -4,6 +4,8 @@ import { Icon } from "../../base/Icon.tsx";
 import { toFirstPrompt } from "../../place/place.ts";
 import { WORKS } from "../../document/documents.ts";
 import { undoStep } from "../../document/history.ts";
+import type { Thumbnail } from "../../../view/thumbnail.ts";
+import type { WorkSummary } from "../../records/device.ts";
 import { keptPictures } from "../../records/kept-picture.ts";
 import { openWork, useSavedWorks } from "../../records/keep.ts";
 import { useWorksInOtherTabs } from "../../records/use-works-in-other-tabs.ts";
@@ -26,11 +28,58 @@ async function removeSaved(work: string): Promise<boolean> {
   return (await removeWorks([work])).gone.length > 0;
 }
 
-/** Earlier programs on this device, newest first. */
+interface RowProps {
+  readonly of: WorkSummary;
+  readonly seen: Thumbnail | undefined;
+  readonly when: string;
+  readonly isElsewhere: boolean;
+  readonly onRemoved: () => void;
+}
+
+function SavedRow({ of: { work, name, cycle, task }, seen, when, isElsewhere, onRemoved }: RowProps) {
+  const {
+    page: { start: t },
+    menu,
+  } = useTexts("first");
+  const kind = [task === undefined ? null : t.task, cycle === null ? t.program : menu.of[cycle]?.name];
+  return (
+    <li>
+      <button
+        type="button"
+        className="button kept-open"
+        aria-label={t.continueWork(name)}
+        onClick={() => void openSaved(work)}
+      >
+        <ProgramThumbnail seen={seen} cycle={cycle} />
+        <span className="kept-words">
+          <b className="kept-name">{name}</b>
+          <span className="small kept-of">
+            {cycle !== null && <span className="number card-number">{cycle}</span>}{" "}
+            {kind.filter((each) => each !== null && each !== undefined).join(" · ")}
+          </span>
+          <span className="soft small">
+            {t.changed(when)}
+            {isElsewhere && <b>{` · ${t.isElsewhere}`}</b>}
+          </span>
+        </span>
+      </button>
+      <button
+        type="button"
+        className="button icon plain"
+        aria-label={t.forget(name)}
+        disabled={isElsewhere}
+        onClick={() => void removeSaved(work).then((gone) => gone && onRemoved())}
+      >
+        <Icon name="close" />
+      </button>
+    </li>
+  );
+}
+
+/** Earlier programs on this device, newest first; exercises in a row that opens. */
 export function SavedPrograms() {
   const {
     page: { start: t, undo },
-    menu,
   } = useTexts("first");
   const [removed, setRemoved] = useState<string | null>(null);
   const elsewhere = useWorksInOtherTabs();
@@ -41,44 +90,29 @@ export function SavedPrograms() {
   const works = all.filter(({ cycle }) => cycle === null || menuCycle(cycle));
   if (works.length === 0 && removed === null) return null;
   const when = new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" });
+  const exercises = works.filter(({ task }) => task !== undefined);
+  const programs = works.filter(({ task }) => task === undefined);
+  const row = (of: WorkSummary) => (
+    <SavedRow
+      key={of.work}
+      of={of}
+      seen={pictures[of.work]}
+      when={when.format(of.savedAt)}
+      isElsewhere={elsewhere.has(of.work)}
+      onRemoved={() => setRemoved(of.name)}
+    />
+  );
 
   return (
     <section className="kept-works" aria-label={t.kept}>
       <h2>{t.kept}</h2>
-      <ul>
-        {works.slice(0, FIRST).map(({ work, savedAt, name, cycle, task }) => (
-          <li key={work}>
-            <button
-              type="button"
-              className="button kept-open"
-              aria-label={t.continueWork(name)}
-              onClick={() => void openSaved(work)}
-            >
-              <ProgramThumbnail seen={pictures[work]} cycle={cycle} />
-              <span className="kept-words">
-                <b className="kept-name">{name}</b>
-                <span className="small kept-of">
-                  <span className="number card-number">{cycle ?? ".h"}</span> {task !== undefined && <b>{t.task}</b>}
-                  {cycle !== null && menu.of[cycle]?.name}
-                </span>
-                <span className="soft small">
-                  {t.changed(when.format(savedAt))}
-                  {elsewhere.has(work) && <b>{` · ${t.isElsewhere}`}</b>}
-                </span>
-              </span>
-            </button>
-            <button
-              type="button"
-              className="button icon plain"
-              aria-label={t.forget(name)}
-              disabled={elsewhere.has(work)}
-              onClick={() => void removeSaved(work).then((gone) => gone && setRemoved(name))}
-            >
-              <Icon name="close" />
-            </button>
-          </li>
-        ))}
-      </ul>
+      {programs.length > 0 && <ul>{programs.slice(0, FIRST).map(row)}</ul>}
+      {exercises.length > 0 && (
+        <details className="kept-exercises">
+          <summary>{t.exercises(exercises.length)}</summary>
+          <ul>{exercises.slice(0, FIRST).map(row)}</ul>
+        </details>
+      )}
       {works.length > 0 && (
         <a className="button kept-all" href="#/works">
           {t.allWorks(works.length)}

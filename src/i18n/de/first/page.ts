@@ -56,6 +56,8 @@ export const page = {
     allWorks: (n) => `Alle Programme (${n})`,
     isElsewhere: "in einem anderen Tab offen",
     task: "Aufgabe",
+    program: "NC-Programm",
+    exercises: (count) => `Aufgaben (${count})`,
     continueWork: (name) => `${name} fortsetzen`,
     forget: (name) => `${name} aus der Liste nehmen`,
     removed: (name) => `${name} wurde entfernt.`,

@@ -20,8 +20,12 @@ export const tools = {
   removed: (tool) => `Gelöscht: ${tool}.`,
   restored: "Standardwerkzeuge wiederhergestellt.",
   undo: "Rückgängig",
-  restore: "Standardwerkzeuge …",
+  restore: "Standardwerkzeuge wiederherstellen …",
   restoreLong: "Diese Tabelle durch die Standardwerkzeuge ersetzen",
+  restoreAsk: (mine, shipped) =>
+    `Ihre Tabelle (${mine} Werkzeuge) wird durch die ${shipped} Standardwerkzeuge ersetzt. Rückgängig stellt sie wieder her.`,
+  restoreNow: "Tabelle ersetzen",
+  cancel: "Abbrechen",
 
   kinds: { name: "Tabellen auf diesem Gerät", turning: "Drehen", milling: "Fräsen und Bohren" },
   millTable: "Fräs- und Bohrwerkzeuge auf diesem Gerät",

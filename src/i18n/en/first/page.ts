@@ -56,6 +56,8 @@ export const page = {
     allWorks: (n: number) => `All programs (${n})`,
     isElsewhere: "open in another tab",
     task: "Exercise",
+    program: "NC program",
+    exercises: (count: number) => `Exercises (${count})`,
     continueWork: (name: string) => `Continue ${name}`,
     forget: (name: string) => `Remove ${name} from the list`,
     removed: (name: string) => `${name} was removed.`,

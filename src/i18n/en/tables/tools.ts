@@ -22,6 +22,10 @@ export const tools = {
   undo: "Undo",
   restore: "Restore default tools …",
   restoreLong: "Replace this table with the default tools",
+  restoreAsk: (mine: number, shipped: number) =>
+    `Your table (${mine} tools) is replaced by the ${shipped} default tools. Undo restores it.`,
+  restoreNow: "Replace the table",
+  cancel: "Cancel",
 
   kinds: { name: "Tables on this device", turning: "Turning", milling: "Milling and drilling" },
   millTable: "Milling and drilling tools on this device",

@@ -56,6 +56,8 @@ export const page = {
     allWorks: (n) => `Tous les programmes (${n})`,
     isElsewhere: "ouvert dans un autre onglet",
     task: "Exercice",
+    program: "Programme CN",
+    exercises: (count) => `Exercices (${count})`,
     continueWork: (name) => `Continuer ${name}`,
     forget: (name) => `Retirer ${name} de la liste`,
     removed: (name) => `${name} a été retiré.`,

@@ -20,8 +20,12 @@ export const tools = {
   removed: (tool) => `Supprimé : ${tool}.`,
   restored: "Outils par défaut restaurés.",
   undo: "Annuler",
-  restore: "Outils par défaut …",
+  restore: "Restaurer les outils par défaut …",
   restoreLong: "Remplacer ce tableau par les outils par défaut",
+  restoreAsk: (mine, shipped) =>
+    `Votre tableau (${mine} outils) est remplacé par les ${shipped} outils par défaut. Annuler le rétablit.`,
+  restoreNow: "Remplacer le tableau",
+  cancel: "Abandonner",
 
   kinds: { name: "Tableaux sur cet appareil", turning: "Tournage", milling: "Fraisage et perçage" },
   millTable: "Outils de fraisage et de perçage sur cet appareil",

@@ -55,6 +55,8 @@ export const page = {
     allWorks: (n) => `所有程序（${n}）`,
     isElsewhere: "已在另一个标签页打开",
     task: "练习",
+    program: "NC 程序",
+    exercises: (count) => `练习（${count}）`,
     continueWork: (name) => `继续 ${name}`,
     forget: (name) => `从列表中移除 ${name}`,
     removed: (name) => `已移除 ${name}。`,

@@ -22,6 +22,9 @@ export const tools = {
   undo: "撤销",
   restore: "恢复默认刀具 …",
   restoreLong: "用默认刀具替换此刀具表",
+  restoreAsk: (mine, shipped) => `当前刀具表（${mine} 把刀具）将被 ${shipped} 把默认刀具替换。撤销可恢复。`,
+  restoreNow: "替换刀具表",
+  cancel: "取消",
 
   kinds: { name: "本设备的表", turning: "车削", milling: "铣削与钻削" },
   millTable: "本设备的铣削与钻削刀具",
