@@ -7,6 +7,7 @@
 /** Marks the element that gets the focus first where its part of the page replaces another one. */
 export const FIRST_FOCUS = "data-first-focus";
 
+const MAIN = "main, [role=main]";
 const FOCUSABLE = "a[href], button, input, select, textarea, summary, [tabindex], [contenteditable=true]";
 /** Focused elements that are remembered: the last one, and those behind dialogs and pages that closed. */
 const MOST_REMEMBERED = 12;
@@ -47,7 +48,7 @@ function remember(element: HTMLElement): Focused {
 function targetIn(part: Element | null, name: string): HTMLElement | null {
   if (!part || !isShown(part)) return null;
   const all = [...part.querySelectorAll(FOCUSABLE), part].filter(isFocusable);
-  const marked = part.matches(`[${FIRST_FOCUS}]`) ? part : part.querySelector(`[${FIRST_FOCUS}]`);
+  const marked = part.querySelector(`[${FIRST_FOCUS}]`) ?? part.querySelector(MAIN);
   return (
     all.find((each) => nameOf(each) === name && each.matches("button, a")) ??
     all.find((each) => marked?.contains(each)) ??
@@ -130,20 +131,23 @@ export function guardFocus(): void {
     if (!last) return false;
     return now === null || now === body ? isLost(last.element) : now === last.element && !isEnabled(now);
   };
-  const settle = () => {
+  const settle = (frame: number) => {
     pending = false;
     if (byTouch || moving.isPending || !isAway()) return;
+    // The page that replaces another one may have to be fetched first.
+    if (frame < MOST_FRAMES && !document.querySelector(MAIN)) return wait(frame + 1);
     const behind = past.filter((each) => !wasInDialog(each));
     for (const each of behind) {
       const target = placeOf(each);
       if (target && target !== document.body) return target.focus({ preventScroll: true });
     }
   };
-  // Components place the focus themselves within a frame or two.
-  const look = () => {
-    if (pending || byTouch || !isAway()) return;
+  const wait = (frame: number) => {
     pending = true;
-    requestAnimationFrame(() => requestAnimationFrame(settle));
+    requestAnimationFrame(() => (frame < OWN_FRAMES ? wait(frame + 1) : settle(frame)));
+  };
+  const look = () => {
+    if (!pending && !byTouch && isAway()) wait(0);
   };
   document.addEventListener("focusin", ({ target }) => {
     if (!(target instanceof HTMLElement) || target === document.body) return;
