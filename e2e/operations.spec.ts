@@ -68,7 +68,7 @@ test("a program of three operations from nothing, by keyboard alone", async ({ p
     await expectAccessibleAndFits(page);
     await keyboard.press("Enter");
     await expect(editor.inserting).toHaveCount(0);
-    await expect(page.getByRole("form", { name: t.dialog.form })).toBeVisible();
+    await expect(page.getByRole("form", { name: t.dialog.form }).locator(":focus")).toBeVisible();
   };
   await put(822);
   for (const [done, cycle] of [

@@ -35,7 +35,13 @@ const isFocusable = (element: Element): element is HTMLElement =>
   isShown(element) &&
   isEnabled(element) &&
   (element.tabIndex >= 0 || element.isContentEditable);
-const isLost = (element: Element): boolean => !isShown(element) || !isEnabled(element);
+/** A part of the page may lose its Tab stop once it has controls of its own. */
+const hasStop = (element: Element): boolean =>
+  !(element instanceof HTMLElement) ||
+  element.tabIndex >= 0 ||
+  element.hasAttribute("tabindex") ||
+  element.isContentEditable;
+const isLost = (element: Element): boolean => !isShown(element) || !isEnabled(element) || !hasStop(element);
 
 function remember(element: HTMLElement): Focused {
   const path: Position[] = [];
@@ -47,12 +53,12 @@ function remember(element: HTMLElement): Focused {
 /** The element of a part of the page that gets the focus: the same control, the marked one, or the first one. */
 function targetIn(part: Element | null, name: string): HTMLElement | null {
   if (!part || !isShown(part)) return null;
-  const all = [...part.querySelectorAll(FOCUSABLE), part].filter(isFocusable);
+  const all = [...part.querySelectorAll(FOCUSABLE)].filter(isFocusable);
   const marked = part.querySelector(`[${FIRST_FOCUS}]`) ?? part.querySelector(MAIN);
   return (
-    all.find((each) => nameOf(each) === name && each.matches("button, a")) ??
+    all.find((each) => name !== "" && nameOf(each) === name && each.matches("button, a")) ??
     all.find((each) => marked?.contains(each)) ??
-    all.find((each) => each.matches(FOCUSABLE)) ??
+    all[0] ??
     null
   );
 }
@@ -66,7 +72,8 @@ function placeOf({ name, path, element }: Focused): HTMLElement | null {
   const { previous, next } = lost;
   const after = previous?.isConnected ? previous.nextElementSibling : around.element.firstElementChild;
   for (const part of after === next ? [next, previous] : [after, next, previous]) {
-    const found = part && around.element.contains(part) ? targetIn(part, name) : null;
+    if (!part || !around.element.contains(part)) continue;
+    const found = targetIn(part, name) ?? (isFocusable(part) ? part : null);
     if (found) return found;
   }
   for (const each of path.slice(outer)) {
@@ -167,6 +174,6 @@ export function guardFocus(): void {
     childList: true,
     subtree: true,
     attributes: true,
-    attributeFilter: ["disabled", "hidden", "inert", "open"],
+    attributeFilter: ["disabled", "hidden", "inert", "open", "tabindex"],
   });
 }
