@@ -1,8 +1,8 @@
 import { KEY_PLACES } from "../../base/key-list.ts";
 import { showKeys, usePlace } from "../../place/place.ts";
 
-/** Controls in which a question mark is text. */
-const TYPED_INTO = "input, select, textarea, [contenteditable=true]";
+/** Controls in which a question mark is text. No value of a prompt has one. */
+const TYPED_INTO = "input:not([type=radio], [type=checkbox], .value), select, textarea, [contenteditable=true]";
 
 /** A question mark outside of a field opens the sheet of shortcuts at the place that has the focus (`data-keys`). */
 export function onKeysKey(event: KeyboardEvent): void {
