@@ -71,8 +71,8 @@ export function isPressed(combination: string, event: Pressed): boolean {
   );
 }
 
-/** Controls in which a sign is text. */
-const TYPED_INTO = "input, select, textarea, [contenteditable=true]";
+/** Controls in which a sign is text. A choice takes none, and no value of a prompt has one. */
+const TYPED_INTO = "input:not([type=radio], [type=checkbox], .value), select, textarea, [contenteditable=true]";
 
 /** Runs the action of a pressed shortcut. A dialog keeps its keys; a key without Ctrl or F types into a field. */
 export function onActionKey(event: KeyboardEvent): void {

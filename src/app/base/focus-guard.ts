@@ -7,6 +7,7 @@
 /** Marks the element that gets the focus first where its part of the page replaces another one. */
 export const FIRST_FOCUS = "data-first-focus";
 
+const MAIN = "main, [role=main]";
 const FOCUSABLE = "a[href], button, input, select, textarea, summary, [tabindex], [contenteditable=true]";
 /** Focused elements that are remembered: the last one, and those behind dialogs and pages that closed. */
 const MOST_REMEMBERED = 12;
@@ -34,7 +35,13 @@ const isFocusable = (element: Element): element is HTMLElement =>
   isShown(element) &&
   isEnabled(element) &&
   (element.tabIndex >= 0 || element.isContentEditable);
-const isLost = (element: Element): boolean => !isShown(element) || !isEnabled(element);
+/** A part of the page may lose its Tab stop once it has controls of its own. */
+const hasStop = (element: Element): boolean =>
+  !(element instanceof HTMLElement) ||
+  element.tabIndex >= 0 ||
+  element.hasAttribute("tabindex") ||
+  element.isContentEditable;
+const isLost = (element: Element): boolean => !isShown(element) || !isEnabled(element) || !hasStop(element);
 
 function remember(element: HTMLElement): Focused {
   const path: Position[] = [];
@@ -46,12 +53,12 @@ function remember(element: HTMLElement): Focused {
 /** The element of a part of the page that gets the focus: the same control, the marked one, or the first one. */
 function targetIn(part: Element | null, name: string): HTMLElement | null {
   if (!part || !isShown(part)) return null;
-  const all = [...part.querySelectorAll(FOCUSABLE), part].filter(isFocusable);
-  const marked = part.matches(`[${FIRST_FOCUS}]`) ? part : part.querySelector(`[${FIRST_FOCUS}]`);
+  const all = [...part.querySelectorAll(FOCUSABLE)].filter(isFocusable);
+  const marked = part.querySelector(`[${FIRST_FOCUS}]`) ?? part.querySelector(MAIN);
   return (
-    all.find((each) => nameOf(each) === name && each.matches("button, a")) ??
+    all.find((each) => name !== "" && nameOf(each) === name && each.matches("button, a")) ??
     all.find((each) => marked?.contains(each)) ??
-    all.find((each) => each.matches(FOCUSABLE)) ??
+    all[0] ??
     null
   );
 }
@@ -65,7 +72,8 @@ function placeOf({ name, path, element }: Focused): HTMLElement | null {
   const { previous, next } = lost;
   const after = previous?.isConnected ? previous.nextElementSibling : around.element.firstElementChild;
   for (const part of after === next ? [next, previous] : [after, next, previous]) {
-    const found = part && around.element.contains(part) ? targetIn(part, name) : null;
+    if (!part || !around.element.contains(part)) continue;
+    const found = targetIn(part, name) ?? (isFocusable(part) ? part : null);
     if (found) return found;
   }
   for (const each of path.slice(outer)) {
@@ -130,20 +138,23 @@ export function guardFocus(): void {
     if (!last) return false;
     return now === null || now === body ? isLost(last.element) : now === last.element && !isEnabled(now);
   };
-  const settle = () => {
+  const settle = (frame: number) => {
     pending = false;
     if (byTouch || moving.isPending || !isAway()) return;
+    // The page that replaces another one may have to be fetched first.
+    if (frame < MOST_FRAMES && !document.querySelector(MAIN)) return wait(frame + 1);
     const behind = past.filter((each) => !wasInDialog(each));
     for (const each of behind) {
       const target = placeOf(each);
       if (target && target !== document.body) return target.focus({ preventScroll: true });
     }
   };
-  // Components place the focus themselves within a frame or two.
-  const look = () => {
-    if (pending || byTouch || !isAway()) return;
+  const wait = (frame: number) => {
     pending = true;
-    requestAnimationFrame(() => requestAnimationFrame(settle));
+    requestAnimationFrame(() => (frame < OWN_FRAMES ? wait(frame + 1) : settle(frame)));
+  };
+  const look = () => {
+    if (!pending && !byTouch && isAway()) wait(0);
   };
   document.addEventListener("focusin", ({ target }) => {
     if (!(target instanceof HTMLElement) || target === document.body) return;
@@ -163,6 +174,6 @@ export function guardFocus(): void {
     childList: true,
     subtree: true,
     attributes: true,
-    attributeFilter: ["disabled", "hidden", "inert", "open"],
+    attributeFilter: ["disabled", "hidden", "inert", "open", "tabindex"],
   });
 }

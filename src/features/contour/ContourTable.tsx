@@ -8,6 +8,7 @@ import { ContourDrawing } from "./ContourDrawing.tsx";
 import { ContourLine } from "./ContourLine.tsx";
 import { RowTools } from "./RowTools.tsx";
 import { chooseElement, useChosenRow, useContourPlace } from "../../app/place/contour-place.ts";
+import { FIRST_FOCUS } from "../../app/base/focus-guard.ts";
 import { cornerOf, cornerRowOf, type CornerKind } from "./drawing-edits.ts";
 import { DxfImport } from "./DxfImport.tsx";
 import { FaultList } from "./FaultList.tsx";
@@ -122,7 +123,7 @@ function Table({ rows, onChange, language, isDrawingElsewhere = false }: Props) 
             <FaultList issues={reading.issues} language={language} onPick={pick} />
           </div>
         )}
-        <div className="contour-fields">
+        <div className="contour-fields" {...{ [FIRST_FOCUS]: "" }}>
           <RowTools
             number={active === null ? null : active + 1}
             count={rows.length}

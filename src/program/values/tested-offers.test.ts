@@ -125,17 +125,19 @@ describe("an offered value", () => {
     ]);
   });
 
-  test("is an infeed with few enough passes, and a round value", () => {
+  test("in place of no infeed or a tiny one is the usual one; if that has too many passes, another round one", () => {
     const fine = at(issuesOf(812, { ...example(812), Q463: 0.001 }, 1, [75, 2]), "tooManyPasses", "Q463");
-    expect(fine && offerOf(fine)).toBe(0.2);
+    expect(fine && offerOf(fine)).toBe(3);
     const none = at(issuesOf(812, { ...example(812), Q463: 0 }, 1, [75, 2]), "outOfRange", "Q463");
-    expect(none && offerOf(none)).toBe(0.2);
+    expect(none && offerOf(none)).toBe(3);
+    const wide = at(issuesOf(812, { ...example(812), Q491: 900, Q463: 0 }, 1, [900, 2]), "outOfRange", "Q463");
+    expect(wide && offerOf(wide)).toBe(5);
     const late = at(issuesOf(820, { ...example(820), Q463: 1000 }, 15, [75, 2]), "outOfRange", "Q463");
     expect(late && offerOf(late)).toBe(5);
   });
 
-  test("is not an infeed where no path could be tried", () => {
+  test("is only the usual infeed where no path could be tried", () => {
     const prompts = readDraft(cycleByNumber(812) as never, { ...exampleDraft(cycleByNumber(812) as never), Q463: "0" });
-    expect(prompts.issues.map((each) => [each.code, offerOf(each)])).toEqual([["outOfRange", null]]);
+    expect(prompts.issues.map((each) => [each.code, offerOf(each)])).toEqual([["outOfRange", 3]]);
   });
 });

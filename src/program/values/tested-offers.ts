@@ -73,7 +73,8 @@ function search(param: Param, offer: number, from: number | null, works: Works):
     return others.find((each) => works(each) === true) ?? null;
   }
   const first = kept(offer);
-  // A tiny infeed costs more moves to test than all usual ones.
+  // In place of nothing or a tiny infeed, a setter types the usual one; tiny ones also cost most to test.
+  if (DIVIDES.has(param.shown) && from !== null && from < first && works(param.example)) return param.example;
   if (DIVIDES.has(param.shown) && from !== null && from < first)
     return first >= LEAST_INFEED && works(first) ? typed(first, 1) : smallestInfeed(param, works);
   const way = Math.sign(first - (from ?? first)) || -1;
@@ -145,13 +146,15 @@ export function testedOffers<P extends Params>(
     const works: Works = (value) => {
       if (checkNumber({ ...param, id: q }, value)) return false;
       const divides = DIVIDES.has(param.shown);
-      if (!judge || !complete) return !divides;
+      // The usual value is offered even where its passes are not planned.
+      const isSafe = !divides || value === param.example;
+      if (!judge || !complete) return isSafe;
       if (moves > MOST_MOVES) return null;
       const judged = judge({ ...kept, [q]: value } as unknown as Values<P>);
       moves += judged.moves + 1;
       return (
         fixesFinding(each, found, judged.issues) &&
-        (!divides || (judged.passes !== null && judged.passes <= MOST_PASSES_OFFERED))
+        (judged.passes === null ? isSafe : !divides || judged.passes <= MOST_PASSES_OFFERED)
       );
     };
     const sign = otherSign(each);

@@ -423,8 +423,8 @@ const diagrams: Readonly<Partial<Record<Topic, readonly (readonly Stroke[])[]>>>
 export const hasTiles = (topic: Topic): boolean => diagrams[topic] !== undefined;
 
 /**
- * Small diagrams in a row at the foot of the picture or in columns at its left, one for each value; the chosen one
- * strong.
+ * Small diagrams in a row at the foot of the picture or in columns at its left, read line by line, one for each value;
+ * the chosen one strong.
  */
 export function tiles(
   f: HelpFrame,
@@ -438,22 +438,23 @@ export function tiles(
     ? TILE.width
     : Math.min(TILE.width, (size.width - 8 - TILE.gap * (choices.length - 1)) / choices.length);
   const { each, tall: high } = columnsFor(choices.length, size.height);
+  const across = Math.ceil(choices.length / each);
   const tall = column ? high : TILE.height;
   const whole = choices.length * width + (choices.length - 1) * TILE.gap;
   const marks = choices.flatMap((choice, i) => {
     const own: Tag = { q: tag.q, active: choice === tag.chosen };
     const left = column
-      ? 4 + Math.floor(i / each) * (TILE.width + TILE.gap)
+      ? 4 + (i % across) * (TILE.width + TILE.gap)
       : (size.width - whole) / 2 + i * (width + TILE.gap);
     const top = column
-      ? (size.height - each * (tall + TILE.gap) + TILE.gap) / 2 + (i % each) * (tall + TILE.gap)
+      ? (size.height - each * (tall + TILE.gap) + TILE.gap) / 2 + Math.floor(i / across) * (tall + TILE.gap)
       : size.height - TILE_ROW + TILE.top;
     const inner = { x: left + 14, y: top + 4, width: width - 18, height: tall - 8 };
     const place = ([u, v]: Spot): Place => {
-      const [across, up] = !f.transverse
+      const [along, up] = !f.transverse
         ? [f.signU < 0 ? 1 - u : u, f.signV > 0 ? v : 1 - v]
         : [f.signV > 0 ? v : 1 - v, f.signU < 0 ? 1 - u : u];
-      return { x: inner.x + across * inner.width, y: inner.y + (1 - up) * inner.height };
+      return { x: inner.x + along * inner.width, y: inner.y + (1 - up) * inner.height };
     };
     const edge = polygon([
       { x: left, y: top },

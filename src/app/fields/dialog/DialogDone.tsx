@@ -51,7 +51,8 @@ export function DialogDone({ session, inBlock, onInsert }: Props) {
     complete: first === null ? t.nothing : t.title,
   };
   const title = titles[kind];
-  const tone = kind === "complete" || kind === "checking" ? toneOf(verdict) : "bad";
+  // Prompts that are still open are no fault.
+  const tone = kind === "complete" || kind === "checking" ? toneOf(verdict) : kind === "faults" ? "bad" : "none";
   const was = useRef(focus);
 
   useLayoutEffect(() => {

@@ -1,0 +1,94 @@
+import { readFileSync } from "node:fs";
+import type { Locator, Page } from "@playwright/test";
+import { which } from "../src/i18n/en/which.ts";
+import { expect, test } from "./pages/test.ts";
+import { Turnwise } from "./pages/turnwise.ts";
+
+/** Presses a control with a key and expects the focus on some element of the page afterwards. */
+async function press(target: Locator, key = "Enter"): Promise<void> {
+  await target.focus();
+  await target.page().keyboard.press(key);
+  await expectFocus(target.page());
+}
+
+/** The focus is on an element, not on the page, also after a component has placed it. */
+async function expectFocus(page: Page): Promise<void> {
+  await page.waitForTimeout(150);
+  await expect
+    .poll(() => page.evaluate(() => document.activeElement !== document.body && document.activeElement !== null))
+    .toBe(true);
+}
+
+test("no dialog of the workplace loses the keyboard", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  await turnwise.start.beginWithExample(812);
+  await turnwise.effect.proved();
+  const openers = page.locator("button[aria-haspopup=dialog]:visible");
+  const shown = page.getByRole("dialog").or(page.getByRole("alertdialog"));
+  const count = await openers.count();
+  expect(count).toBeGreaterThan(3);
+  for (let i = 0; i < count; i += 1) {
+    const opener = openers.nth(i);
+    await press(opener);
+    await expect(shown.locator(":focus").first()).toBeVisible();
+    await page.keyboard.press("Escape");
+    await expect(shown).toHaveCount(0);
+    await expect(opener).toBeFocused();
+  }
+});
+
+test("what is added, drawn or undone has the keyboard", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { dialog, contour, editor, t } = turnwise;
+  await turnwise.start.beginEmpty(810);
+  await expect(dialog.value).toBeFocused();
+  await page.keyboard.press("End");
+  await expectFocus(page);
+  await page.keyboard.press("Enter");
+  await expect(contour.add).toBeFocused();
+  await page.keyboard.press("Enter");
+  await expect(contour.x(1)).toBeFocused();
+  const undo = page.getByRole("button", { name: t.page.undo, exact: true });
+  for (let i = 0; i < 3; i += 1) await press(undo);
+
+  await page.goto("./#/");
+  await turnwise.start.beginWithExample(812);
+  await turnwise.effect.proved();
+  for (let i = 0; i < 2; i += 1) {
+    await press(page.getByRole("button", { name: t.lathe.which, exact: true }));
+    const asked = page.getByRole("dialog", { name: which.title });
+    await asked.getByRole("combobox", { name: which.stock.label }).selectOption("now");
+    const add = asked.getByRole("button", { name: /^Add to the program/ }).first();
+    await expect(add).toBeEnabled();
+    await press(add);
+    await expect(asked).toHaveCount(0);
+    await expectFocus(page);
+  }
+  await expect(page.getByRole("form", { name: t.dialog.form }).locator(":focus")).toBeVisible();
+  await expect(editor.total(t.editor.operations)).toHaveText("3");
+});
+
+test("an exercise keeps the keyboard from the prediction to the check", async ({ page }) => {
+  const { task, course } = await Turnwise.open(page);
+  const titleOf = (id: string): string =>
+    JSON.parse(readFileSync(new URL(`../src/course/tasks/${id}.json`, import.meta.url), "utf8")).words.en.title;
+  const begin = async (id: string) => {
+    await page.goto("./#/course/first-shoulder/tasks");
+    await press(course.task(titleOf(id)));
+    await expect(task.assignment).toBeVisible();
+    await press(task.fold);
+  };
+  await begin("l03-how-many-passes");
+  await task.field("answer").fill("19");
+  await page.keyboard.press("Enter");
+  await task.field("answer").fill("2.1");
+  await press(task.run);
+  await expect(task.again).toBeVisible();
+  await expectFocus(page);
+  await press(task.again);
+  await expect(task.run.or(task.nextQuestion)).toBeVisible();
+  await expectFocus(page);
+  await begin("l03-first-shoulder");
+  await press(task.check);
+  await expect(task.check).toBeFocused();
+});
