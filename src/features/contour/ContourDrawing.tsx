@@ -19,6 +19,7 @@ import { DrawingDimensions } from "./DrawingDimensions.tsx";
 import { BlankOutline, HoldSigns, SnapLines } from "./DrawingLayers.tsx";
 import { DrawingTools } from "./DrawingTools.tsx";
 import { pressDrawingKey } from "./drawing-keys.ts";
+import { holdSigns } from "./hold-signs.ts";
 import type { Edited } from "./row-edits.ts";
 import { gridSpacing, type GridStep } from "./snap.ts";
 import { useDrawing, type DrawingMode } from "./use-drawing.ts";
@@ -141,6 +142,7 @@ export function ContourDrawing({ rows, reading, active, language, canvas, onPick
       }),
     [reading, active, size, camera, step, large, fingers, xUp, blank],
   );
+  const signs = useMemo(() => holdSigns(rows, reading, picture, active), [rows, reading, picture, active]);
   const drawing = useDrawing({
     rows,
     reading,
@@ -233,7 +235,7 @@ export function ContourDrawing({ rows, reading, active, language, canvas, onPick
           {picture.elements.map((e, i) => (
             <ElementLine key={i} row={e.row} d={e.d} active={e.row === active} faulty={e.faulty} />
           ))}
-          {large && <HoldSigns rows={rows} reading={reading} picture={picture} active={active} />}
+          {large && <HoldSigns signs={signs} active={active} />}
           {picture.points.map((p) => (
             <PointMark
               key={p.row}
@@ -262,6 +264,7 @@ export function ContourDrawing({ rows, reading, active, language, canvas, onPick
             rows={rows}
             reading={reading}
             picture={picture}
+            signs={signs}
             size={size}
             chosen={active}
             language={language}

@@ -12,12 +12,15 @@ import { NumberInput } from "../../app/fields/number/NumberInput.tsx";
 import { SCALE_BELOW, SCALE_LEFT } from "../../app/pictures/lathe/Axes.tsx";
 import { pageLength } from "../../app/base/unit.ts";
 import { useFingers } from "../../app/base/use-media.ts";
+import type { HoldSign } from "./hold-signs.ts";
 import { drawnDimensions, type DrawnDimension } from "./drawing-dimensions.ts";
 
 interface Props {
   readonly rows: readonly ContourRow[];
   readonly reading: RowsReading;
   readonly picture: ContourPicture;
+  /** Signs on the drawing, which no text covers. */
+  readonly signs: readonly HoldSign[];
   readonly size: Size;
   readonly chosen: number | null;
   readonly language: Language;
@@ -36,7 +39,7 @@ const BESIDE = { right: 36, below: 24 } as const;
 const FIELD = 108;
 
 /** The dimensions on the drawing: thin lines and texts; a clicked text becomes a field in its place. */
-export function DrawingDimensions({ rows, reading, picture, size, chosen, language, onPick, onTyped }: Props) {
+export function DrawingDimensions({ rows, reading, picture, signs, size, chosen, language, onPick, onTyped }: Props) {
   const t = texts(language).contour;
   const fingers = useFingers();
   const [open, setOpen] = useState<string | null>(null);
@@ -54,13 +57,13 @@ export function DrawingDimensions({ rows, reading, picture, size, chosen, langua
           size,
           scales: SCALES,
           target: fingers ? TARGET.fingers : TARGET.mouse,
-          kept: picture.kept,
+          kept: [...picture.kept, ...signs.map(({ box }) => box)],
           free: freeOf(picture),
           avoid: picture.avoid,
         },
         drawn,
       ),
-    [drawn, picture, size, fingers],
+    [drawn, picture, signs, size, fingers],
   );
   const places = new Map(placed.map((p) => [p.key, p]));
 

@@ -42,7 +42,7 @@ export interface ContourPicture {
     readonly label: Place | null;
     readonly faulty: boolean;
   }[];
-  /** Points along the contour that other texts should avoid, and the boxes of the numbers, which they must avoid. */
+  /** Points along the contour that other texts should avoid, and the boxes of points and numbers, which they must avoid. */
   readonly avoid: readonly Place[];
   readonly kept: readonly LabelBox[];
 }
@@ -59,11 +59,18 @@ function cameraFor(points: readonly Pt[], size: Size, margin: Margin, xUp: boole
     all.right - all.left + all.high - low < SAME
       ? { left: all.left - 10, right: all.right + 10, low: 0, high: all.high + 10 }
       : { ...all, low };
-  return fitted(box, size, margin, xUp);
+  const camera = fitted(box, size, margin, xUp),
+    free = size.height - margin.top - margin.bottom - (box.high - box.low) * camera.scale;
+  // Nothing is drawn beyond the axis, so most of the free height is on the side of the contour.
+  const down = box.low === 0 ? (0.5 - BEYOND_AXIS) * Math.max(0, free) * (xUp ? 1 : -1) : 0;
+  return { ...camera, zero: { x: camera.zero.x, y: camera.zero.y + down } };
 }
 
+/** Share of the free height that lies beyond the axis. */
+const BEYOND_AXIS = 0.2;
+
 /** How much of the surroundings is shown round the contour, as a share of its size. */
-const ROUND_ABOUT = 0.35;
+const ROUND_ABOUT = 0.2;
 
 /** A contour with fewer points has no size yet from which to choose the scale. */
 const FEW = 3;
@@ -79,6 +86,18 @@ function nearby(points: readonly Pt[], beside: readonly Pt[]): readonly Pt[] {
   );
 }
 
+/** Half the size of a point, and of the middle of a rounding or a chamfer, with their lines, pixels. */
+const DOT = 5.5,
+  CORNER = 3.5;
+
+function dotBox({ x, y }: Place, isCorner: boolean): LabelBox {
+  const half = isCorner ? CORNER : DOT;
+  return { x: x - half, y: y - half, width: 2 * half, height: 2 * half };
+}
+
+/** Directions from a point to its number, the best first: dimension lines run straight down and to the right. */
+const WAYS = [-45, -135, 135, 45, -90, 180, 0, 90] as const;
+
 /** A place for a number beside its point that covers no other number and as little of the line as possible. */
 function labelPlace(
   at: Place,
@@ -90,11 +109,11 @@ function labelPlace(
 ): Place | null {
   let best: Place | null = null;
   let least = Infinity;
-  for (const reach of wide ? [20, 27] : [13, 19, 26])
-    for (let k = 0; k < 8; k += 1) {
+  for (const reach of wide ? [20, 27] : [16, 20, 26])
+    for (const [k, degrees] of WAYS.entries()) {
       const p = {
-        x: at.x + reach * Math.cos((k * Math.PI) / 4 - Math.PI / 4),
-        y: at.y + reach * Math.sin((k * Math.PI) / 4 - Math.PI / 4),
+        x: at.x + reach * Math.cos((degrees * Math.PI) / 180),
+        y: at.y + reach * Math.sin((degrees * Math.PI) / 180),
       };
       const box = textBox(p, text, 0, 12),
         far = reach / 10 + k / 10;
@@ -183,8 +202,10 @@ export function contourDrawing(request: ContourRequest): ContourPicture {
   const each = Math.max(2, Math.min(24, Math.ceil(MOST_PLACES / contour.length)));
   const avoid = contour.flatMap((s) => Array.from({ length: each }, (_, k) => toScreen(camera, pointOn(s, k / each))));
   const covered = placesOn(size, avoid),
-    numbers = boxesOn(size),
-    kept: LabelBox[] = [];
+    isCorner = new Set(corners.map(({ row }) => row)),
+    dots = [...stops, ...corners].map(({ row, at }) => dotBox(toScreen(camera, at), isCorner.has(row))),
+    numbers = boxesOn(size, dots),
+    kept: LabelBox[] = [...dots];
   const marks = [...stops, ...corners, ...missing].sort(
     (a, b) => Number(b.row === active) - Number(a.row === active) || a.row - b.row,
   );

@@ -1,19 +1,22 @@
 import { useEffect, useState } from "react";
 import { flushSync } from "react-dom";
+import { pageLength, pageUnit } from "../../base/unit.ts";
 import { printedText } from "../../document/printed.ts";
 import { flushEdits, useEditor } from "../../document/store.ts";
 import { useIsoFile } from "../../document/output.ts";
 
-/** Widest picture on paper, CSS px: fits between the margins of A4 and Letter. */
+/** Widest picture on paper, units of the page: fits between the margins of A4 and Letter. */
 const PAPER = 690;
 
-/** Pictures keep the size they were drawn for; wider ones are scaled to fit. */
+/** Pictures keep the size they were drawn for, in units of the page; wider ones are scaled to fit. */
 function fixPictures(): void {
+  const unit = pageUnit();
   for (const stage of document.querySelectorAll<HTMLElement>(".lathe-stage, .plane-stage")) {
-    const { width, height } = stage.getBoundingClientRect();
+    const box = stage.getBoundingClientRect(),
+      width = box.width / unit;
     if (width === 0) continue;
-    stage.style.setProperty("--print-width", `${width}px`);
-    stage.style.setProperty("--print-height", `${height}px`);
+    stage.style.setProperty("--print-width", pageLength(width));
+    stage.style.setProperty("--print-height", pageLength(box.height / unit));
     stage.style.setProperty("--print-zoom", String(Math.min(1, PAPER / width)));
   }
 }

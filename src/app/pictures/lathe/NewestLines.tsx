@@ -44,7 +44,7 @@ export const NewestPath = memo(function NewestPath({
   );
 });
 
-/** The finished contour, from a newer run if there is one. */
+/** The finished contour, from a newer run if there is one: then the stock of the picture is not yet its own. */
 export function NewestContour({
   of,
   shapes,
@@ -52,10 +52,11 @@ export function NewestContour({
 }: {
   readonly of: Run | null;
   readonly shapes: readonly Shape[];
-  readonly children: (shapes: readonly Shape[]) => ReactNode;
+  readonly children: (shapes: readonly Shape[], isOfStock: boolean) => ReactNode;
 }) {
   const ahead = useNewerRun(of);
   return children(
     useMemo(() => (ahead ? contourShapes(ahead.operations.map((o) => o.plan.contour)) : shapes), [ahead, shapes]),
+    ahead === null,
   );
 }

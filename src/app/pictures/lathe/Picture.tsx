@@ -77,22 +77,27 @@ function ResidualHatch({ viewport, id }: { readonly viewport: Viewport; readonly
 
 /** Largest extent of a drawing, mm. */
 const FAR = 100_000;
+const EVERYWHERE = { x: -FAR, y: -FAR, width: 2 * FAR, height: 2 * FAR } as const;
 
 /** Hides what is behind the outer surface of the finished part; lines along that surface stay. */
 function BeforeSurface({ id, moving }: { readonly id: string; readonly moving: PlayedScene }) {
   const { steps, stockAt } = moving;
   const d = useMemo(() => outerOutlineData(stockAt({ step: steps.length, fraction: 0 })), [steps, stockAt]);
   return (
-    <mask
-      id={id}
-      className="before-surface"
-      maskUnits="userSpaceOnUse"
-      x={-FAR}
-      y={-FAR}
-      width={2 * FAR}
-      height={2 * FAR}
-    >
-      <rect x={-FAR} y={-FAR} width={2 * FAR} height={2 * FAR} />
+    <mask id={id} className="before-surface" maskUnits="userSpaceOnUse" {...EVERYWHERE}>
+      <rect {...EVERYWHERE} />
+      <path d={d} />
+      <path d={d} transform="scale(1 -1)" />
+    </mask>
+  );
+}
+
+/** Shows lines only at the surface of the finished part, and within the oversize that is left on it. */
+function AtSurface({ id, moving }: { readonly id: string; readonly moving: PlayedScene }) {
+  const { steps, stockAt } = moving;
+  const d = useMemo(() => ringData(stockAt({ step: steps.length, fraction: 0 })), [steps, stockAt]);
+  return (
+    <mask id={id} className="at-surface" maskUnits="userSpaceOnUse" {...EVERYWHERE}>
       <path d={d} />
       <path d={d} transform="scale(1 -1)" />
     </mask>
@@ -189,8 +194,22 @@ export function Picture({
             {residual.length > 0 && <Rings rings={residual} role="residual" fill={`url(#${id}residual)`} />}
             <Still shapes={sheets.blank} mirror={full} />
             {moving && <NewestPath of={of} stretches={path} playback={moving.playback} isLong={isLong} />}
+            {moving && <AtSurface id={`${id}at`} moving={moving} />}
             <NewestContour of={of} shapes={sheets.contour}>
-              {(shapes) => <Still shapes={shapes} mirror={full} />}
+              {(shapes, isOfStock) =>
+                moving && isOfStock ? (
+                  <>
+                    <g className="through-air">
+                      <Still shapes={shapes} mirror={full} />
+                    </g>
+                    <g mask={`url(#${id}at)`}>
+                      <Still shapes={shapes} mirror={full} />
+                    </g>
+                  </>
+                ) : (
+                  <Still shapes={shapes} mirror={full} />
+                )
+              }
             </NewestContour>
           </g>
           {gouges.length > 0 && <Rings rings={gouges} role="gouge" />}

@@ -3,7 +3,8 @@ import { useStore } from "zustand";
 import type { MeasuredPlace } from "../../../kernel/plan/measured.ts";
 import { part } from "../../../kernel/geometry/point.ts";
 import { toScreen, type Camera } from "../../../view/camera.ts";
-import type { LabelBox } from "../../../view/help/labels.ts";
+import { textWidth, type LabelBox } from "../../../view/help/labels.ts";
+import { namePlace } from "../../../view/measure/name-place.ts";
 import { polyline } from "../../../view/help/marks.ts";
 import { placedMeasurements } from "../../../view/measure/layout.ts";
 import { onSide, halfOf } from "../../../view/measure/snap.ts";
@@ -22,12 +23,10 @@ import type { MeasureSource } from "./source.ts";
 import "./measure.css";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
-/** Half size of a mark, and distance of its name, pixels. */
+/** Half size of a mark and of the cross, and letters of its name, pixels. */
 const MARK = 5,
   CROSS = 12,
-  ASIDE = 10;
-/** Closer than this to the right edge a name is left of its mark, pixels. */
-const ROOM = 150;
+  NAME = 12;
 
 const marks: Readonly<Record<MeasuredPlace["spot"], string>> = {
   corner: `M${-MARK} ${-MARK}H${MARK}V${MARK}H${-MARK}Z`,
@@ -44,26 +43,26 @@ function heldEdge({ edge, at: p }: MeasuredPlace, camera: Camera, isTurned: bool
   return polyline(part.flattened(edge.segment, 0.5 / camera.scale).map((each) => toScreen(camera, onSide(each, side))));
 }
 
+/** The name of what the cross is snapped to, and its box. */
+interface PlacedName {
+  readonly text: string;
+  readonly box: LabelBox;
+}
+
 /** Cross, its snapped edge, and the first place. */
 function Cross({
   state: { cross, first },
   camera,
-  width,
+  name,
   isTurned,
 }: {
   readonly state: MeasureState;
   readonly camera: Camera;
-  /** Of the picture. */
-  readonly width: number;
+  readonly name: PlacedName | null;
   readonly isTurned: boolean;
 }) {
-  const t = useTexts("measure"),
-    c = cross && toScreen(camera, cross.at),
+  const c = cross && toScreen(camera, cross.at),
     a = first && toScreen(camera, first.at);
-  const name = cross
-    ? [t.spots[cross.spot], ...(cross.edge ? [t.owners[cross.edge.of]] : [])].filter((each) => each !== "").join(" · ")
-    : "";
-  const isFar = c !== null && c.x > width - ROOM;
   return (
     <g className="measure-cross">
       {first && <path className="measure-edge" d={heldEdge(first, camera, isTurned)} />}
@@ -74,10 +73,12 @@ function Cross({
         <g transform={`translate(${c.x} ${c.y})`}>
           <path className="cross" d={`M${-CROSS} 0H${CROSS}M0 ${-CROSS}V${CROSS}`} />
           <path className="mark" d={marks[cross.spot]} />
-          <text x={isFar ? -ASIDE : ASIDE} y={-ASIDE} textAnchor={isFar ? "end" : "start"}>
-            {name}
-          </text>
         </g>
+      )}
+      {name && (
+        <text x={name.box.x} y={name.box.y + NAME}>
+          {name.text}
+        </text>
       )}
     </g>
   );
@@ -134,13 +135,21 @@ export function MeasureLayer({
       }),
     );
   }, [camera, size, isNarrow, panel, state.on, readings, words, moved]);
+  const { cross } = state;
+  const name = useMemo(() => {
+    const text = cross
+      ? [t.spots[cross.spot], ...(cross.edge ? [t.owners[cross.edge.of]] : [])]
+          .filter((each) => each !== "")
+          .join(" · ")
+      : "";
+    if (!state.on || !cross || text === "") return null;
+    const kept = [...standing.map(({ box }) => box), ...(panel ? [panel] : [])];
+    return { text, box: namePlace(toScreen(camera, cross.at), textWidth(text, NAME), size, kept) };
+  }, [state.on, cross, t, camera, size, standing, panel]);
   useEffect(() => {
-    measuring.labels.setState(
-      standing.map(({ box }) => box),
-      true,
-    );
+    measuring.labels.setState([...standing.map(({ box }) => box), ...(name ? [name.box] : [])], true);
     return () => measuring.labels.setState([], true);
-  }, [measuring, standing]);
+  }, [measuring, standing, name]);
   const old = new Set(readings.flatMap(({ isStale, measurement: { id } }) => (isStale ? [id] : [])));
   return (
     <>
@@ -151,7 +160,7 @@ export function MeasureLayer({
             <path className="arrow" d={arrows} />
           </g>
         ))}
-        {state.on && <Cross state={state} camera={camera} width={size.width} isTurned={isTurned} />}
+        {state.on && <Cross state={state} camera={camera} name={name} isTurned={isTurned} />}
       </svg>
       <MeasuredLabels standing={standing} words={words} old={old} camera={camera} moved={moved} move={move} />
       {state.on && (
