@@ -1,16 +1,17 @@
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import type { Hero, StartPictures } from "../src/features/start/pictures.ts";
+import type { HeroProgram, StartPictures } from "../src/features/start/pictures.ts";
 import { runningPass } from "../src/features/start/running-pass.ts";
 import type { ExampleId } from "../src/examples/index.ts";
 import { parse } from "../src/nc/parse.ts";
-import { print } from "../src/nc/program.ts";
+import { print, type Program } from "../src/nc/program.ts";
 import { withClamping } from "../src/program/clamping/draft.ts";
 import type { ClampingDraft } from "../src/program/clamping/words.ts";
 import type { Run } from "../src/program/state/run-types.ts";
 import { run } from "../src/program/run/run.ts";
 import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 import { verdictOf } from "../src/report/verdict.ts";
+import type { Simulation } from "../src/sim/simulation.ts";
 import { simulate } from "../src/sim/simulate.ts";
 import { boundsOf } from "../src/view/bounds.ts";
 import { positionAt, trackOf } from "../src/view/playback.ts";
@@ -30,8 +31,8 @@ const FILES: Readonly<Record<ExampleId, string>> = {
   plate: "plate",
 };
 
-const ran = (file: string): Run =>
-  run(parse(readFileSync(join("src", "examples", `${file}.h`), "utf8")), { tools: shippedTools, rapid: RAPID });
+const programOf = (file: string) => parse(readFileSync(join("src", "examples", `${file}.h`), "utf8"));
+const runOf = (program: Program): Run => run(program, { tools: shippedTools, rapid: RAPID });
 
 const rounded = (v: number) => Math.round(v * 100) / 100;
 
@@ -52,10 +53,8 @@ function planeThumbnail({ plane }: Run): Thumbnail | null {
 }
 
 /** The finished part of a program; null where nothing is turned. */
-function thumbnail(file: string): Thumbnail | null {
-  const made = ran(file);
-  return made.operations.length === 0 ? planeThumbnail(made) : thumbnailOf(made.blank, simulate(made).final);
-}
+const thumbnail = (made: Run, simulation?: Simulation): Thumbnail | null =>
+  made.operations.length === 0 ? planeThumbnail(made) : thumbnailOf(made.blank, (simulation ?? simulate(made)).final);
 
 /** The hero is turned in a chuck, so that jaws and tool holder show as on a machine. */
 const CLAMPED: ClampingDraft = { kind: "chuckOutside", words: { D: "90", LENGTH: "20", FACE: "-108", SIZE: "160" } };
@@ -65,12 +64,9 @@ const STILL = 0.19;
 const AIR = { left: 0.02, right: 0.1, over: 0.15, under: 0.04 };
 
 /** A program that is played on the start page: its text, its facts, and its picture before it has run. */
-function hero(file: string): Hero {
-  const text = print(withClamping(parse(readFileSync(join("src", "examples", `${file}.h`), "utf8")), CLAMPED));
-  const made = run(parse(text), { tools: shippedTools, rapid: RAPID });
-  const simulation = simulate(made);
+function hero(text: string, made: Run, simulation: Simulation): HeroProgram {
   const box = boundsOf(made.blank.flat());
-  if (!box) throw new Error(`${file}.h has no blank`);
+  if (!box) throw new Error("The program of the hero has no blank");
   const long = box.right - box.left;
   const frame = {
     left: rounded(box.left - AIR.left * long),
@@ -95,11 +91,14 @@ function hero(file: string): Hero {
 
 /** The pictures of programs on the start page: computed when the page is built. */
 export function startPictures(): StartPictures {
+  const text = print(withClamping(programOf(HERO), CLAMPED));
+  const made = runOf(parse(text));
+  const simulation = simulate(made);
   const examples = Object.entries(FILES).flatMap(([id, file]) => {
-    const made = thumbnail(file);
-    return made ? [[id, made] as const] : [];
+    const drawn = file === HERO ? thumbnail(made, simulation) : thumbnail(runOf(programOf(file)));
+    return drawn ? [[id, drawn] as const] : [];
   });
-  return { hero: hero(HERO), examples: Object.fromEntries(examples) };
+  return { hero: hero(text, made, simulation), examples: Object.fromEntries(examples) };
 }
 
 /** The module that the page imports by the name in src/features/start/start-pictures.d.ts, by its id. */

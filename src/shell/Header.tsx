@@ -7,6 +7,7 @@ import { redoStep, undoStep } from "../app/document/history.ts";
 import { lazyPart } from "../app/base/parts.ts";
 import { useSteps } from "../app/document/steps.ts";
 import { useEditor } from "../app/document/store.ts";
+import { HelpMenu } from "./HelpMenu.tsx";
 import { CreateProgram } from "../features/start/first.ts";
 
 /** Fetched when it is first opened. */
@@ -118,6 +119,7 @@ export function Header() {
             <Icon name="add" /> <span>{t.page.newProgram}</span>
           </button>
         )}
+        <HelpMenu />
         <button
           type="button"
           className="button icon plain"

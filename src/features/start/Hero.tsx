@@ -7,7 +7,7 @@ import { useSettings } from "../../app/base/settings/settings.ts";
 import { fetchShownTexts, useTexts } from "../../app/base/settings/use-texts.ts";
 import { useTheme } from "../../app/base/use-theme-colours.ts";
 import { openText } from "../../app/fields/open/open-program.ts";
-import type { Hero as HeroProgram, StillPicture } from "./pictures.ts";
+import type { HeroProgram, StillPicture } from "./pictures.ts";
 import type { RunningPass } from "./running-pass.ts";
 import "../../app/pictures/lathe/lathe.css";
 import "./hero.css";

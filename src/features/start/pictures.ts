@@ -17,7 +17,7 @@ export interface StillPicture {
 }
 
 /** A program that is played on the lathe view of the start page. */
-export interface Hero {
+export interface HeroProgram {
   readonly text: string;
   /** The section of the lathe that is shown. */
   readonly frame: Bounds;
@@ -33,6 +33,6 @@ export interface Hero {
 }
 
 export interface StartPictures {
-  readonly hero: Hero;
+  readonly hero: HeroProgram;
   readonly examples: Readonly<Partial<Record<ExampleId, Thumbnail>>>;
 }

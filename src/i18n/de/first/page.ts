@@ -148,7 +148,7 @@ export const page = {
     fold: "Programm einklappen",
     unfold: "Programm zeigen",
     setupSheet: "Einrichteblatt",
-    clamping: "Spannung",
+    clamping: "Werkstoff, Spannung",
     workshopDrawing: "Werkstattzeichnung",
     handOn: "Teilen",
     exportPart: "Teil exportieren",

@@ -148,7 +148,7 @@ export const page = {
     fold: "Hide program",
     unfold: "Show program",
     setupSheet: "Setup sheet",
-    clamping: "Clamping",
+    clamping: "Material, clamping",
     workshopDrawing: "Workshop drawing",
     handOn: "Share",
     exportPart: "Export part",

@@ -148,7 +148,7 @@ export const page = {
     fold: "Masquer le programme",
     unfold: "Afficher le programme",
     setupSheet: "Fiche de réglage",
-    clamping: "Serrage",
+    clamping: "Matière, serrage",
     workshopDrawing: "Dessin d’atelier",
     handOn: "Partager",
     exportPart: "Exporter la pièce",

@@ -146,7 +146,7 @@ export const page = {
     fold: "收起程序",
     unfold: "显示程序",
     setupSheet: "调机单",
-    clamping: "装夹",
+    clamping: "材料与装夹",
     workshopDrawing: "零件图",
     handOn: "分享",
     exportPart: "导出零件",
