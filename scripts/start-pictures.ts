@@ -15,7 +15,7 @@ import type { Simulation } from "../src/sim/simulation.ts";
 import { simulate } from "../src/sim/simulate.ts";
 import { boundsOf } from "../src/view/bounds.ts";
 import { positionAt, trackOf } from "../src/view/playback.ts";
-import { thumbnailOf, type Thumbnail, type ViewBox } from "../src/view/thumbnail.ts";
+import { planeThumbnailOf, thumbnailOf, type Thumbnail } from "../src/view/thumbnail.ts";
 import { stillPicture } from "./start-still.ts";
 
 const RAPID = 10_000;
@@ -36,25 +36,11 @@ const runOf = (program: Program): Run => run(program, { tools: shippedTools, rap
 
 const rounded = (v: number) => Math.round(v * 100) / 100;
 
-/** The path of a mill, seen from above; Y points up. */
-function planeThumbnail({ plane }: Run): Thumbnail | null {
-  const cut = plane.filter(({ kind }) => kind !== "rapid");
-  const all = cut.flatMap(({ from, to }) => [from, to]);
-  if (all.length === 0) return null;
-  const [xs, ys] = [all.map(({ x }) => x), all.map(({ y }) => -y)];
-  const [left, top] = [Math.min(...xs), Math.min(...ys)];
-  const [width, height] = [Math.max(...xs) - left, Math.max(...ys) - top];
-  const air = Math.max(width, height) / 16;
-  const box = [left - air, top - air, width + 2 * air, height + 2 * air].map(rounded) as unknown as ViewBox;
-  const way = cut
-    .map(({ from, to }) => `M${rounded(from.x)} ${rounded(-from.y)}L${rounded(to.x)} ${rounded(-to.y)}`)
-    .join("");
-  return { box, part: "", blank: "", plane: way };
-}
-
 /** The finished part of a program; null where nothing is turned. */
 const thumbnail = (made: Run, simulation?: Simulation): Thumbnail | null =>
-  made.operations.length === 0 ? planeThumbnail(made) : thumbnailOf(made.blank, (simulation ?? simulate(made)).final);
+  made.operations.length === 0
+    ? planeThumbnailOf(made.plane)
+    : thumbnailOf(made.blank, (simulation ?? simulate(made)).final);
 
 /** The hero is turned in a chuck, so that jaws and tool holder show as on a machine. */
 const CLAMPED: ClampingDraft = { kind: "chuckOutside", words: { D: "90", LENGTH: "20", FACE: "-108", SIZE: "160" } };

@@ -31,9 +31,6 @@ export function LessonBar({
   const lengths = useLengths(run),
     { language } = lengths;
   const playing = usePlayback(playback, (s) => s.get().playing);
-  const spoken = usePlayback(playback, (s) =>
-    s.get().playing ? "" : texts.lathe.timeOf(clockText(language, stretch.now()), clockText(language, stretch.length)),
-  );
   const input = useRef<HTMLInputElement>(null);
   const said = useRef<HTMLSpanElement>(null);
   const block = useRef<HTMLSpanElement>(null);
@@ -42,7 +39,13 @@ export function LessonBar({
   useEachReading(
     playback,
     useCallback(() => {
-      if (input.current) input.current.value = String(length > 0 ? (PARTS * now()) / length : 0);
+      if (input.current) {
+        input.current.value = String(length > 0 ? (PARTS * now()) / length : 0);
+        input.current.setAttribute(
+          "aria-valuetext",
+          texts.lathe.timeOf(clockText(language, now()), clockText(language, length)),
+        );
+      }
       const position = playback.shown();
       const isCalled = (run.steps[position.step]?.operation ?? null) !== null;
       const running = isCalled ? runningText(texts, lengths, run, position) : null;
@@ -52,7 +55,7 @@ export function LessonBar({
       const line = (step && blocks[step.block]?.split("\n")[0]) ?? "";
       if (block.current && block.current.textContent !== line) block.current.textContent = line;
       // eslint-disable-next-line react-hooks/exhaustive-deps -- `now` is made anew with each render and reads the same playback
-    }, [playback, length, texts, lengths, run, blocks]),
+    }, [playback, length, texts, lengths, language, run, blocks]),
   );
   return (
     <div className="lesson-bar">
@@ -68,7 +71,6 @@ export function LessonBar({
           step="any"
           defaultValue={0}
           aria-label={t.scrub}
-          {...(spoken && { "aria-valuetext": spoken })}
           onInput={(event) => stretch.seek((Number(event.currentTarget.value) / PARTS) * length)}
         />
       </div>

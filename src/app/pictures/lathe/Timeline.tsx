@@ -8,7 +8,7 @@ import { useTexts } from "../../base/settings/use-texts.ts";
 import { clockText } from "../../base/clock-text.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { glide } from "../../calculation/glide.ts";
-import { useEachReading, usePlayback } from "./use-playback.ts";
+import { useEachReading } from "./use-playback.ts";
 
 /** Data of a timeline: a run, or the part of one that a view shows. */
 export interface TimedRun extends Pick<Run, "operations"> {
@@ -26,10 +26,6 @@ export function Timeline({ run, playback }: { readonly run: TimedRun; readonly p
   const input = useRef<HTMLInputElement>(null),
     head = useRef<HTMLDivElement>(null),
     time = useRef<HTMLSpanElement>(null);
-  const spoken = usePlayback(playback, (store) => {
-    const { track, position, playing } = store.get();
-    return playing ? "" : t.timeOf(clockText(language, secondsAt(track, position)), clockText(language, track.total));
-  });
   useEffect(() => {
     const at = (position: PlayPosition) => {
       const { track } = playback.get();
@@ -42,10 +38,14 @@ export function Timeline({ run, playback }: { readonly run: TimedRun; readonly p
     useCallback(() => {
       const { track, position } = playback.get(),
         seconds = secondsAt(track, position);
-      if (input.current) input.current.value = String(track.total > 0 ? (1000 * seconds) / track.total : 0);
-      const text = `${clockText(language, seconds)} / ${clockText(language, track.total)}`;
+      const [now, whole] = [clockText(language, seconds), clockText(language, track.total)];
+      if (input.current) {
+        input.current.value = String(track.total > 0 ? (1000 * seconds) / track.total : 0);
+        input.current.setAttribute("aria-valuetext", t.timeOf(now, whole));
+      }
+      const text = `${now} / ${whole}`;
       if (time.current && time.current.textContent !== text) time.current.textContent = text;
-    }, [playback, language]),
+    }, [playback, language, t]),
   );
   const marks = bar.boundaries.map((b) => `M${b * 1000} 0V1`).join("");
   return (
@@ -86,7 +86,6 @@ export function Timeline({ run, playback }: { readonly run: TimedRun; readonly p
         step={0.01}
         defaultValue={0}
         aria-label={t.timeline}
-        {...(spoken && { "aria-valuetext": spoken })}
         disabled={run.steps.length === 0}
         onInput={(event) =>
           playback.dispatch({
