@@ -25,6 +25,7 @@ import "../app/base/styles/layout.css";
 import "../app/base/styles/dialog.css";
 import "../app/base/styles/panels.css";
 import "../app/base/styles/start.css";
+import "../app/base/styles/contrast.css";
 import { onKeysKey } from "../app/fields/keys/keys-key.ts";
 import { startOfflineLater } from "../features/offline/first.ts";
 
