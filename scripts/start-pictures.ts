@@ -1,6 +1,5 @@
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import type { HeroProgram, StartPictures } from "../src/features/start/pictures.ts";
 import { runningPass } from "../src/features/start/running-pass.ts";
 import type { ExampleId } from "../src/examples/index.ts";
 import { parse } from "../src/nc/parse.ts";
@@ -50,7 +49,7 @@ const STILL = 0.19;
 const AIR = { left: 0.02, right: 0.1, over: 0.15, under: 0.04 };
 
 /** A program that is played on the start page: its text, its facts, and its picture before it has run. */
-function hero(text: string, made: Run, simulation: Simulation): HeroProgram {
+function hero(text: string, made: Run, simulation: Simulation) {
   const box = boundsOf(made.blank.flat());
   if (!box) throw new Error("The program of the hero has no blank");
   const long = box.right - box.left;
@@ -76,7 +75,7 @@ function hero(text: string, made: Run, simulation: Simulation): HeroProgram {
 }
 
 /** The pictures of programs on the start page: computed when the page is built. */
-export function startPictures(): StartPictures {
+function startPictures() {
   const text = print(withClamping(programOf(HERO), CLAMPED));
   const made = runOf(parse(text));
   const simulation = simulate(made);
@@ -87,7 +86,19 @@ export function startPictures(): StartPictures {
   return { hero: hero(text, made, simulation), examples: Object.fromEntries(examples) };
 }
 
-/** The module that the page imports by the name in src/features/start/start-pictures.d.ts, by its id. */
-export const pictureModules = (): Readonly<Record<string, string>> => ({
-  "virtual:start-pictures": `export const pictures = ${JSON.stringify(startPictures())};`,
-});
+/**
+ * The modules that the page imports by the names in src/features/start/start-pictures.d.ts, by their ids. What is not
+ * shown at once, or in one theme only, has its own.
+ */
+export function pictureModules(): Readonly<Record<string, string>> {
+  const id = "virtual:start-pictures";
+  const { hero, examples } = startPictures();
+  const { text, still, ...facts } = hero;
+  const made = (name: string, value: unknown) => `export const ${name} = ${JSON.stringify(value)};`;
+  return {
+    [id]: made("pictures", { hero: { ...facts, box: still.box }, examples }),
+    [`${id}/light`]: made("drawing", still.light),
+    [`${id}/dark`]: made("drawing", still.dark),
+    [`${id}/program`]: made("text", text),
+  };
+}

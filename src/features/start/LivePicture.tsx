@@ -32,19 +32,20 @@ interface Props {
 
 /** The lathe view of the hero, once the worker has run its program. */
 export function LivePicture(props: Props) {
-  const { text } = props.hero;
   const [outcome, take] = useState<Outcome | null>(null);
   useEffect(() => {
     let here = true;
     // Without an answer the still picture stays.
-    void runWithShippedTools(text).then(
-      (made) => here && take(made),
-      () => undefined,
-    );
+    void import("virtual:start-pictures/program")
+      .then(({ text }) => runWithShippedTools(text))
+      .then(
+        (made) => here && take(made),
+        () => undefined,
+      );
     return () => {
       here = false;
     };
-  }, [text]);
+  }, []);
   return outcome && <RunningLathe {...props} outcome={outcome} />;
 }
 

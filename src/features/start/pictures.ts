@@ -7,18 +7,8 @@ import type { RunningPass } from "./running-pass.ts";
 /** Themes of the page. */
 export type Theme = "light" | "dark";
 
-/** A drawing of the lathe view as SVG elements. */
-export interface StillPicture {
-  /** The frame of the view in the drawing, which reaches beyond it. */
-  readonly box: ViewBox;
-  readonly material: Readonly<Record<Theme, string>>;
-  /** Path, contour and tool, in the colours of the style sheets. */
-  readonly lines: string;
-}
-
 /** A program that is played on the lathe view of the start page. */
 export interface HeroProgram {
-  readonly text: string;
   /** The section of the lathe that is shown. */
   readonly frame: Bounds;
   /** Where playback begins: the moment of the still picture. */
@@ -29,7 +19,8 @@ export interface HeroProgram {
   readonly tools: number;
   readonly seconds: number;
   readonly proved: boolean;
-  readonly still: StillPicture;
+  /** The frame in the still picture, which reaches beyond it. */
+  readonly box: ViewBox;
 }
 
 export interface StartPictures {
