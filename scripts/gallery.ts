@@ -23,8 +23,11 @@ const SIZE = { width: 520, height: 300 };
 const MARGIN = { left: 8, right: 8, top: 8, bottom: 8 };
 
 const escaped = (text: string) => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll('"', "&quot;");
-const clock = (seconds: number) =>
-  `${Math.floor(seconds / 60)}:${String(Math.round(seconds) % 60).padStart(2, "0")} min`;
+function clock(seconds: number): string {
+  const whole = Math.round(seconds);
+  const [hours, minutes] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60];
+  return hours > 0 ? `${hours} h ${minutes} min` : `${minutes} min ${String(whole % 60).padStart(2, "0")} s`;
+}
 const many = (n: number, one: string) => `${n} ${one}${n === 1 ? "" : "es"}`;
 
 /** The part, the remaining stock, and the path, from back to front. */
@@ -49,7 +52,6 @@ function picture(made: Run, simulation: Simulation): string {
 
 /** The verdict in short. */
 function verdictText({ verdict }: Judged, left: number): string {
-  if (verdict === "faults") return "Errors";
   if (verdict === "incomplete") return findings.verdict.unproved;
   return left > 0.01 ? findings.verdict.stays(`${left.toFixed(2)} mm²`) : findings.verdict.proved;
 }
@@ -60,7 +62,7 @@ interface Work {
   readonly figure: string;
 }
 
-/** One golden program with a turning operation; null for one without. */
+/** One golden program with a turning operation; null for one without, or with faults. */
 function work(name: string, text: string): Work | null {
   const made = run(parse(text), { tools: shippedTools, rapid: RAPID });
   const [first] = made.operations;
@@ -68,6 +70,8 @@ function work(name: string, text: string): Work | null {
   if (!cycle) return null;
   const simulation = simulate(made);
   const judged = verdictOf(made, simulation);
+  // Programs with planted faults are for the tests.
+  if (judged.verdict === "faults") return null;
   const left = simulation.proof.residual.reduce((sum, piece) => sum + piece.area, 0);
   const passes = made.operations.reduce((sum, o) => sum + o.plan.passes, 0);
   const numbers = [...new Set(made.operations.map((o) => `${o.cycle} with tool ${o.tool.T}`))].join(", ");
@@ -102,7 +106,7 @@ figure { margin: 0; background: var(--surface); border: 1px solid var(--line); b
 figure svg { display: block; width: 100%; height: auto; }
 figcaption { display: flex; flex-wrap: wrap; gap: 2px 12px; padding: 6px 10px; border-top: 1px solid var(--line); font-size: 13px; }
 code { font-family: var(--number-font); font-weight: 600; }
-.proved { color: var(--good); } .faults { color: var(--danger); } .incomplete { color: var(--warning); }
+.proved { color: var(--good); } .incomplete { color: var(--warning); }
 .work path { fill: none; vector-effect: non-scaling-stroke; stroke-linejoin: round; fill-rule: evenodd; }
 .work .stock { fill: var(--material); stroke: var(--line-strong); } .work .blank { stroke: var(--line-strong); stroke-dasharray: 10 3 2 3; }
 .work .residual { fill: var(--surface); stroke: var(--residual); stroke-width: 2.5; }

@@ -1,20 +1,20 @@
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import type { Hero, StartPictures } from "../src/features/start/pictures.ts";
 import { runningPass } from "../src/features/start/running-pass.ts";
 import type { ExampleId } from "../src/examples/index.ts";
 import { parse } from "../src/nc/parse.ts";
-import { print } from "../src/nc/program.ts";
+import { print, type Program } from "../src/nc/program.ts";
 import { withClamping } from "../src/program/clamping/draft.ts";
 import type { ClampingDraft } from "../src/program/clamping/words.ts";
 import type { Run } from "../src/program/state/run-types.ts";
 import { run } from "../src/program/run/run.ts";
 import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 import { verdictOf } from "../src/report/verdict.ts";
+import type { Simulation } from "../src/sim/simulation.ts";
 import { simulate } from "../src/sim/simulate.ts";
 import { boundsOf } from "../src/view/bounds.ts";
 import { positionAt, trackOf } from "../src/view/playback.ts";
-import { thumbnailOf, type Thumbnail, type ViewBox } from "../src/view/thumbnail.ts";
+import { planeThumbnailOf, thumbnailOf, type Thumbnail } from "../src/view/thumbnail.ts";
 import { stillPicture } from "./start-still.ts";
 
 const RAPID = 10_000;
@@ -30,32 +30,16 @@ const FILES: Readonly<Record<ExampleId, string>> = {
   plate: "plate",
 };
 
-const ran = (file: string): Run =>
-  run(parse(readFileSync(join("src", "examples", `${file}.h`), "utf8")), { tools: shippedTools, rapid: RAPID });
+const programOf = (file: string) => parse(readFileSync(join("src", "examples", `${file}.h`), "utf8"));
+const runOf = (program: Program): Run => run(program, { tools: shippedTools, rapid: RAPID });
 
 const rounded = (v: number) => Math.round(v * 100) / 100;
 
-/** The path of a mill, seen from above; Y points up. */
-function planeThumbnail({ plane }: Run): Thumbnail | null {
-  const cut = plane.filter(({ kind }) => kind !== "rapid");
-  const all = cut.flatMap(({ from, to }) => [from, to]);
-  if (all.length === 0) return null;
-  const [xs, ys] = [all.map(({ x }) => x), all.map(({ y }) => -y)];
-  const [left, top] = [Math.min(...xs), Math.min(...ys)];
-  const [width, height] = [Math.max(...xs) - left, Math.max(...ys) - top];
-  const air = Math.max(width, height) / 16;
-  const box = [left - air, top - air, width + 2 * air, height + 2 * air].map(rounded) as unknown as ViewBox;
-  const way = cut
-    .map(({ from, to }) => `M${rounded(from.x)} ${rounded(-from.y)}L${rounded(to.x)} ${rounded(-to.y)}`)
-    .join("");
-  return { box, part: "", blank: "", plane: way };
-}
-
 /** The finished part of a program; null where nothing is turned. */
-function thumbnail(file: string): Thumbnail | null {
-  const made = ran(file);
-  return made.operations.length === 0 ? planeThumbnail(made) : thumbnailOf(made.blank, simulate(made).final);
-}
+const thumbnail = (made: Run, simulation?: Simulation): Thumbnail | null =>
+  made.operations.length === 0
+    ? planeThumbnailOf(made.plane)
+    : thumbnailOf(made.blank, (simulation ?? simulate(made)).final);
 
 /** The hero is turned in a chuck, so that jaws and tool holder show as on a machine. */
 const CLAMPED: ClampingDraft = { kind: "chuckOutside", words: { D: "90", LENGTH: "20", FACE: "-108", SIZE: "160" } };
@@ -65,12 +49,9 @@ const STILL = 0.19;
 const AIR = { left: 0.02, right: 0.1, over: 0.15, under: 0.04 };
 
 /** A program that is played on the start page: its text, its facts, and its picture before it has run. */
-function hero(file: string): Hero {
-  const text = print(withClamping(parse(readFileSync(join("src", "examples", `${file}.h`), "utf8")), CLAMPED));
-  const made = run(parse(text), { tools: shippedTools, rapid: RAPID });
-  const simulation = simulate(made);
+function hero(text: string, made: Run, simulation: Simulation) {
   const box = boundsOf(made.blank.flat());
-  if (!box) throw new Error(`${file}.h has no blank`);
+  if (!box) throw new Error("The program of the hero has no blank");
   const long = box.right - box.left;
   const frame = {
     left: rounded(box.left - AIR.left * long),
@@ -94,15 +75,30 @@ function hero(file: string): Hero {
 }
 
 /** The pictures of programs on the start page: computed when the page is built. */
-export function startPictures(): StartPictures {
+function startPictures() {
+  const text = print(withClamping(programOf(HERO), CLAMPED));
+  const made = runOf(parse(text));
+  const simulation = simulate(made);
   const examples = Object.entries(FILES).flatMap(([id, file]) => {
-    const made = thumbnail(file);
-    return made ? [[id, made] as const] : [];
+    const drawn = file === HERO ? thumbnail(made, simulation) : thumbnail(runOf(programOf(file)));
+    return drawn ? [[id, drawn] as const] : [];
   });
-  return { hero: hero(HERO), examples: Object.fromEntries(examples) };
+  return { hero: hero(text, made, simulation), examples: Object.fromEntries(examples) };
 }
 
-/** The module that the page imports by the name in src/features/start/start-pictures.d.ts, by its id. */
-export const pictureModules = (): Readonly<Record<string, string>> => ({
-  "virtual:start-pictures": `export const pictures = ${JSON.stringify(startPictures())};`,
-});
+/**
+ * The modules that the page imports by the names in src/features/start/start-pictures.d.ts, by their ids. What is not
+ * shown at once, or in one theme only, has its own.
+ */
+export function pictureModules(): Readonly<Record<string, string>> {
+  const id = "virtual:start-pictures";
+  const { hero, examples } = startPictures();
+  const { text, still, ...facts } = hero;
+  const made = (name: string, value: unknown) => `export const ${name} = ${JSON.stringify(value)};`;
+  return {
+    [id]: made("pictures", { hero: { ...facts, box: still.box }, examples }),
+    [`${id}/light`]: made("drawing", still.light),
+    [`${id}/dark`]: made("drawing", still.dark),
+    [`${id}/program`]: made("text", text),
+  };
+}

@@ -16,7 +16,7 @@ import { sceneOf, type Shape } from "../src/view/scene.ts";
 import { transform } from "../src/view/svg.ts";
 import { tipAt } from "../src/view/tip.ts";
 import { surfacesOfRun } from "../src/app/calculation/moving.ts";
-import type { StillPicture } from "../src/features/start/pictures.ts";
+import type { ViewBox } from "../src/view/thumbnail.ts";
 
 /* The lathe view as it is before its program has run: drawn by the painters of the view, in both themes. */
 
@@ -52,13 +52,15 @@ function coloursOf(selector: string): MaterialColours {
   };
 }
 
+/** Path data with no more digits than show. */
+const short = (d: string) => d.replaceAll(/-?\d+\.\d{3,}/g, (v) => String(Math.round(Number(v) * 100) / 100));
 const pathsOf = (shapes: readonly Pick<Shape, "d">[]) =>
   (shapes as readonly { readonly role: string; readonly d: string }[])
-    .map(({ role, d }) => `<path class="shape-${role}" d="${d}"/>`)
+    .map(({ role, d }) => `<path class="shape-${role}" d="${short(d)}"/>`)
     .join("");
 
 /** A moment of a run within a frame: material and chuck, the path of the running operation, and its tool. */
-export function stillPicture(made: Run, simulation: Simulation, at: PlayPosition, frame: Bounds): StillPicture {
+export function stillPicture(made: Run, simulation: Simulation, at: PlayPosition, frame: Bounds) {
   const [wide, tall] = [frame.right - frame.left, frame.high - frame.low];
   const [beside, over] = [wide * AROUND, tall * AROUND];
   const size = { width: (wide + 2 * beside) * SCALE, height: (tall + 2 * over) * SCALE };
@@ -96,9 +98,11 @@ export function stillPicture(made: Run, simulation: Simulation, at: PlayPosition
   const step = made.steps[at.step];
   const tip: Pt | null = tipAt(made.steps, at);
   const tool = step && tip ? `<g transform="translate(${tip.z} ${tip.r})">${pathsOf(toolShapes(step.tool))}</g>` : "";
+  const lines = `<g transform="${transform(camera)}" fill="none" stroke-linejoin="round"><path class="lathe-axis" d="M${frame.left - wide} 0H${frame.right + wide}"/><g class="lathe-paths">${pathsOf(path)}</g>${pathsOf(drawn)}${tool}</g>`;
+  const box: ViewBox = [beside * SCALE, over * SCALE, wide * SCALE, tall * SCALE];
   return {
-    box: [beside * SCALE, over * SCALE, wide * SCALE, tall * SCALE],
-    material: { light: painted(coloursOf(":root")), dark: painted(coloursOf(':root[data-theme="dark"]')) },
-    lines: `<g transform="${transform(camera)}" fill="none" stroke-linejoin="round"><path class="lathe-axis" d="M${frame.left - wide} 0H${frame.right + wide}"/><g class="lathe-paths">${pathsOf(path)}</g>${pathsOf(drawn)}${tool}</g>`,
+    box,
+    light: painted(coloursOf(":root")) + lines,
+    dark: painted(coloursOf(':root[data-theme="dark"]')) + lines,
   };
 }

@@ -15,7 +15,7 @@ export class ClampingPage {
 
   /** The dialog of a program, opened by the button below it. */
   get dialog(): Locator {
-    return this.context.page.getByRole("dialog", { name: this.words.title, exact: true });
+    return this.context.page.getByRole("dialog", { name: this.context.t.page.text.clamping, exact: true });
   }
 
   async openDialog(): Promise<void> {

@@ -10,6 +10,7 @@ import type { LatheTexts } from "./en/workplace/lathe.ts";
 import type { MessagesTexts } from "./message-texts.ts";
 import type { OperationsTexts } from "./en/workplace/operations.ts";
 import type { OwnTexts } from "./en/tables/own.ts";
+import type { HelpMenuTexts } from "./en/first/help.ts";
 import type { PageTexts } from "./en/first/page.ts";
 import type { StartTexts } from "./en/first/start.ts";
 import type { ParamsTexts } from "./param-text.ts";
@@ -22,6 +23,7 @@ export interface FirstTexts {
   readonly page: PageTexts;
   readonly chooser: ChooserTexts;
   readonly start: StartTexts;
+  readonly helpMenu: HelpMenuTexts;
 }
 
 /**

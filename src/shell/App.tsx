@@ -5,6 +5,7 @@ import { useProgramChoice } from "../app/document/program-choice.ts";
 import { NumberKeys } from "../app/fields/keypad/NumberKeys.tsx";
 import { MissingPart } from "../app/base/MissingPart.tsx";
 import { ChangedElsewhere } from "./ChangedElsewhere.tsx";
+import { useTitle } from "./use-title.ts";
 import { Notices } from "./Notices.tsx";
 import { useVersion } from "../app/base/version.ts";
 import { lazyPart } from "../app/base/parts.ts";
@@ -112,7 +113,6 @@ const PAGES: Readonly<Record<Page["page"], ComponentType>> = {
 /** The page: the header, the page on top, and dialogs. */
 export function App() {
   const ready = useSavedWorks((k) => k.ready);
-  const name = useEditor((s) => s.job?.name ?? s.program?.name);
   const page = usePlace((p) => shownPage(p).page);
   const over = usePlace((p) => p.over);
   const bringing = usePendingRestore((b) => b.shown);
@@ -120,9 +120,7 @@ export function App() {
   const refused = useCopying((c) => c.state === "refused");
   const newer = useVersion((v) => v.newer !== "none" && !v.later);
   const Seen = PAGES[page];
-  useEffect(() => {
-    document.title = name ? `${name} · Turnwise` : "Turnwise";
-  }, [name]);
+  useTitle();
 
   useEffect(() => prefetchIdle(fetchWorkplace), []);
   // What is typed right after its shortcut must not go elsewhere.

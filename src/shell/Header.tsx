@@ -7,6 +7,7 @@ import { useTexts } from "../app/base/settings/use-texts.ts";
 import { useDocumentInView } from "../app/document/history.ts";
 import { lazyPart } from "../app/base/parts.ts";
 import { useEditor } from "../app/document/store.ts";
+import { HelpMenu } from "./HelpMenu.tsx";
 import { CreateProgram } from "../features/start/first.ts";
 import { UndoButtons } from "./UndoButtons.tsx";
 
@@ -104,6 +105,7 @@ export function Header() {
             <Icon name="add" /> <span>{t.page.newProgram}</span>
           </button>
         )}
+        <HelpMenu />
         <button
           type="button"
           className="button icon plain"

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { at } from "../kernel/geometry/point.ts";
-import { thumbnailOf } from "./thumbnail.ts";
+import { planeThumbnailOf, thumbnailOf } from "./thumbnail.ts";
 
 const ring = (...points: [number, number][]) => points.map(([z, r]) => at(z, r));
 const blank = [ring([-71.3, 0], [0.7, 0], [0.7, 20.4], [-71.3, 20.4])];
@@ -22,3 +22,14 @@ test("a fine arc of a thousand points is reduced to few", () => {
 });
 
 test("without a part there is no picture", () => expect(thumbnailOf(blank, [])).toBeNull());
+
+test("a milling path is seen from above, without its rapids, Y up", () => {
+  const move = (kind: string, from: [number, number], to: [number, number]) => ({
+    kind,
+    from: { x: from[0], y: from[1] },
+    to: { x: to[0], y: to[1] },
+  });
+  const path = [move("rapid", [900, 900], [10, 4]), move("feed", [10, 4], [42, 20])];
+  expect(planeThumbnailOf(path)).toEqual({ box: [8, -22, 36, 20], part: "", blank: "", plane: "M10 -4L42 -20" });
+  expect(planeThumbnailOf(path.slice(0, 1))).toBeNull();
+});

@@ -10,7 +10,7 @@ export interface Thumbnail {
   readonly part: string;
   readonly blank: string;
   /** The path of a mill in the plane, if nothing is turned. */
-  readonly plane?: string;
+  readonly plane?: string | undefined;
 }
 
 /** Points closer together than this share of the picture's width are merged. */
@@ -55,4 +55,28 @@ export function thumbnailOf(blank: readonly Ring[], part: readonly Ring[]): Thum
   const box = thumbBox([...blank, ...part].flat());
   const fine = box[2] * FINE;
   return { box, part: thumbRings(part, fine), blank: thumbRings(blank, fine) };
+}
+
+/** A move of a mill. */
+interface PlaneMove {
+  readonly kind: string;
+  readonly from: { readonly x: number; readonly y: number };
+  readonly to: { readonly x: number; readonly y: number };
+}
+
+/** Margin around a milling path, as a share of its larger side. */
+const AIR_OF_PLANE = 1 / 16;
+
+/** The picture of a milling path seen from above, Y up; null where nothing is cut. */
+export function planeThumbnailOf(plane: readonly PlaneMove[]): Thumbnail | null {
+  const cut = plane.filter(({ kind }) => kind !== "rapid");
+  const all = cut.flatMap(({ from, to }) => [from, to]);
+  if (all.length === 0) return null;
+  const [xs, ys] = [all.map(({ x }) => x), all.map(({ y }) => -y)];
+  const [left, top] = [Math.min(...xs), Math.min(...ys)];
+  const [width, height] = [Math.max(...xs) - left, Math.max(...ys) - top];
+  const air = Math.max(width, height) * AIR_OF_PLANE;
+  const box: ViewBox = [left - air, top - air, width + 2 * air, height + 2 * air];
+  const way = cut.map(({ from, to }) => `M${n(from.x)} ${n(-from.y)}L${n(to.x)} ${n(-to.y)}`).join("");
+  return { box: box.map((v) => Number(n(v))) as unknown as ViewBox, part: "", blank: "", plane: way };
 }

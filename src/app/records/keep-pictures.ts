@@ -1,5 +1,5 @@
 import { producedParts } from "../../sim/produced-parts.ts";
-import { thumbnailOf } from "../../view/thumbnail.ts";
+import { planeThumbnailOf, thumbnailOf } from "../../view/thumbnail.ts";
 import { isMadeFrom, useOutcome } from "../calculation/outcome.ts";
 import { useEditor } from "../document/store.ts";
 import { keepPicture } from "./kept-picture.ts";
@@ -14,8 +14,9 @@ export function startKeepingPictures(): () => void {
     clearTimeout(timer);
     timer = undefined;
     const { shown, dimmed } = useOutcome.getState();
-    if (work === null || !shown || dimmed || shown.isBeginning || shown.run.operations.length === 0) return;
-    const made = thumbnailOf(shown.run.blank, producedParts(shown.simulation));
+    if (work === null || !shown || dimmed || shown.isBeginning) return;
+    const { operations, plane, blank } = shown.run;
+    const made = operations.length > 0 ? thumbnailOf(blank, producedParts(shown.simulation)) : planeThumbnailOf(plane);
     if (made) keepPicture(work, made);
   };
   const stops = [

@@ -10,7 +10,7 @@ const path = z.string().check(z.maxLength(MOST.path), z.regex(/^[MLZ\d .-]*$/));
 /** Thumbnails by work. Losing them loses no work. */
 const KEPT = storedData<Readonly<Record<string, Thumbnail>>>(
   "pictures",
-  z.record(z.string(), z.object({ box, part: path, blank: path })),
+  z.record(z.string(), z.object({ box, part: path, blank: path, plane: z.optional(path) })),
 );
 
 /** Thumbnails by work. */
@@ -18,7 +18,8 @@ export const keptPictures = (): Readonly<Record<string, Thumbnail>> => KEPT.get(
 
 /** Stores a thumbnail. The oldest is dropped; without space nothing is stored. */
 export function keepPicture(work: string, picture: Thumbnail): void {
-  if (picture.part.length > MOST.path || picture.blank.length > MOST.path) return;
+  const { part, blank, plane = "" } = picture;
+  if ([part, blank, plane].some(({ length }) => length > MOST.path)) return;
   const others = Object.entries(keptPictures())
     .filter(([name]) => name !== work)
     .slice(1 - MOST.works);

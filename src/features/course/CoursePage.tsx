@@ -14,11 +14,7 @@ export function CoursePage() {
   const open = lessons.find(({ id }) => id === lesson);
   const title = open ? t.openLesson(String(open.number), open.title) : t.title;
   useEffect(() => {
-    const before = document.title;
     document.title = `${title} · Turnwise`;
-    return () => {
-      document.title = before;
-    };
   }, [title]);
   return lesson === null ? <CourseList /> : <LessonView key={lesson} entry={open ?? null} />;
 }

@@ -31,11 +31,7 @@ export function LessonBar({
   const lengths = useLengths(run),
     { language } = lengths;
   const playing = usePlayback(playback, (s) => s.get().playing);
-  const timeText = (...times: readonly [number, number]) => {
-    const [at, all] = times.map((seconds) => durationText(texts.page.effect.duration, language, seconds));
-    return texts.lathe.timeOf(at ?? "", all ?? "");
-  };
-  const spoken = usePlayback(playback, (s) => (s.get().playing ? "" : timeText(stretch.now(), stretch.length)));
+  const { duration } = texts.page.effect;
   const input = useRef<HTMLInputElement>(null);
   const said = useRef<HTMLSpanElement>(null);
   const block = useRef<HTMLSpanElement>(null);
@@ -44,7 +40,13 @@ export function LessonBar({
   useEachReading(
     playback,
     useCallback(() => {
-      if (input.current) input.current.value = String(length > 0 ? (PARTS * now()) / length : 0);
+      if (input.current) {
+        input.current.value = String(length > 0 ? (PARTS * now()) / length : 0);
+        input.current.setAttribute(
+          "aria-valuetext",
+          texts.lathe.timeOf(durationText(duration, language, now()), durationText(duration, language, length)),
+        );
+      }
       const position = playback.shown();
       const isCalled = (run.steps[position.step]?.operation ?? null) !== null;
       const running = isCalled ? runningText(texts, lengths, run, position) : null;
@@ -54,7 +56,7 @@ export function LessonBar({
       const line = (step && blocks[step.block]?.split("\n")[0]) ?? "";
       if (block.current && block.current.textContent !== line) block.current.textContent = line;
       // eslint-disable-next-line react-hooks/exhaustive-deps -- `now` is made anew with each render and reads the same playback
-    }, [playback, length, texts, lengths, run, blocks]),
+    }, [playback, length, texts, lengths, language, duration, run, blocks]),
   );
   return (
     <div className="lesson-bar">
@@ -70,7 +72,6 @@ export function LessonBar({
           step="any"
           defaultValue={0}
           aria-label={t.scrub}
-          {...(spoken && { "aria-valuetext": spoken })}
           onInput={(event) => stretch.seek((Number(event.currentTarget.value) / PARTS) * length)}
         />
       </div>

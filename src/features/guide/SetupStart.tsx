@@ -5,7 +5,6 @@ import { useSettings } from "../../app/base/settings/settings.ts";
 import { startingValues } from "./starting.ts";
 import { StartingRows } from "./StartingRows.tsx";
 import { useMaterialOfWork } from "../../app/fields/said/use-advice.ts";
-import { WorkMaterial } from "./MaterialChoice.tsx";
 import "./setup-start.css";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
@@ -29,7 +28,6 @@ export function SetupStart({ cycle, surface, perRevolution }: Props) {
   const speeds = [material.roughSpeed, material.finishSpeed].map((speed) => formatNumber(language, speed)).join("–");
   return (
     <section className="setup-start" aria-label={t.starting}>
-      <WorkMaterial />
       <p>
         {t.start(`${material.name}, ${t.groups[material.group]}`, `${speeds} ${t.units.speed}`)}{" "}
         <span className="soft">{own ? t.startOwn : t.startSource}</span>

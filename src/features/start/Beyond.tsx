@@ -8,8 +8,8 @@ const fetchShown = () => import("./shown-features.ts");
 
 /** Where each feature can be seen at once: an address, a file of the site, or an example that opens with it. */
 const PLACES: Readonly<Record<Feature, string | (() => void)>> = {
-  values: "#/guide/812/Q463",
-  steps: "#/guide/812",
+  values: () => void fetchShown().then(({ showValues }) => showValues()),
+  steps: () => void fetchShown().then(({ showSteps }) => showSteps()),
   advice: "#/guide/advice",
   which: () => showWhich(),
   code: () => showTools(),

@@ -1,14 +1,15 @@
 import { Suspense, useCallback, useEffect, useRef, useState } from "react";
 import { Icon } from "../../app/base/Icon.tsx";
 import { scheduleIdle } from "../../app/base/idle.ts";
-import { lazyPart } from "../../app/base/parts.ts";
+import { lazyPart, retryImport } from "../../app/base/parts.ts";
 import { reducedMotion } from "../../app/base/settings/appearance.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { fetchShownTexts, useTexts } from "../../app/base/settings/use-texts.ts";
 import { useTheme } from "../../app/base/use-theme-colours.ts";
 import { openText } from "../../app/fields/open/open-program.ts";
-import type { Hero as HeroProgram, StillPicture } from "./pictures.ts";
+import type { HeroProgram, Theme } from "./pictures.ts";
 import type { RunningPass } from "./running-pass.ts";
+import type { ViewBox } from "../../view/thumbnail.ts";
 import "../../app/pictures/lathe/lathe.css";
 import "./hero.css";
 
@@ -17,18 +18,44 @@ const LivePicture = lazyPart(async () => {
   return { default: part.LivePicture };
 });
 
+const DRAWINGS = {
+  light: () => import("virtual:start-pictures/light"),
+  dark: () => import("virtual:start-pictures/dark"),
+} as const satisfies Record<Theme, unknown>;
+
 /** The lathe view before its program has run, drawn by the build. */
-function Still({ of: { box, material, lines } }: { readonly of: StillPicture }) {
+function Still({ box }: { readonly box: ViewBox }) {
   useTheme();
-  const theme = document.documentElement.dataset["theme"] === "dark" ? "dark" : "light";
+  const theme: Theme = document.documentElement.dataset["theme"] === "dark" ? "dark" : "light";
+  const [drawing, take] = useState("");
+  useEffect(() => {
+    let here = true;
+    // After the first paint: its place is reserved.
+    const cancel = scheduleIdle(
+      () =>
+        void DRAWINGS[theme]().then(
+          (made) => here && take(made.drawing),
+          () => undefined,
+        ),
+    );
+    return () => {
+      here = false;
+      cancel();
+    };
+  }, [theme]);
   return (
     <svg
       className="hero-still"
       viewBox={box.join(" ")}
       aria-hidden="true"
-      dangerouslySetInnerHTML={{ __html: material[theme] + lines }}
+      dangerouslySetInnerHTML={{ __html: drawing }}
     />
   );
+}
+
+/** Opens the played program. */
+async function openPlayed(): Promise<void> {
+  openText((await retryImport(() => import("virtual:start-pictures/program"))).text);
 }
 
 /** Whether an element is on the screen of a page that is shown. */
@@ -78,7 +105,7 @@ export function Hero({ of }: { readonly of: HeroProgram | undefined }) {
       <div className="hero-stage">
         {of && (
           <>
-            <Still of={of.still} />
+            <Still box={of.box} />
             {ready && (
               <Suspense>
                 <LivePicture hero={of} plays={asked && seen} name={t.name(of.operations)} onRunning={onRunning} />
@@ -110,7 +137,7 @@ export function Hero({ of }: { readonly of: HeroProgram | undefined }) {
                 </span>
               )}
             </span>
-            <button type="button" className="button plain hero-open" onClick={() => openText(of.text)}>
+            <button type="button" className="button plain hero-open" onClick={() => void openPlayed()}>
               {t.open} <Icon name="fold" />
             </button>
           </>

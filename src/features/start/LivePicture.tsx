@@ -14,7 +14,7 @@ import { useViewportSize } from "../../app/pictures/lathe/use-viewport-size.ts";
 import { createViewport } from "../../app/pictures/lathe/viewport.ts";
 import { sceneOf } from "../../view/scene.ts";
 import { trackOf } from "../../view/playback.ts";
-import type { Hero } from "./pictures.ts";
+import type { HeroProgram } from "./pictures.ts";
 import { runningPass, type RunningPass } from "./running-pass.ts";
 
 /** Duration of the whole run on the screen, seconds. */
@@ -23,7 +23,7 @@ const LASTS = 70;
 const END_PAUSE = 3000;
 
 interface Props {
-  readonly hero: Hero;
+  readonly hero: HeroProgram;
   readonly plays: boolean;
   readonly name: string;
   /** Called when another pass or cycle begins, and when the picture is there. */
@@ -32,19 +32,20 @@ interface Props {
 
 /** The lathe view of the hero, once the worker has run its program. */
 export function LivePicture(props: Props) {
-  const { text } = props.hero;
   const [outcome, take] = useState<Outcome | null>(null);
   useEffect(() => {
     let here = true;
     // Without an answer the still picture stays.
-    void runWithShippedTools(text).then(
-      (made) => here && take(made),
-      () => undefined,
-    );
+    void import("virtual:start-pictures/program")
+      .then(({ text }) => runWithShippedTools(text))
+      .then(
+        (made) => here && take(made),
+        () => undefined,
+      );
     return () => {
       here = false;
     };
-  }, [text]);
+  }, []);
   return outcome && <RunningLathe {...props} outcome={outcome} />;
 }
 

@@ -7,18 +7,8 @@ import type { RunningPass } from "./running-pass.ts";
 /** Themes of the page. */
 export type Theme = "light" | "dark";
 
-/** A drawing of the lathe view as SVG elements. */
-export interface StillPicture {
-  /** The frame of the view in the drawing, which reaches beyond it. */
-  readonly box: ViewBox;
-  readonly material: Readonly<Record<Theme, string>>;
-  /** Path, contour and tool, in the colours of the style sheets. */
-  readonly lines: string;
-}
-
 /** A program that is played on the lathe view of the start page. */
-export interface Hero {
-  readonly text: string;
+export interface HeroProgram {
   /** The section of the lathe that is shown. */
   readonly frame: Bounds;
   /** Where playback begins: the moment of the still picture. */
@@ -29,10 +19,11 @@ export interface Hero {
   readonly tools: number;
   readonly seconds: number;
   readonly proved: boolean;
-  readonly still: StillPicture;
+  /** The frame in the still picture, which reaches beyond it. */
+  readonly box: ViewBox;
 }
 
 export interface StartPictures {
-  readonly hero: Hero;
+  readonly hero: HeroProgram;
   readonly examples: Readonly<Partial<Record<ExampleId, Thumbnail>>>;
 }

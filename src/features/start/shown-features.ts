@@ -1,17 +1,35 @@
-import { cycleByNumber } from "../../cycles/index.ts";
+import { decidingParameter } from "../../cycles/deciding-parameter.ts";
+import { cuttingCycles } from "../../cycles/index.ts";
+import { isRecalled } from "../../cycles/params.ts";
 import { exampleJob } from "../../program/job/job.ts";
 import { openText } from "../../app/fields/open/open-program.ts";
 import { showTextBlock } from "../../app/fields/blocks/show-text-block.ts";
-import { showComparison, showDrawing, showSection, showShare } from "../../app/place/place.ts";
+import { showComparison, showDrawing, showGuide, showSection, showShare } from "../../app/place/place.ts";
 import { startWork } from "../../app/records/keep.ts";
 import { exampleText, openExample } from "./open-example.ts";
 
-/** The cycle whose contour is shown with an unknown, and the point that is given by an angle instead of its Z. */
-const UNKNOWN = { cycle: 810, row: "e4", angle: "200.556" };
+/** The cycle that features are shown with: the first with a verified parameter list. */
+const shownCycle = () => cuttingCycles.find((cycle) => !isRecalled(cycle));
+
+/** The parameter of a cycle that decides most, with three values side by side. */
+export function showValues(): void {
+  const cycle = shownCycle();
+  const q = cycle && decidingParameter(cycle.params, { run: "rough" });
+  if (cycle && q) showGuide("guide", String(cycle.number), q);
+}
+
+/** The steps of a cycle. */
+export function showSteps(): void {
+  const cycle = shownCycle();
+  if (cycle) showGuide("guide", String(cycle.number));
+}
+
+/** The point of the example contour that is given by an angle instead of its Z. */
+const UNKNOWN = { row: "e4", angle: "200.556" };
 
 /** A cycle with a contour of which one dimension is calculated. */
 export function showUnknowns(): void {
-  const cycle = cycleByNumber(UNKNOWN.cycle);
+  const cycle = cuttingCycles.find(({ contour }) => contour === "free");
   if (!cycle) return;
   const job = exampleJob(cycle);
   startWork({

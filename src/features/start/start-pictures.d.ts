@@ -3,3 +3,14 @@
 declare module "virtual:start-pictures" {
   export const pictures: import("./pictures.ts").StartPictures;
 }
+/** The still picture in one theme, as SVG elements. */
+declare module "virtual:start-pictures/light" {
+  export const drawing: string;
+}
+declare module "virtual:start-pictures/dark" {
+  export const drawing: string;
+}
+/** The program that is played. */
+declare module "virtual:start-pictures/program" {
+  export const text: string;
+}

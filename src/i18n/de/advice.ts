@@ -26,7 +26,7 @@ export const advice = {
       `${speed} m/min weichen stark vom üblichen Startwert für diesen Werkstoff ab: ${usual} m/min.`,
   },
   material: "Werkstoff",
-  ofDevice: "wie auf diesem Gerät",
+  ofDevice: (material) => `Standard: ${material}`,
   deviceMaterial: "Standardwerkstoff",
   groups: {
     P: "Stahl",

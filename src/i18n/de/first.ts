@@ -1,6 +1,7 @@
 import type { FirstTexts } from "../index.ts";
 import { chooser } from "./first/chooser.ts";
+import { helpMenu } from "./first/help.ts";
 import { page } from "./first/page.ts";
 import { start } from "./first/start.ts";
 
-export const first: FirstTexts = { page, chooser, start };
+export const first: FirstTexts = { page, chooser, start, helpMenu };

@@ -27,7 +27,7 @@ export const advice = {
       `${speed} m/min is far from the usual starting value for this material, ${usual} m/min.`,
   },
   material: "Material",
-  ofDevice: "as on this device",
+  ofDevice: (material: string) => `Default: ${material}`,
   deviceMaterial: "Default material",
   groups: {
     P: "steel",

@@ -26,7 +26,7 @@ export const advice: AdviceTexts = typeset({
       `${speed} m/min est loin de la valeur de départ usuelle pour cette matière : ${usual} m/min.`,
   },
   material: "Matière",
-  ofDevice: "celle de cet appareil",
+  ofDevice: (material) => `Par défaut : ${material}`,
   deviceMaterial: "Matière par défaut",
   groups: {
     P: "acier",

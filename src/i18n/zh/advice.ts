@@ -22,7 +22,7 @@ export const advice = {
     speedFar: (speed, usual) => `${speed} m/min 与该材料常用的起始值 ${usual} m/min 相差很远。`,
   },
   material: "材料",
-  ofDevice: "与本设备相同",
+  ofDevice: (material) => `默认：${material}`,
   deviceMaterial: "默认材料",
   groups: { P: "钢", M: "不锈钢", K: "铸铁", N: "有色金属", S: "难加工材料", H: "淬硬钢" },
   starting: "起始值",

@@ -13,7 +13,7 @@ export function ProgramThumbnail({
   readonly cycle: number | null;
 }) {
   const id = useId();
-  if (seen) return <PartPicture of={seen} />;
   const known = cycle === null ? undefined : menuCycle(cycle);
-  return <Drawing of={known?.pictograms[0]} id={id} turned={known?.group === "transverse"} />;
+  if (seen || !known) return <PartPicture of={seen} />;
+  return <Drawing of={known.pictograms[0]} id={id} turned={known.group === "transverse"} />;
 }

@@ -22,6 +22,7 @@ import { ToolTable } from "./ToolTable.tsx";
 const MachineRapid = lazyPart(async () => ({ default: (await import("../machine/MachineRapid.tsx")).MachineRapid }));
 const SetupStart = lazyPart(async () => ({ default: await setupStartSlot.fetch() }));
 
+const MaterialGroup = lazyPart(async () => ({ default: (await import("../said/MaterialField.tsx")).MaterialGroup }));
 const JobClamping = lazyPart(async () => ({ default: (await import("./JobClamping.tsx")).JobClamping }));
 
 interface PlaceFieldProps extends Pick<ComponentProps<typeof NumberField>, "field" | "name" | "unit"> {
@@ -90,6 +91,9 @@ export function SetupPanel({ read }: { readonly read: JobReading }) {
     <div className="setup">
       <ParameterFields read={read} />
       <ToolSummary read={read} fits={fits} />
+      <Suspense>
+        <MaterialGroup />
+      </Suspense>
       <fieldset className="setup-group">
         <Legend name={t.start.title} page="start.x" />
         <p className="small soft">{t.start.hint}</p>

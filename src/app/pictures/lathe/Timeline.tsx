@@ -8,7 +8,7 @@ import { useTexts } from "../../base/settings/use-texts.ts";
 import { durationText } from "../../base/clock-text.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { glide } from "../../calculation/glide.ts";
-import { useEachReading, usePlayback, useReadPlayback } from "./use-playback.ts";
+import { useEachReading, useReadPlayback } from "./use-playback.ts";
 
 /** Data of a timeline: a run, or the part of one that a view shows. */
 export interface TimedRun extends Pick<Run, "operations"> {
@@ -35,16 +35,6 @@ export function Timeline({ run, playback }: { readonly run: TimedRun; readonly p
   const running = useReadPlayback(playback, (store) => run.steps[store.get().position.step]?.operation ?? null);
   const [pointed, point] = useState<number | null>(null);
   const named = run.operations[pointed ?? running ?? -1];
-  const spoken = usePlayback(playback, (store) => {
-    const { track, position, playing } = store.get();
-    if (playing) return "";
-    const at = t.timeOf(
-      durationText(duration, language, secondsAt(track, position)),
-      durationText(duration, language, track.total),
-    );
-    const here = run.operations[run.steps[position.step]?.operation ?? -1];
-    return here ? `${at}, ${t.operation(String(here.cycle), String(here.tool.T))}` : at;
-  });
   useEffect(() => {
     const at = (position: PlayPosition) => {
       const { track } = playback.get();
@@ -57,10 +47,19 @@ export function Timeline({ run, playback }: { readonly run: TimedRun; readonly p
     useCallback(() => {
       const { track, position } = playback.get(),
         seconds = secondsAt(track, position);
-      if (input.current) input.current.value = String(track.total > 0 ? (1000 * seconds) / track.total : 0);
-      const text = `${durationText(duration, language, seconds)} / ${durationText(duration, language, track.total)}`;
+      const [now, whole] = [durationText(duration, language, seconds), durationText(duration, language, track.total)];
+      if (input.current) {
+        const here = run.operations[run.steps[position.step]?.operation ?? -1];
+        const at = t.timeOf(now, whole);
+        input.current.value = String(track.total > 0 ? (1000 * seconds) / track.total : 0);
+        input.current.setAttribute(
+          "aria-valuetext",
+          here ? `${at}, ${t.operation(String(here.cycle), String(here.tool.T))}` : at,
+        );
+      }
+      const text = `${now} / ${whole}`;
       if (time.current && time.current.textContent !== text) time.current.textContent = text;
-    }, [playback, language, duration]),
+    }, [playback, run, language, duration, t]),
   );
   const marks = bar.boundaries.map((b) => `M${b * 1000} 0V1`).join("");
   return (
@@ -94,7 +93,6 @@ export function Timeline({ run, playback }: { readonly run: TimedRun; readonly p
           step={0.01}
           defaultValue={0}
           aria-label={t.timeline}
-          {...(spoken && { "aria-valuetext": spoken })}
           disabled={run.steps.length === 0}
           onPointerMove={({ clientX, currentTarget }) => {
             const { left, width } = currentTarget.getBoundingClientRect();

@@ -1,4 +1,4 @@
-import { useRef, useState } from "react";
+import { Suspense, useRef, useState } from "react";
 import { emptyProgram } from "../../../program/job/empty-program.ts";
 import { SETUP_FIELDS as FIELDS } from "../../../program/job/setup-fields.ts";
 import type { BlankDraft } from "../../../program/job/job.ts";
@@ -7,6 +7,8 @@ import { ModalDialog } from "../../../app/base/ModalDialog.tsx";
 import { toFirstPrompt } from "../../../app/place/place.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { AskedNumber, isUsable } from "./AskedNumber.tsx";
+import { setMaterial } from "../../../app/document/edits.ts";
+import { MaterialSelect } from "../../../app/fields/said/MaterialField.tsx";
 import { askForOperation } from "../../../app/document/inserting.ts";
 import "./operations.css";
 
@@ -19,6 +21,7 @@ export function NewProgram({ done }: { readonly done: () => void }) {
   const dialog = useRef<HTMLDialogElement>(null);
   const [name, setName] = useState("PROGRAM");
   const [blank, setBlank] = useState(USUAL);
+  const [material, choose] = useState("");
   const usable =
     name.trim() !== "" &&
     (["outside", "bore", "length", "allowance"] as const).every((each) => isUsable(FIELDS[each], blank[each]));
@@ -41,6 +44,7 @@ export function NewProgram({ done }: { readonly done: () => void }) {
           dialog.current?.close();
           toFirstPrompt();
           openText(emptyProgram(name, blank));
+          if (material !== "") setMaterial(material);
           askForOperation(null);
         }}
       >
@@ -59,6 +63,9 @@ export function NewProgram({ done }: { readonly done: () => void }) {
                 onChange={(event) => setName(event.currentTarget.value)}
               />
             </label>
+            <Suspense>
+              <MaterialSelect id={material} choose={choose} />
+            </Suspense>
           </div>
           <section className="operation-group" aria-label={words.blank}>
             <h3>{words.blank}</h3>

@@ -158,7 +158,7 @@ export const page = {
     unfold: "Programm zeigen",
     exportMenu: "Exportieren",
     setupSheet: "Einrichteblatt",
-    clamping: "Spannung",
+    clamping: "Werkstoff, Spannung",
     workshopDrawing: "Werkstattzeichnung",
     handOn: "Teilen",
     exportPart: "Teil exportieren",

@@ -158,7 +158,7 @@ export const page = {
     unfold: "Show program",
     exportMenu: "Export",
     setupSheet: "Setup sheet",
-    clamping: "Clamping",
+    clamping: "Material, clamping",
     workshopDrawing: "Workshop drawing",
     handOn: "Share",
     exportPart: "Export part",

@@ -158,7 +158,7 @@ export const page = {
     unfold: "Afficher le programme",
     exportMenu: "Exporter",
     setupSheet: "Fiche de réglage",
-    clamping: "Serrage",
+    clamping: "Matière, serrage",
     workshopDrawing: "Dessin d’atelier",
     handOn: "Partager",
     exportPart: "Exporter la pièce",

@@ -156,7 +156,7 @@ export const page = {
     unfold: "显示程序",
     exportMenu: "导出",
     setupSheet: "调机单",
-    clamping: "装夹",
+    clamping: "材料与装夹",
     workshopDrawing: "零件图",
     handOn: "分享",
     exportPart: "导出零件",
