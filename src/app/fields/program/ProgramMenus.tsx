@@ -81,7 +81,6 @@ export function ProgramMenus({
     <div className="program-more">
       <Menu
         name={t.exportMenu}
-        icon="download"
         groups={[
           files,
           [
@@ -102,7 +101,6 @@ export function ProgramMenus({
       />
       <Menu
         name={program}
-        icon="settings"
         groups={[
           [
             { name: t.compare, icon: "compare", opens, go: () => showComparison(showBlock) },
