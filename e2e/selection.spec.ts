@@ -78,6 +78,7 @@ test("in the workplace of one cycle: line, prompt, path and step are the same pl
     .click();
   await expect(dialog.value).toHaveAccessibleName(/^Q505/);
   await expect(program.runningBlock).toContainText("CYCL CALL");
+  await lathe.view.getByRole("button", { name: t.lathe.stepList.unfold, exact: true }).click();
   const steps = lathe.view.getByRole("list", { name: t.lathe.stepList.title }).getByRole("listitem");
   await expect(steps).toHaveCount(6);
   await steps.nth(2).getByRole("button").click();

@@ -46,15 +46,7 @@ export function itemByKey(key: string, at: number, names: readonly string[]): nu
 }
 
 /** A button with a menu of actions, in groups. */
-export function Menu({
-  name,
-  icon,
-  groups,
-}: {
-  readonly name: string;
-  readonly icon: IconName;
-  readonly groups: readonly (readonly MenuItem[])[];
-}) {
+export function Menu({ name, groups }: { readonly name: string; readonly groups: readonly (readonly MenuItem[])[] }) {
   const id = useId();
   const [open, setOpen] = useState(false);
   const button = useRef<HTMLButtonElement>(null),
@@ -106,7 +98,7 @@ export function Menu({
           setOpen(true);
         }}
       >
-        <Icon name={icon} /> {name} <Icon name="down" />
+        {name} <Icon name="down" />
       </button>
       {open && (
         <div

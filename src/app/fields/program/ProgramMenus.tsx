@@ -99,7 +99,6 @@ export function ProgramMenus({
     <div className="program-more">
       <Menu
         name={t.exportMenu}
-        icon="download"
         groups={[
           files,
           [
@@ -115,7 +114,6 @@ export function ProgramMenus({
       />
       <Menu
         name={program}
-        icon="settings"
         groups={[
           [
             { name: t.compare, icon: "compare", opens, go: compare },

@@ -7,7 +7,7 @@ import { useLengths } from "../../calculation/lengths.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { useEditor, type Editor } from "../../document/store.ts";
 import { setPinned, settingOf, restorePinned, useCompared } from "./compared.ts";
-import { COMPARED, numberText } from "./changes.ts";
+import { changedOperations, COMPARED, numberText } from "./changes.ts";
 
 interface Row {
   readonly name: string;
@@ -41,14 +41,25 @@ export function PinnedValues() {
   if (!pinned || !shown || !pictured) return null;
   const { pin: words, ...names } = t.page.effect;
   const now = settingOf(shown, pictured);
-  // A number that neither setting has gets no row: a thread has no chip of one size.
-  const numbers = COMPARED.filter((name) => name !== "chip" || pinned.chip !== null || now.chip !== null).map(
-    (name): Row => ({
-      name: names[name],
-      pinned: numberText(t, lengths, pinned, name),
-      now: numberText(t, lengths, now, name),
-    }),
-  );
+  const { operations } = pictured.run;
+  const hasMany = operations.length > 1;
+  // A number that neither setting has gets no row: a thread has no chip of one size, many operations no common infeed.
+  const numbers = COMPARED.filter((name) =>
+    name === "chip" ? pinned.chip !== null || now.chip !== null : name !== "infeed" || !hasMany,
+  ).map((name): Row => ({
+    name: names[name],
+    pinned: numberText(t, lengths, pinned, name),
+    now: numberText(t, lengths, now, name),
+  }));
+  const each = hasMany
+    ? changedOperations(t, lengths, pinned.outcome.run.operations, operations).map(
+        ({ operation, name, before, now: is }): Row => ({
+          name: `${operation + 1} · ${operations[operation]?.cycle ?? ""} ${names[name]}`,
+          pinned: before,
+          now: is,
+        }),
+      )
+    : [];
   return (
     <section className="pinned" aria-label={words.title}>
       <header>
@@ -75,7 +86,7 @@ export function PinnedValues() {
               </tr>
             </thead>
             <tbody>
-              {[...values, ...numbers].map((row) => (
+              {[...values, ...numbers, ...each].map((row) => (
                 <tr key={row.name} className={row.pinned === row.now ? "" : "differs"}>
                   <th scope="row">{row.name}</th>
                   <td className="number">{row.pinned}</td>

@@ -1,8 +1,9 @@
 import { expect, test } from "vitest";
+import { length } from "../../../kernel/units.ts";
 import { texts } from "../../../i18n/index.ts";
 import { lengthsOf } from "../../calculation/lengths.ts";
 import type { MeasuredSetting } from "./compared.ts";
-import { changeText, numberText } from "./changes.ts";
+import { changedOperations, changeText, numberText } from "./changes.ts";
 
 const t = texts("en"),
   en = lengthsOf("en", "mm");
@@ -49,4 +50,21 @@ test("long times are in minutes, and an unknown value is a dash", () => {
   expect(numberText(t, en, setting({ seconds: 7.34 }), "time")).toBe("7.3 s");
   expect(numberText(t, en, setting({ seconds: 3599.6 }), "time")).toBe("1 h 0 min");
   expect(numberText(t, en, setting({ residual: null }), "residual")).toBe("–");
+});
+
+test("only operations whose numbers differ are set side by side, and none of another program", () => {
+  const call = (cycle: number, passes: number, infeed: number, seconds: number) => ({
+    cycle,
+    seconds,
+    plan: { passes, infeed: length(infeed) },
+  });
+  const before = [call(820, 1, 0.95, 60), call(812, 7, 2.7, 80.2), call(861, 0, 0, 12.04)];
+  const now = [call(820, 1, 0.95, 60.2), call(812, 4, 4.7, 52.91), call(861, 0, 0, 12)];
+  expect(changedOperations(t, en, before, now)).toEqual([
+    { operation: 1, name: "passes", before: "7", now: "4" },
+    { operation: 1, name: "infeed", before: "2.700", now: "4.700" },
+    { operation: 1, name: "time", before: "1 min 20 s", now: "52.9 s" },
+  ]);
+  expect(changedOperations(t, en, before, now.slice(1))).toEqual([]);
+  expect(changedOperations(t, en, before, [call(810, 1, 0.95, 60), ...now.slice(1)])).toEqual([]);
 });
