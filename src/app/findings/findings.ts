@@ -40,12 +40,13 @@ function typed(read: JobReading): readonly Found[] {
 
 /** The first operation of a call of an unknown tool: a suitable tool is reported there. */
 function operationOfCall(
-  { issues }: Outcome["run"],
+  { issues, operations }: Outcome["run"],
   { issue, block }: Outcome["run"]["issues"][number],
 ): number | null {
   if (issue.code !== "toolUnknown" && issue.code !== "toolIndexUnknown") return null;
   const better = issues.find((each) => each.issue.code === "betterTool" && (each.block ?? 0) > (block ?? 0));
-  return better?.operation ?? null;
+  const index = better ? operations.findIndex((each) => each.block === better.block) : -1;
+  return index < 0 ? null : index;
 }
 
 /** Findings of the run and the stock. */
