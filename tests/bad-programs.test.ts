@@ -92,7 +92,6 @@ const rows: readonly (readonly [what: string, from: string, to: string, codes: r
     ["error endsExchanged"],
     "Q492=+0 ~\nQ493=+47.4 ~\nQ494=-33",
   ],
-  ["a start in front of the blank", "Q492=+0", "Q492=+20", ["warning startInFront"], "Q492=-20"],
   ["no infeed", "Q463=+2.5", "Q463=+0", ["error outOfRange"], "Q463=+3"],
 ];
 

@@ -128,8 +128,9 @@ describe("an offered value", () => {
   test("is an infeed with few enough passes, and a round value", () => {
     const fine = at(issuesOf(812, { ...example(812), Q463: 0.001 }, 1, [75, 2]), "tooManyPasses", "Q463");
     expect(fine && offerOf(fine)).toBe(0.2);
+    // 0 says nothing about the intended infeed.
     const none = at(issuesOf(812, { ...example(812), Q463: 0 }, 1, [75, 2]), "outOfRange", "Q463");
-    expect(none && offerOf(none)).toBe(0.2);
+    expect(none && offerOf(none)).toBe(3);
     const late = at(issuesOf(820, { ...example(820), Q463: 1000 }, 15, [75, 2]), "outOfRange", "Q463");
     expect(late && offerOf(late)).toBe(5);
   });

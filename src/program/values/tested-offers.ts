@@ -72,6 +72,8 @@ function search(param: Param, offer: number, from: number | null, works: Works):
       .sort((a, b) => Math.abs(a - offer) - Math.abs(b - offer));
     return others.find((each) => works(each) === true) ?? null;
   }
+  // No infeed at all says nothing about the intended one: the usual one is offered.
+  if (DIVIDES.has(param.shown) && from === 0 && works(param.example)) return param.example;
   const first = kept(offer);
   // A tiny infeed costs more moves to test than all usual ones.
   if (DIVIDES.has(param.shown) && from !== null && from < first)
