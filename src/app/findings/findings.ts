@@ -148,7 +148,10 @@ function joinQuestions(early: readonly Found[], late: readonly Found[]): readonl
  */
 export function findingsOf(read: JobReading | null, outcome: Outcome | null): readonly FindingEntry[] {
   const early = read ? typed(read) : [];
-  const late = outcome && (!read || read.reading.values) ? calculated(outcome) : [];
+  const run = outcome && (!read || read.reading.values) ? calculated(outcome) : [];
+  // A start point that nobody has set is no fault of the operator.
+  const isOwnStart = read?.setup?.proposed.has("start.x") && read.setup.proposed.has("start.z");
+  const late = isOwnStart ? run.filter(({ issue }) => issue.code !== "startInsideEnvelope") : run;
   const all = new Map<string, FindingEntry>();
   for (const found of groupPlaces(withoutConsequences(joinQuestions(early, late)), outcome?.run.operations ?? [])) {
     const { issue, at, line, inFile } = found;
