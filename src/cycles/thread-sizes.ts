@@ -156,6 +156,9 @@ const [LARGEST, COARSEST, FINEST] = [1000, 24, 80];
 /** Threads per inch from which a whole number is a number size. */
 const FINE = 24;
 
+/** Largest pitch of a thread, in diameters. */
+const STEEPEST = 0.4;
+
 const numberIn = (text: string | undefined): number => Number((text ?? "0").replace(",", "."));
 
 function unified(typed: string): ThreadSize | null {
@@ -178,7 +181,7 @@ function unified(typed: string): ThreadSize | null {
 }
 
 const isPlausible = (diameter: number, pitch: number): boolean =>
-  diameter > 0 && diameter <= LARGEST && pitch > 0 && pitch <= COARSEST && pitch < diameter / 2;
+  diameter > 0 && diameter <= LARGEST && pitch > 0 && pitch <= COARSEST && pitch < STEEPEST * diameter;
 
 /** A metric, trapezoidal or unified thread of any diameter and pitch; null where the text names none. */
 function computedSize(typed: string): ThreadSize | null {
