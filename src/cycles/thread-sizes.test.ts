@@ -19,6 +19,22 @@ test("a size is found however it is typed", () => {
   expect(named("W20")).toEqual([]);
 });
 
+test.each([
+  ["M77x1.5", "M77×1.5", 77, 1.5, 0.92],
+  ["m 33,5 * 0,75", "M33.5×0.75", 33.5, 0.75, 0.46],
+  ["Tr 48x3", "Tr48×3", 48, 3, 1.75],
+  ["1/4-20 UNC", "1/4-20 UNC", 6.35, 1.27, 0.779],
+  ['1 1/2"-12', "1 1/2-12 UN", 38.1, 2.117, 1.299],
+  ["#10-32 unf", "#10-32 UNF", 4.826, 0.794, 0.487],
+  ["10-32", "10-32 UN", 4.826, 0.794, 0.487],
+])("%s is computed from diameter and pitch", (typed, name, diameter, pitch, depth) => {
+  expect(sizesNamed(typed)[0]).toMatchObject({ name, pitch, outside: { diameter, depth } });
+});
+
+test.each(["M2x1.5", "M0x1", "M77x", "M77x0", "Tr5000x4", "1/4-200", "20-"])("%s is no thread", (typed) => {
+  expect(named(typed)).toEqual([]);
+});
+
 test("it gives pitch, depth and diameter, one start, and no infeed steeper than its flank", () => {
   const roles = threadRoles("Q491", "Q493");
   const values = (name: string, inside: boolean) => valuesOf(sizesNamed(name)[0] ?? threadSizes[0]!, roles, inside, 30);

@@ -146,14 +146,64 @@ const plain = (name: string) =>
     .replace(/[×*]/g, "x")
     .replaceAll(",", ".");
 
-/** Sizes whose name begins with the typed text, exact matches first. */
+/** Unified threads by inches and threads per inch, with the metric profile: 1/4-20 UNC, 1 1/2-12 UN, #10-32. */
+const UNIFIED =
+  /^(?:un[a-z]*)?\s*(?:#(\d{1,2})|(?:(\d+)[\s-]+)?(\d+)\/(\d+)|(\d+(?:[.,]\d+)?))\s*["″]?\s*-\s*(\d+(?:[.,]\d+)?)\s*(un[a-z]*)?$/i;
+/** Diameter of number 0, and the step from one number to the next, inches. */
+const [NUMBER_ZERO, NUMBER_STEP] = [0.06, 0.013];
+/** Sizes that are no misprint: diameter, pitch, threads per inch. */
+const [LARGEST, COARSEST, FINEST] = [1000, 24, 80];
+/** Threads per inch from which a whole number is a number size. */
+const FINE = 24;
+
+/** Largest pitch of a thread, in diameters. */
+const STEEPEST = 0.4;
+
+const numberIn = (text: string | undefined): number => Number((text ?? "0").replace(",", "."));
+
+function unified(typed: string): ThreadSize | null {
+  const m = UNIFIED.exec(typed.trim());
+  if (!m) return null;
+  const [, marked, whole, above, below, plainInches, perInch] = m;
+  // Without its mark, 10-32 is number 10: no inch size has so fine a thread.
+  const isNumber = plainInches !== undefined && /^\d+$/.test(plainInches) && numberIn(perInch) >= FINE;
+  const number = marked ?? (isNumber ? plainInches : undefined);
+  const inches =
+    number !== undefined
+      ? NUMBER_ZERO + NUMBER_STEP * Number(number)
+      : above !== undefined
+        ? numberIn(whole) + Number(above) / Number(below)
+        : numberIn(plainInches);
+  const [diameter, pitch] = [rounded(25.4 * inches), rounded(25.4 / numberIn(perInch))];
+  if (!(numberIn(perInch) <= FINEST) || !isPlausible(diameter, pitch)) return null;
+  const name = typed.trim().replace(/["″]/g, "").toUpperCase();
+  return { ...metric(diameter, pitch, false), name: /UN/.test(name) ? name : `${name} UN` };
+}
+
+const isPlausible = (diameter: number, pitch: number): boolean =>
+  diameter > 0 && diameter <= LARGEST && pitch > 0 && pitch <= COARSEST && pitch < STEEPEST * diameter;
+
+/** A metric, trapezoidal or unified thread of any diameter and pitch; null where the text names none. */
+function computedSize(typed: string): ThreadSize | null {
+  const m = /^(m|tr)(\d+(?:\.\d+)?)x(\d+(?:\.\d+)?)$/.exec(plain(typed));
+  if (!m) return unified(typed);
+  const [diameter, pitch] = [numberIn(m[2]), numberIn(m[3])];
+  if (!isPlausible(diameter, pitch)) return null;
+  return m[1] === "m" ? metric(diameter, pitch, false) : trapezoidal(diameter, pitch);
+}
+
+/**
+ * Sizes whose name begins with the typed text, exact matches first. A size that no table lists is computed from its
+ * diameter and pitch.
+ */
 export function sizesNamed(typed: string): ThreadSize[] {
   const asked = plain(typed);
   if (asked === "") return [];
   const names = ({ name, also }: ThreadSize) => [name, ...also].map(plain);
   const found = threadSizes.filter((size) => names(size).some((name) => name.startsWith(asked)));
   const isExact = (size: ThreadSize) => names(size).includes(asked);
-  return [...found.filter(isExact), ...found.filter((size) => !isExact(size))];
+  const computed = found.some(isExact) ? null : computedSize(typed);
+  return [...(computed ? [computed] : []), ...found.filter(isExact), ...found.filter((size) => !isExact(size))];
 }
 
 /**

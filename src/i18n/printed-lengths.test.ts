@@ -46,7 +46,7 @@ test("a value is a length where its parameter measures one", () => {
 
 test("a word of an approach is shown in the unit of the program, its angle in degrees", () => {
   const len = issue("outOfRange", "error", { value: -25.4, min: 0, max: 2540, nearest: 25.4 }, "LEN");
-  expect(message(inch, len)).toBe("-1 is out of range: 0 to 100. Nearest valid value: 1.");
+  expect(message(inch, len)).toBe("-1 is out of range: 0 to 100. Proposed: 1.");
   const angle = issue("outOfRange", "error", { value: 400, min: 1, max: 360, nearest: 360 }, "CCA");
   expect(message(inch, angle)).toContain("360°");
 });

@@ -40,12 +40,13 @@ function typed(read: JobReading): readonly Found[] {
 
 /** The first operation of a call of an unknown tool: a suitable tool is reported there. */
 function operationOfCall(
-  { issues }: Outcome["run"],
+  { issues, operations }: Outcome["run"],
   { issue, block }: Outcome["run"]["issues"][number],
 ): number | null {
   if (issue.code !== "toolUnknown" && issue.code !== "toolIndexUnknown") return null;
   const better = issues.find((each) => each.issue.code === "betterTool" && (each.block ?? 0) > (block ?? 0));
-  return better?.operation ?? null;
+  const index = better ? operations.findIndex((each) => each.block === better.block) : -1;
+  return index < 0 ? null : index;
 }
 
 /** Findings of the run and the stock. */
@@ -147,7 +148,10 @@ function joinQuestions(early: readonly Found[], late: readonly Found[]): readonl
  */
 export function findingsOf(read: JobReading | null, outcome: Outcome | null): readonly FindingEntry[] {
   const early = read ? typed(read) : [];
-  const late = outcome && (!read || read.reading.values) ? calculated(outcome) : [];
+  const run = outcome && (!read || read.reading.values) ? calculated(outcome) : [];
+  // A start point that nobody has set is no fault of the operator.
+  const isOwnStart = read?.setup?.proposed.has("start.x") && read.setup.proposed.has("start.z");
+  const late = isOwnStart ? run.filter(({ issue }) => issue.code !== "startInsideEnvelope") : run;
   const all = new Map<string, FindingEntry>();
   for (const found of groupPlaces(withoutConsequences(joinQuestions(early, late)), outcome?.run.operations ?? [])) {
     const { issue, at, line, inFile } = found;

@@ -72,7 +72,8 @@ export function useProgramHost(): FindingsHost {
         return t.dialog.takeNearest(typeof text === "number" ? writeTyped(language, text, DECIMALS) : text);
       if (kind === "runOut") return t.findings.runOut(String(text));
       if (kind === "endThread") return t.findings.endThread(String(text));
-      if (kind === "relief") return t.findings.relief;
+      if (kind === "relief")
+        return text === "" ? t.findings.relief : `${t.findings.relief} · ${t.findings.endThread(String(text))}`;
       if (kind === "tie") return t.page.text.tie;
       if (kind === "meant") return t.findings.meant;
       if (kind === "write") return t.findings.write(String(text), block);

@@ -73,19 +73,16 @@ export function threadRepairs(program: Program, index: number, { data }: Overrun
       trial: "runOut",
       next: () => withRunOut(program),
     });
-  if (end !== undefined)
-    for (const adapt of [(made: Program) => made, withRunOut])
-      for (const share of EARLIER) {
-        const earlier = Math.round((data.end - way * share * overrun) * TENTH) / TENTH;
-        repairs.push({
-          kind: "endThread",
-          text: `${data.axis}${asTyped(end, earlier)}`,
-          block,
-          open,
-          trial: "endThread",
-          next: () => adapt(withPrompt(program, defined, end, asTyped(end, earlier))),
+  const earlierEnds =
+    end === undefined
+      ? []
+      : EARLIER.map((share) => {
+          const earlier = asTyped(end, Math.round((data.end - way * share * overrun) * TENTH) / TENTH);
+          return { text: `${data.axis}${earlier}`, next: () => withPrompt(program, defined, end, earlier) };
         });
-      }
+  for (const adapt of [(made: Program) => made, withRunOut])
+    for (const { text, next } of earlierEnds)
+      repairs.push({ kind: "endThread", text, block, open, trial: "endThread", next: () => adapt(next()) });
   const [diameter, pitch] = [numberOf(s, named("threadDiameter") ?? ""), numberOf(s, named("threadPitch") ?? "")];
   const reach = inProgram(program, 2 * overrun);
   const from = inProgram(program, data.end);
@@ -95,8 +92,23 @@ export function threadRepairs(program: Program, index: number, { data }: Overrun
       : null;
   if (face !== null && pitch !== null) {
     const relief: Statement = { kind: "undercut", form: "THREAD", words: [{ name: "PITCH", value: pitch }] };
-    const next = () => withInserted(program, face, relief);
-    repairs.push({ kind: "relief", text: "", block, open: face, trial: "relief", next });
+    repairs.push({
+      kind: "relief",
+      text: "",
+      block,
+      open: face,
+      trial: "relief",
+      next: () => withInserted(program, face, relief),
+    });
+    for (const earlier of earlierEnds)
+      repairs.push({
+        kind: "relief",
+        text: earlier.text,
+        block,
+        open: face,
+        trial: "relief",
+        next: () => withInserted(earlier.next(), face, relief),
+      });
   }
   return repairs;
 }

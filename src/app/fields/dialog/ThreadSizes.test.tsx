@@ -55,5 +55,5 @@ test("a tap sets the size, and a name that no standard has gives a message", asy
   expect(document.activeElement).toBe(field);
   await screen.findByText(/point angle of 55°/);
   await user.type(field, "W7");
-  await screen.findByText("No thread of this name.");
+  await screen.findByText(/^No thread of this name/);
 });

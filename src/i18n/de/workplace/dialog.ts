@@ -6,7 +6,7 @@ export const dialog = {
     title: "Nenngröße",
     example: "M20, G1/2, Tr20",
     found: "Gefundene Größen",
-    none: "Kein Gewinde dieses Namens.",
+    none: "Kein Gewinde dieses Namens. Andere Größen mit Durchmesser und Steigung: M70×1,5.",
     profile: (passes: number) => `Gewindeprofil, Späne von ${passes === 1 ? "1 Schnitt" : `${passes} Schnitten`}`,
     taken: (name: string, angle: string) =>
       `${name}: Steigung, Tiefe und Durchmesser sind eingetragen. Die Schneidplatte braucht einen Spitzenwinkel von ${angle}°.`,

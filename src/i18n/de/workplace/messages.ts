@@ -4,7 +4,7 @@ import { threads } from "./messages/threads.ts";
 
 /** The value that a finding proposes, if any. */
 const nearest = (value: number | undefined, say: (value: number) => string) =>
-  value === undefined ? "" : ` Nächster gültiger Wert: ${say(value)}.`;
+  value === undefined ? "" : ` Vorschlag: ${say(value)}.`;
 
 const reasons: MessagesTexts["reasons"] = {
   insertRadius: "Schneidenradius",

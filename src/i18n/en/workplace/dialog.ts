@@ -6,7 +6,7 @@ export const dialog = {
     title: "Nominal size",
     example: "M20, G1/2, Tr20",
     found: "Sizes found",
-    none: "No thread of this name.",
+    none: "No thread of this name. Other sizes by diameter and pitch: M70×1.5.",
     profile: (passes: number) => `Thread profile with the chips of ${passes === 1 ? "1 pass" : `${passes} passes`}`,
     taken: (name: string, angle: string) =>
       `${name}: pitch, depth and diameter are filled in. The insert needs a point angle of ${angle}°.`,

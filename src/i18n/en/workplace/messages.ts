@@ -4,7 +4,7 @@ import { threads } from "./messages/threads.ts";
 
 /** The value that a finding proposes, if any. */
 const nearest = (value: number | undefined, say: (value: number) => string) =>
-  value === undefined ? "" : ` Nearest valid value: ${say(value)}.`;
+  value === undefined ? "" : ` Proposed: ${say(value)}.`;
 /** "4 blocks", "1 block". */
 const count = (n: number, one: string, many: string) => `${n} ${n === 1 ? one : many}`;
 

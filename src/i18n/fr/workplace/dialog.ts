@@ -6,7 +6,7 @@ export const dialog = {
     title: "Cote nominale",
     example: "M20, G1/2, Tr20",
     found: "Cotes trouvées",
-    none: "Aucun filetage de ce nom.",
+    none: "Aucun filetage de ce nom. Autres tailles par diamètre et pas : M70×1,5.",
     profile: (passes: number) =>
       `Profil du filetage avec les copeaux de ${passes < 2 ? "1 passe" : `${passes} passes`}`,
     taken: (name: string, angle: string) =>

@@ -4,7 +4,7 @@ import { threads } from "./messages/threads.ts";
 
 /** The value that a finding proposes, if any. */
 const nearest = (value: number | undefined, say: (value: number) => string) =>
-  value === undefined ? "" : ` Valeur valide la plus proche : ${say(value)}.`;
+  value === undefined ? "" : ` Proposé : ${say(value)}.`;
 const count = (n: number, one: string, many: string) => `${n} ${n < 2 ? one : many}`;
 
 const reasons: MessagesTexts["reasons"] = {

@@ -4,7 +4,7 @@ import { threads } from "./messages/threads.ts";
 
 /** The value that a finding proposes, if any. */
 const nearest = (value: number | undefined, say: (value: number) => string) =>
-  value === undefined ? "" : `最接近的有效值：${say(value)}。`;
+  value === undefined ? "" : `建议：${say(value)}。`;
 
 const reasons: MessagesTexts["reasons"] = {
   insertRadius: "刀尖半径",

@@ -3,7 +3,7 @@ import type { Write } from "../../../write.ts";
 
 /** The value that a finding proposes, if any. */
 const nearest = (value: number | undefined, say: (value: number) => string) =>
-  value === undefined ? "" : ` Nächster gültiger Wert: ${say(value)}.`;
+  value === undefined ? "" : ` Vorschlag: ${say(value)}.`;
 
 const ALL_ALONG =
   " Kein üblicher Anlaufweg vermeidet das: Gewinde am freien Ende beginnen oder dort vorher einen Freistich drehen.";

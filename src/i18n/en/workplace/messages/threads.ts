@@ -3,7 +3,7 @@ import type { Write } from "../../../write.ts";
 
 /** The value that a finding proposes, if any. */
 const nearest = (value: number | undefined, say: (value: number) => string) =>
-  value === undefined ? "" : ` Nearest valid value: ${say(value)}.`;
+  value === undefined ? "" : ` Proposed: ${say(value)}.`;
 
 const ALL_ALONG = " No usual run-in avoids it: start the thread at its free end, or turn an undercut there first.";
 /** A position on the synchronized axis of a thread: Z, or a diameter in a face. */

@@ -3,7 +3,7 @@ import type { Write } from "../../../write.ts";
 
 /** The value that a finding proposes, if any. */
 const nearest = (value: number | undefined, say: (value: number) => string) =>
-  value === undefined ? "" : ` Valeur valide la plus proche : ${say(value)}.`;
+  value === undefined ? "" : ` Proposé : ${say(value)}.`;
 
 const ALL_ALONG =
   " Aucune course d’engagement usuelle ne l’évite : commencer le filetage à son extrémité libre, ou y tourner " +

@@ -3,7 +3,7 @@ import type { Write } from "../../../write.ts";
 
 /** The value that a finding proposes, if any. */
 const nearest = (value: number | undefined, say: (value: number) => string) =>
-  value === undefined ? "" : `最接近的有效值：${say(value)}。`;
+  value === undefined ? "" : `建议：${say(value)}。`;
 
 const ALL_ALONG = "常用的导入行程都无法避开：请从自由端开始螺纹，或先在该处车退刀槽。";
 /** A position on the synchronized axis of a thread: Z, or a diameter in a face. */
