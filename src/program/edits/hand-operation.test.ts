@@ -92,10 +92,13 @@ describe("an operation without a cycle", () => {
   });
 
   test("only tools that can do it are offered", () => {
-    const able = (work: HandWork, inside = false) => shop.tools.filter((t) => canDo(work, t, inside)).map(({ T }) => T);
+    const able = (work: HandWork, isInside = false, depth = 0) =>
+      shop.tools.filter((tool) => canDo(work, tool, { isInside, depth })).map(({ T }) => T);
     expect(able("chamfer")).toEqual([1, 2, 3, 4, 15]);
     expect(able("chamfer", true)).toEqual([5, 6]);
-    expect(able("partOff")).toEqual([10]);
+    expect(able("partOff", false, 15)).toEqual([9, 10]);
+    expect(able("partOff", false, 25)).toEqual([9]);
+    expect(able("partOff", false, 31)).toEqual([]);
     expect(able("drill")).toEqual([31]);
     expect(able("tap")).toEqual([32]);
   });

@@ -23,8 +23,12 @@ export const sizesOf = (work: HandWork): readonly HandSize[] => {
 
 export const isOnAxis = (work: HandWork): work is "drill" | "tap" => work === "drill" || work === "tap";
 
-/** Whether a tool can do it, on this side. */
-export function canDo(work: HandWork, tool: Tool, isInside: boolean): boolean {
+/** Radial depth of a cut through the stock, from its surface to the axis or through the wall of its bore, mm. */
+export const wallOf = (stock: readonly Ring[], { from }: StockSurface): number =>
+  from.r - Math.min(...stock.flat().map(({ r }) => r));
+
+/** Whether a tool can do it, on this side and to this depth. */
+export function canDo(work: HandWork, tool: Tool, { isInside, depth }: { isInside: boolean; depth: number }): boolean {
   const { u, v } = tipDirection(tool.TO);
   switch (work) {
     case "drill":
@@ -34,7 +38,7 @@ export function canDo(work: HandWork, tool: Tool, isInside: boolean): boolean {
     case "chamfer":
       return (tool.TYPE === "ROUGH" || tool.TYPE === "FINISH") && u < 0 && (isInside ? v > 0 : v < 0);
     default:
-      return tool.TYPE === "RECESS" && v < 0;
+      return (tool.TYPE === "RECESS" || tool.TYPE === "RECTURN") && v < 0 && (tool.CUTLENGTH ?? Infinity) >= depth;
   }
 }
 

@@ -1,5 +1,5 @@
 import { useEffect, useMemo, useRef, useState } from "react";
-import { cycleByNumber } from "../../../cycles/index.ts";
+import { catalogue } from "../../../cycles/index.ts";
 import type { Site } from "../../../cycles/shape-request.ts";
 import type { InsertTexts } from "../../../i18n/en/insert.ts";
 import { length } from "../../../kernel/units.ts";
@@ -10,6 +10,7 @@ import {
   isOnAxis,
   sizesOf,
   speedOnAxis,
+  wallOf,
   type HandSize,
   type HandWork,
 } from "../../../program/edits/hand-operation.ts";
@@ -44,7 +45,7 @@ const FIELDS: Readonly<Record<HandSize, Field>> = {
 const UNTYPED: Readonly<Record<HandSize, string>> = { size: "", z: "" };
 
 /** A job that only carries tool, spindle and blank. */
-const BASE = cycleByNumber(812);
+const BASE = catalogue.find(({ group, contour }) => group === "longitudinal" && contour === "own");
 
 /** Asks for the sizes, spindle and tool of an operation without a turning cycle. */
 export function HandForm({ words, work, site, before, onBack, onInsert }: Props) {
@@ -61,7 +62,8 @@ export function HandForm({ words, work, site, before, onBack, onInsert }: Props)
     [stock, work, site],
   );
   const surface = picked ?? (work === "chamfer" ? (surfaces[0] ?? null) : longestOf(surfaces));
-  const tools = useToolList().filter((tool) => canDo(work, tool, surface?.site === "inside"));
+  const needed = { isInside: surface?.site === "inside", depth: surface ? wallOf(stock, surface) : 0 };
+  const tools = useToolList().filter((tool) => canDo(work, tool, needed));
   const tool = tools.find(({ T }) => T === taken) ?? tools[0];
   const asked = sizesOf(work);
   const last = operations.findLast(({ spindle: of }) => of?.kind === "surface")?.spindle;
