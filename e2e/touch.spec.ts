@@ -1,3 +1,4 @@
+import { insert } from "../src/i18n/en/insert.ts";
 import { readFileSync } from "node:fs";
 import { dragFinger } from "./pages/finger.ts";
 import { expectFits } from "./pages/layout-checks.ts";
@@ -126,11 +127,13 @@ test("a program of three operations from nothing, by touch alone", async ({ page
   await page.getByRole("button", { name: t.page.programs.create, exact: true }).tap();
   await page.getByRole("button", { name: t.operations.create, exact: true }).tap();
   const put = async (group: "transverse" | "longitudinal" | "recessing", cycle: 822 | 812 | 862) => {
+    if (group === "transverse") await editor.inserting.getByRole("radio", { name: insert.sites.face }).tap();
     await editor.inserting.getByRole("button", { name: new RegExp(t.cycles.groups[group]) }).tap();
     await editor.inserting
       .getByRole("button", { name: new RegExp(`^${t.page.start.cycle(cycle, t.cycles.of[cycle].name)}`) })
       .first()
       .tap();
+    if (group === "recessing") await editor.inserting.getByRole("textbox", { name: t.setup.start.z }).fill("-20");
     await editor.inserting.getByRole("button", { name: t.operations.put, exact: true }).tap();
     await expect(editor.inserting).toHaveCount(0);
   };

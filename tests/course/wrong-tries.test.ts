@@ -23,7 +23,12 @@ const { wrongSide: turnedRound } = courseTask.wrong;
 
 test.each([
   ["a forgotten minus", "Q494=-27.4", "Q494=+27.4", "Z+27.4 is in front of the workpiece. -27.4?: block 7"],
-  ["a diameter doubled", "Q493=+48.2", "Q493=+96.4", "⌀96.4 is larger than the blank, ⌀63.5, exactly twice as much: a diameter entered as a radius?: block 7"],
+  [
+    "a diameter doubled",
+    "Q493=+48.2",
+    "Q493=+96.4",
+    "⌀96.4 is larger than the blank, ⌀63.5, exactly twice as much: a diameter entered as a radius?: block 7",
+  ],
   ["a start within the steel", "8 L X+63.5 Z+2", "8 L X+40 Z+2", `${turnedRound.inside}: block 9`],
 ])("%s is reported by its effect on the cycle, not as a wrong tool", (_, from, to, said) => {
   expect(markTexts(shoulder, from, to)[0]).toBe(said);

@@ -64,7 +64,7 @@ export function WhichCycle({ done, region, comparison = byWorker }: Props) {
         <>
           <p className="soft">{words.lead}</p>
           <ShapeQuestion words={words} asking={asking} fault={fault} inWork={place !== null} onAsk={onAsk} />
-          {wanted && !place && <ShapeSketch words={words} wanted={wanted} />}
+          {wanted && (!place || asking.shape !== "free") && <ShapeSketch words={words} wanted={wanted} />}
           {place && (
             <ContourSection
               words={words}

@@ -9,7 +9,7 @@ import { operationsOf } from "../../program/edits/operations.ts";
 import { requestedText } from "../../program/job/requested-text.ts";
 import type { Proposal } from "../../report/which/ways.ts";
 import { openText } from "../../app/fields/open/open-program.ts";
-import { enterSection, openPrompt } from "../../app/place/place.ts";
+import { openPrompt } from "../../app/place/place.ts";
 import { printedText } from "../../app/document/printed.ts";
 import { startWork } from "../../app/records/keep.ts";
 import { outputInUse } from "../../app/document/output.ts";
@@ -26,22 +26,23 @@ export async function applyProposal(
     labels = ncLabels(ncLanguage);
   const made = { ...job, ncLanguage, output: outputInUse() };
   if (adds && (program || open)) {
-    const [session, { showFile }, { openingBlock }] = await Promise.all([
+    const [session, { showFile }, { openingBlock }, { openFirstOpenPrompt }] = await Promise.all([
       import("../../app/fields/blocks/session.ts"),
       import("../../app/document/shown-file.ts"),
       import("../../app/fields/blocks/operation-rows.ts"),
+      import("../../app/fields/blocks/open-block.ts"),
     ]);
     const layout = open ? { layout: open.layout } : {};
     const before = parse(open ? printedText(open) : (session.sessionText() ?? program?.text ?? ""));
     const next = withOperation(before, { ...made, ...layout }, labels);
     const index = openingBlock(next, operationsOf(next).units.length - 1);
-    enterSection("block");
     if (program) {
       showFile(null);
-      return session.editProgram(next, null, index);
+      session.editProgram(next, null, index);
+      return openFirstOpenPrompt();
     }
     openText(print(next));
-    if (index !== null) session.openBlockWhenRead(index);
+    if (index !== null) session.openBlockWhenRead(index, openFirstOpenPrompt);
     return;
   }
   if (wanted.allowance > 0) return openText(requestedText(made, wanted, labels));

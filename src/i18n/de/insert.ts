@@ -22,4 +22,17 @@ export const insert: InsertTexts = {
   undrawn: "Zuerst die Kontur zeichnen.",
   unsuitable: (tools) => `Ungeeignete Werkzeuge (${tools})`,
   noTool: "Kein Werkzeug der Tabelle erreicht diese Stelle.",
+  hand: {
+    title: "Ohne Drehzyklus",
+    of: {
+      chamfer: "Fase von Hand (L)",
+      partOff: "Abstechen",
+      partOffChamfered: "Abstechen mit Fase hinten",
+      drill: "Bohren in der Drehmitte",
+      tap: "Gewindebohren in der Drehmitte",
+    },
+    sizes: { size: "Fase", z: "Rückseite in Z" },
+    noTool: "Die Werkzeugtabelle hat kein Werkzeug dafür.",
+    tools: "Werkzeugtabelle öffnen",
+  },
 };

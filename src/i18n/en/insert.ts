@@ -23,6 +23,19 @@ export const insert = {
   undrawn: "Draw the contour to continue.",
   unsuitable: (tools: number) => `Unsuitable tools (${tools})`,
   noTool: "No tool in the table reaches this place.",
+  hand: {
+    title: "Without a turning cycle",
+    of: {
+      chamfer: "Chamfer by hand (L)",
+      partOff: "Part off",
+      partOffChamfered: "Part off with back chamfer",
+      drill: "Drill on the axis",
+      tap: "Tap on the axis",
+    },
+    sizes: { size: "Chamfer", z: "Rear face in Z" },
+    noTool: "The tool table has no tool for this.",
+    tools: "Open the tool table",
+  },
 };
 
 export type InsertTexts = Shape<typeof insert>;

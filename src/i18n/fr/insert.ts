@@ -22,4 +22,17 @@ export const insert: InsertTexts = {
   undrawn: "Dessinez d’abord le contour.",
   unsuitable: (tools) => `Outils inadaptés (${tools})`,
   noTool: "Aucun outil du tableau n’atteint cet endroit.",
+  hand: {
+    title: "Sans cycle de tournage",
+    of: {
+      chamfer: "Chanfrein à la main (L)",
+      partOff: "Tronçonner",
+      partOffChamfered: "Tronçonner avec chanfrein arrière",
+      drill: "Percer dans l’axe",
+      tap: "Tarauder dans l’axe",
+    },
+    sizes: { size: "Chanfrein", z: "Face arrière en Z" },
+    noTool: "Le tableau d’outils n’a pas d’outil pour cela.",
+    tools: "Ouvrir le tableau d’outils",
+  },
 };

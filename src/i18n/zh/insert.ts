@@ -22,4 +22,17 @@ export const insert: InsertTexts = {
   undrawn: "请先绘制轮廓。",
   unsuitable: (tools) => `不适用的刀具（${tools}）`,
   noTool: "刀具表中没有刀具能到达此处。",
+  hand: {
+    title: "不用车削循环",
+    of: {
+      chamfer: "手动倒角 (L)",
+      partOff: "切断",
+      partOffChamfered: "带后倒角切断",
+      drill: "轴线钻孔",
+      tap: "轴线攻丝",
+    },
+    sizes: { size: "倒角", z: "后端面 Z" },
+    noTool: "刀具表中没有适用的刀具。",
+    tools: "打开刀具表",
+  },
 };

@@ -4,10 +4,11 @@ import { withBlocks } from "../../nc/replace.ts";
 import type { Statement } from "../../nc/statement.ts";
 import { noWords, type Label } from "../../nc/words.ts";
 import type { SetJob } from "../job/job.ts";
+import type { NcOutput } from "../machine/nc-output.ts";
 import { blocksOfStatements, withAddedBehind } from "./operation-edits.ts";
 import { endsMain, operationsOf } from "./operations.ts";
 import { outputIn } from "./output-in.ts";
-import { jobStatements, type Labels } from "../job/print-job.ts";
+import { jobStatements, machiningStatements, startStatement, type Labels } from "../job/print-job.ts";
 
 /** Place and title of an added operation. */
 export interface OperationPlace {
@@ -43,26 +44,19 @@ function withEnd(program: Program, end: 30 | 2): Program {
   ]);
 }
 
-/**
- * Adds the operation of a job to a program: structure item, tool call, spindle, feed unit, approach, cycle, call,
- * retraction, and its contour under its own label at the end of the file. Adds turning mode and M30 where missing.
- */
-export function withOperation(
+/** What is added: the blocks from the tool call to the retraction, and a contour under its label. */
+interface AddedStatements {
+  readonly main: readonly Statement[];
+  readonly contour: readonly Statement[];
+  readonly output: NcOutput;
+}
+
+/** Adds blocks as an operation, with turning mode and M30 where they are missing. */
+function withStatements(
   program: Program,
-  job: SetJob,
-  labels: Labels,
-  { behind, title, contour }: OperationPlace = {},
+  { main, contour, output }: AddedStatements,
+  { behind, title }: OperationPlace,
 ): Program {
-  const cycle = cycleByNumber(job.cycle);
-  if (!cycle) return program;
-  const label = contour ?? freeLabel(program);
-  const named = typeof label === "number" ? String(label) : `"${label}"`;
-  const output = outputIn(program, job.output);
-  const all = jobStatements({ ...job, output }, cycle, labels).map((s): Statement => {
-    if (s.kind === "cycleLine" && s.line === 1) return { ...s, text: `${labels.contour.label}${named}` };
-    return s.kind === "label" && s.label !== 0 ? { ...s, label } : s;
-  });
-  const ending = all.findIndex(endsMain);
   const ended = withEnd(program, output.end);
   const { from, units } = operationsOf(ended);
   const place = behind === undefined ? units.length - 1 : (behind ?? -1);
@@ -74,24 +68,50 @@ export function withOperation(
   const isLast = place === units.length - 1;
   const stops = (s: Statement) =>
     !isLast && JSON.stringify(s) === JSON.stringify(functionsOf(output.spindleOff ?? NaN));
-  const main: readonly Statement[] = [
+  const added: readonly Statement[] = [
     ...(isTurning ? [] : [TURNING]),
     ...(title === undefined || title.trim() === "" ? [] : [{ kind: "structure" as const, text: title.trim() }]),
-    ...all
-      .slice(
-        all.findIndex((s) => s.kind === "toolCall"),
-        ending,
-      )
-      .filter((s) => !stops(s)),
+    ...main.filter((s) => !stops(s)),
   ];
-  const operated = withAddedBehind(ended, place < 0 ? null : place, blocksOfStatements(ended, from, main));
-  const subprogram = contour === undefined ? all.slice(ending + 1).filter((s) => s.kind !== "end") : [];
+  const operated = withAddedBehind(ended, place < 0 ? null : place, blocksOfStatements(ended, from, added));
+  if (contour.length === 0) return operated;
   const end = operated.blocks.findLastIndex(({ statement: s }) => s.kind === "end");
   const at = end < 0 ? operated.blocks.length : end;
-  const behindIt = [
+  return withBlocks(operated, [
     ...operated.blocks.slice(0, at),
-    ...blocksOfStatements(operated, at, subprogram),
+    ...blocksOfStatements(operated, at, contour),
     ...operated.blocks.slice(at),
-  ];
-  return subprogram.length > 0 ? withBlocks(operated, behindIt) : operated;
+  ]);
+}
+
+/**
+ * Adds the operation of a job to a program: structure item, tool call, spindle, feed unit, approach, cycle, call,
+ * retraction, and its contour under its own label at the end of the file.
+ */
+export function withOperation(program: Program, job: SetJob, labels: Labels, place: OperationPlace = {}): Program {
+  const cycle = cycleByNumber(job.cycle);
+  if (!cycle) return program;
+  const label = place.contour ?? freeLabel(program);
+  const named = typeof label === "number" ? String(label) : `"${label}"`;
+  const output = outputIn(program, job.output);
+  const all = jobStatements({ ...job, output }, cycle, labels).map((s): Statement => {
+    if (s.kind === "cycleLine" && s.line === 1) return { ...s, text: `${labels.contour.label}${named}` };
+    return s.kind === "label" && s.label !== 0 ? { ...s, label } : s;
+  });
+  const ending = all.findIndex(endsMain);
+  const first = all.findIndex((s) => s.kind === "toolCall");
+  const contour = place.contour === undefined ? all.slice(ending + 1).filter((s) => s.kind !== "end") : [];
+  return withStatements(program, { main: all.slice(first, ending), contour, output }, place);
+}
+
+/** Adds an operation without a turning cycle; `cut` begins and ends at the start point of the job. */
+export function withHandOperation(
+  program: Program,
+  job: SetJob,
+  cut: readonly Statement[],
+  place: OperationPlace = {},
+): Program {
+  const output = outputIn(program, job.output);
+  const main = machiningStatements({ ...job, output }, [startStatement({ ...job, output }), ...cut]);
+  return withStatements(program, { main, contour: [], output }, place);
 }

@@ -1,5 +1,6 @@
 import { cycleByNumber } from "../../cycles/index.ts";
 import type { Cycle } from "../../cycles/define.ts";
+import { hasNoEffect, type SomeValues } from "../../cycles/effect.ts";
 import { isPosition } from "../../cycles/completions.ts";
 import { withBlock } from "../../nc/edit.ts";
 import type { Program } from "../../nc/program.ts";
@@ -36,10 +37,10 @@ export const canBeFinished = (program: Program, own: OperationPart): boolean => 
 const asNumber = ({ value }: CycleParameter): number | null => (typeof value === "number" ? value : null);
 
 /** A size of the contour: a position, or an element that the contour has. */
-function isSize({ params }: Cycle, parameter: CycleParameter): boolean {
+function isSize({ params }: Cycle, parameter: CycleParameter, known: SomeValues): boolean {
   const param = params[parameter.q];
   const value = asNumber(parameter);
-  if (!param || value === null) return false;
+  if (!param || value === null || hasNoEffect(param, known)) return false;
   return isPosition(param) || ((param.shown === "outline" || param.shown === "element") && value !== 0);
 }
 
@@ -54,7 +55,8 @@ export function finishedOperation(program: Program, unit: number, tool: number):
   const { set, read } = parametersOf(program.blocks);
   const taken = (n: number) => set.has(`Q${n}`) || read.has(`Q${n}`);
   const free = Array.from({ length: OWN.last - OWN.first + 1 }, (_, i) => OWN.first + i).filter((n) => !taken(n));
-  const sizes = statement.parameters.filter((p) => isSize(cycle, p));
+  const known = Object.fromEntries(statement.parameters.map((p) => [p.q, asNumber(p) ?? undefined]));
+  const sizes = statement.parameters.filter((p) => isSize(cycle, p, known));
   const bound = new Map(sizes.flatMap(({ q }, i) => (free[i] === undefined ? [] : [[q, `Q${free[i]}`] as const])));
   const made = (how: number): StatementOf<"cycle"> => ({
     ...statement,

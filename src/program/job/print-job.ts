@@ -110,10 +110,8 @@ function wayOut(output: NcOutput, place: StartPlace, safe: { readonly x: number;
 
 const functions = (m: number): Statement => ({ kind: "functions", words: { ...noWords, functions: [m] } });
 
-/** The blocks of a job, from BEGIN PGM to END PGM. */
-export function jobStatements(job: SetJob, cycle: Cycle, labels: Labels): Statement[] {
-  const { output } = job;
-  const name = nameOnControl(output.capitals ? job.name.toUpperCase() : job.name);
+/** The blocks from the tool call to the retraction: `cut` begins at the safe position and ends at the start point. */
+export function machiningStatements(job: SetJob, cut: readonly Statement[]): Statement[] {
   const place = placeOfStart(job);
   const safeX = roundedTo(
     Math.max(number(job.blank.outside, 0), number(job.start.x, 0)) + SAFE_DISTANCE.x,
@@ -127,15 +125,7 @@ export function jobStatements(job: SetJob, cycle: Cycle, labels: Labels): Statem
     { axis: "X", value: x, incremental: false },
     { axis: "Z", value: z, incremental: false },
   ];
-  const free = cycle.contour === "free";
-  const draft = job.drafts[cycle.number] ?? {};
-  const known = knownParameters(job);
-  const cycleLine = (line: number, text: string): Statement => ({ kind: "cycleLine", cycle: 14, line, text });
   return [
-    { kind: "begin", name, unit: "MM" },
-    blankStatement(job.blank),
-    ...(job.clamping ? [{ kind: "comment" as const, text: ` ${clampingText(job.clamping)}` }] : []),
-    { kind: "mode", mode: "TURN", kinematics: null },
     {
       kind: "toolCall",
       tool: job.tool,
@@ -151,21 +141,44 @@ export function jobStatements(job: SetJob, cycle: Cycle, labels: Labels): Statem
     path({ axes: at(safeX, safeZ), compensation: "R0", feed: "max" }),
     ...(place === "bore" ? [path({ axes: axis("X", job.start.x), feed: "max" })] : []),
     ...(place === "low" ? [path({ axes: axis("Z", job.start.z), feed: "max" })] : []),
-    ...assignments(job, known),
-    ...(free ? [cycleLine(0, labels.contour.title), cycleLine(1, `${labels.contour.label}${CONTOUR_LABEL}`)] : []),
-    {
-      kind: "cycle",
-      cycle: cycle.number,
-      name: labels.cycleName(cycle.number),
-      parameters: parameters(cycle, draft, known, labels),
-    },
-    path({
-      axes: [...axis("X", job.start.x), { axis: "Y", value: 0, incremental: false }, ...axis("Z", job.start.z)],
-      feed: "max",
-      functions: [output.spindleOn],
-    }),
-    { kind: "cycleCall", how: "", words: noWords },
-    ...wayOut(output, place, { x: safeX, z: safeZ }),
+    ...cut,
+    ...wayOut(job.output, place, { x: safeX, z: safeZ }),
+  ];
+}
+
+/** The way to the start point of a job at rapid, with the spindle started. */
+export const startStatement = ({ start, output }: Pick<SetJob, "start" | "output">): Statement =>
+  path({
+    axes: [...axis("X", start.x), { axis: "Y", value: 0, incremental: false }, ...axis("Z", start.z)],
+    feed: "max",
+    functions: [output.spindleOn],
+  });
+
+/** The blocks of a job, from BEGIN PGM to END PGM. */
+export function jobStatements(job: SetJob, cycle: Cycle, labels: Labels): Statement[] {
+  const { output } = job;
+  const name = nameOnControl(output.capitals ? job.name.toUpperCase() : job.name);
+  const free = cycle.contour === "free";
+  const draft = job.drafts[cycle.number] ?? {};
+  const known = knownParameters(job);
+  const cycleLine = (line: number, text: string): Statement => ({ kind: "cycleLine", cycle: 14, line, text });
+  return [
+    { kind: "begin", name, unit: "MM" },
+    blankStatement(job.blank),
+    ...(job.clamping ? [{ kind: "comment" as const, text: ` ${clampingText(job.clamping)}` }] : []),
+    { kind: "mode", mode: "TURN", kinematics: null },
+    ...machiningStatements(job, [
+      ...assignments(job, known),
+      ...(free ? [cycleLine(0, labels.contour.title), cycleLine(1, `${labels.contour.label}${CONTOUR_LABEL}`)] : []),
+      {
+        kind: "cycle",
+        cycle: cycle.number,
+        name: labels.cycleName(cycle.number),
+        parameters: parameters(cycle, draft, known, labels),
+      },
+      startStatement(job),
+      { kind: "cycleCall", how: "", words: noWords },
+    ]),
     functions(output.end),
     ...(free
       ? [

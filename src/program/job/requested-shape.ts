@@ -88,34 +88,35 @@ function between(wanted: ShapeRequest, open: number): Ring | null {
 
 export const requestedArea = (wanted: ShapeRequest): Ring | null => between(wanted, 0);
 
-/** Cylinder around the requested shape, as typed. */
+interface CylinderSize {
+  readonly outside: number;
+  readonly bore: number;
+  readonly front: number;
+  readonly back: number;
+}
+
+const asTyped = ({ outside, bore, front, back }: CylinderSize): BlankDraft => ({
+  outside: positionAsTyped(toDiameter(radius(outside))),
+  bore: bore > 0 ? positionAsTyped(toDiameter(radius(bore))) : "0",
+  length: positionAsTyped(front - back),
+  allowance: positionAsTyped(front),
+});
+
+/** Cylinder around a stock, as typed. */
+export function cylinderAround(stock: readonly Ring[]): BlankDraft {
+  const { left, right, low, high } = boxOf(stock.flat());
+  return asTyped({ outside: high, bore: Math.max(0, low), front: right, back: left });
+}
+
+/** Cylinder around the requested shape, or around the stock where that is known, as typed. */
 export function blankFor(wanted: ShapeRequest, stock: readonly Ring[] | null): BlankDraft {
-  const written = ({
-    outside,
-    bore,
-    front,
-    back,
-  }: {
-    outside: number;
-    bore: number;
-    front: number;
-    back: number;
-  }): BlankDraft => ({
-    outside: positionAsTyped(toDiameter(radius(outside))),
-    bore: bore > 0 ? positionAsTyped(toDiameter(radius(bore))) : "0",
-    length: positionAsTyped(front - back),
-    allowance: positionAsTyped(front),
-  });
-  if (stock && stock.length > 0) {
-    const { left, right, low, high } = boxOf(stock.flat());
-    return written({ outside: high, bore: Math.max(0, low), front: right, back: left });
-  }
+  if (stock && stock.length > 0) return cylinderAround(stock);
   const { z1, z2, r1, r2, along, out } = requestedBox(wanted);
   const within = opensAhead(wanted);
   const hole = wanted.shape === "thread" ? r1 - METRIC.inside * wanted.pitch : r1;
   const begins = wanted.shape === "step" || wanted.site === "face";
   const [near, far] = [begins ? z1 : along > 0 ? Math.max(z1, 0) : z1 - BEHIND, z2 - along * BEHIND];
-  return written({
+  return asTyped({
     outside: within ? Math.max(r1, r2) + ROUND_IT : out > 0 ? r1 : r2 + ROUND_IT,
     bore: within || out > 0 ? 0 : Math.max(0, hole),
     front: Math.max(near, far),

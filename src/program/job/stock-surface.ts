@@ -1,6 +1,7 @@
 import type { Site } from "../../cycles/shape-request.ts";
 import { boxOf } from "../../kernel/area/box.ts";
-import type { Pt, Ring } from "../../kernel/geometry/point.ts";
+import { at, type Pt, type Ring } from "../../kernel/geometry/point.ts";
+import { axial, diameter, toDiameter, toRadius } from "../../kernel/units.ts";
 
 /**
  * A surface of the stock on which an operation starts: a cylinder from its front end to its rear end, or a face from
@@ -56,6 +57,14 @@ function edgesOf(ring: Ring): Edge[] {
 
 const lengthOf = ({ from, to }: StockSurface): number => Math.hypot(to.z - from.z, to.r - from.r);
 
+/** The simulation cuts with chords: a size this close to a tenth is that tenth, mm. */
+const CHORDAL = 0.006;
+const snapped = (n: number): number => {
+  const tenth = Math.round(n * 10) / 10;
+  return Math.abs(n - tenth) < CHORDAL ? tenth : n;
+};
+const asTurned = ({ z, r }: Pt): Pt => at(axial(snapped(z)), toRadius(diameter(snapped(toDiameter(r)))));
+
 /** The surfaces of a stock on one site, from the front to the rear. */
 export function surfacesOf(stock: readonly Ring[], site: Site): readonly StockSurface[] {
   return stock
@@ -63,7 +72,7 @@ export function surfacesOf(stock: readonly Ring[], site: Site): readonly StockSu
     .filter((edge) => edge.site === site)
     .map(({ a, b }): StockSurface => {
       const fromA = site === "face" ? a.r > b.r : a.z > b.z;
-      return { site, from: fromA ? a : b, to: fromA ? b : a };
+      return { site, from: asTurned(fromA ? a : b), to: asTurned(fromA ? b : a) };
     })
     .filter((surface) => lengthOf(surface) >= SHORTEST)
     .toSorted((a, b) => b.from.z - a.from.z || b.from.r - a.from.r);

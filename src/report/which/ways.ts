@@ -2,7 +2,7 @@ import type { Cycle, Group } from "../../cycles/define.ts";
 import { catalogue } from "../../cycles/index.ts";
 import type { Topic } from "../../cycles/params.ts";
 import { useOf, worksAcross } from "../../cycles/use.ts";
-import { canMakeAngle, canMakeChamfer, type ShapeRequest } from "../../cycles/shape-request.ts";
+import { canMakeAngle, canMakeChamfer, chamferOf, type ShapeRequest } from "../../cycles/shape-request.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { cuttingWidth, isBar, noseRadius } from "../../kernel/cutter/insert.ts";
@@ -55,6 +55,8 @@ export function cyclesFor(wanted: ShapeRequest): readonly Cycle[] {
       isOpenTo(c, wanted) &&
       canMakeAngle(c, wanted) &&
       canMakeChamfer(c, wanted) &&
+      // The starting element of a transverse cycle is at the other edge.
+      (chamferOf(wanted) === 0 || c.contour === "free" || !worksAcross(c)) &&
       // Contour-parallel passes are for a part that already has the shape.
       (wanted.allowance > 0 || useOf(c).preTurned !== true),
   );

@@ -14,7 +14,7 @@ import { editProgram, useSession, type Session } from "./session.ts";
 import { useShownOtherFile } from "../../document/shown-file.ts";
 import { findingsShown } from "../../document/shown-findings.ts";
 import { createDeferredStore } from "../../base/typing.ts";
-import { showPrompt, showSection } from "../../place/place.ts";
+import { enterSection, openPrompt } from "../../place/place.ts";
 
 /** Text typed into the prompts of the open block. It is written to the program as soon as it can be read. */
 interface Typed {
@@ -107,9 +107,9 @@ export function setBlockPrompt(q: string, text: string): void {
 export function openFirstOpenPrompt(): void {
   const session = useSession.getState();
   const read = readingOfBlock(session.reading.program, session.index, untyped);
-  showSection("block");
+  enterSection("block");
   if (!read) return;
   const ids = Object.keys(read.cycle.params);
   const id = ids.find((q) => read.reading.perField[q]?.issue) ?? ids[0];
-  if (id !== undefined) showPrompt(id, read.draft[id] ?? "");
+  if (id !== undefined) openPrompt(id, read.draft[id] ?? "");
 }

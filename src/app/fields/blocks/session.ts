@@ -350,11 +350,11 @@ export function openBlock(index: number, parameter: string | null = null, byDial
 }
 
 /** Opens a block of a program that is about to be shown. */
-export function openBlockWhenRead(index: number): void {
-  if (view) return openBlock(index);
+export function openBlockWhenRead(index: number, opened: () => void): void {
   const stop = useSession.subscribe((now) => {
     if (!ofText(now) || !view) return;
     stop();
     openBlock(index);
+    opened();
   });
 }

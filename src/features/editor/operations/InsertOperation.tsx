@@ -5,7 +5,11 @@ import type { Site } from "../../../cycles/shape-request.ts";
 import type { InsertTexts } from "../../../i18n/en/insert.ts";
 import { ncLanguageOf } from "../../../i18n/languages.ts";
 import { ncLabels } from "../../../i18n/nc-labels.ts";
-import { withOperation } from "../../../program/edits/added-operation.ts";
+import { startLines } from "../../../nc/program.ts";
+import type { Statement } from "../../../nc/statement.ts";
+import type { HandWork } from "../../../program/edits/hand-operation.ts";
+import type { SetJob } from "../../../program/job/job.ts";
+import { withHandOperation, withOperation } from "../../../program/edits/added-operation.ts";
 import { sitesOf } from "../../../program/job/proposed-operation.ts";
 import { CycleChooser } from "../../../app/fields/chooser/CycleChooser.tsx";
 import { suggestSizes } from "../../../app/fields/blocks/suggested-sizes.ts";
@@ -23,6 +27,12 @@ import { contourAt } from "../../../app/document/region.ts";
 import { stopInserting } from "../../../app/document/inserting.ts";
 import { openingBlock } from "../../../app/fields/blocks/operation-rows.ts";
 import { cycleWords } from "../../../app/fields/blocks/words.ts";
+import { showSection } from "../../../app/place/place.ts";
+import { useGuidedBlock } from "../../../app/place/open-call.ts";
+import { useEditor } from "../../../app/document/store.ts";
+import { fieldsOf } from "../../../app/fields/blocks/block-fields.ts";
+import { HandForm } from "./HandForm.tsx";
+import { handOffer } from "./hand-offer.tsx";
 import { OperationForm, type InsertedOperation } from "./OperationForm.tsx";
 import { stateBefore, type StateBefore } from "./stock-before.ts";
 import "./operations.css";
@@ -49,6 +59,21 @@ function insertOperation({ job, title, contour, sizes }: InsertedOperation, behi
   openFirstOpenPrompt();
 }
 
+/** Writes the blocks of an operation without a turning cycle, and opens the first of them with a word to type. */
+function insertHandOperation(job: SetJob, cut: readonly Statement[], place: { behind: number | null; title: string }) {
+  showFile(null);
+  const { program } = useSession.getState().reading;
+  const next = withHandOperation(program, { ...job, output: outputInUse() }, cut, place);
+  const index = openingBlock(next, place.behind === null ? 0 : place.behind + 1);
+  const s = next.blocks[index ?? -1]?.statement;
+  const open = s?.kind === "cycle" ? s.parameters.find(({ value }) => value === null)?.q : undefined;
+  const word = open ?? (s && fieldsOf(s)[0]?.id) ?? null;
+  const { work } = useEditor.getState();
+  if (index !== null) useGuidedBlock.setState({ block: { work, line: startLines(next)[index] ?? 1, word } });
+  editProgram(next, null, index);
+  showSection("block");
+}
+
 /** Asks for site and cycle of an operation, then where it starts and its tool, and writes all of it. */
 export function InsertOperation({ behind }: { readonly behind: number | null }) {
   const words = useTextsOrNull("insert");
@@ -63,6 +88,7 @@ function Opened({ words, behind }: { readonly words: InsertTexts; readonly behin
   const program = useSession((s) => s.reading.program);
   const [cycle, setCycle] = useState<Cycle | null>(null);
   const [site, setSite] = useState<Site>("outside");
+  const [work, setWork] = useState<HandWork | null>(null);
   const [which, ask] = useState(false);
   const before = useMemo(() => (newest ? stateBefore(newest, program, behind) : NOTHING), [newest, program, behind]);
 
@@ -91,9 +117,10 @@ function Opened({ words, behind }: { readonly words: InsertTexts; readonly behin
       className="operation-dialog"
       first=".cycle-search-field"
       title={insert}
-      heading={cycle ? cycleWords(t, cycle.number) : insert}
+      heading={cycle ? cycleWords(t, cycle.number) : work ? words.hand.of[work] : insert}
       actions={
-        !cycle && (
+        !cycle &&
+        !work && (
           <button type="button" className="button" onClick={() => ask(true)}>
             {whichName}
           </button>
@@ -101,7 +128,7 @@ function Opened({ words, behind }: { readonly words: InsertTexts; readonly behin
       }
       done={stopInserting}
     >
-      {!cycle && (
+      {!cycle && !work && (
         <div className="operation-body">
           <fieldset className="operation-sites">
             <legend>{words.site}</legend>
@@ -115,9 +142,23 @@ function Opened({ words, behind }: { readonly words: InsertTexts; readonly behin
           <CycleChooser
             narrow
             among={(number) => sitesOfCycle(number).includes(site)}
+            more={handOffer(words, site, setWork)}
             ways={[{ name: choose, short: choose, go: take }]}
           />
         </div>
+      )}
+      {work && (
+        <HandForm
+          words={words}
+          work={work}
+          site={site}
+          before={before}
+          onBack={() => setWork(null)}
+          onInsert={(job, cut, title) => {
+            insertHandOperation(job, cut, { behind, title });
+            dialog.current?.close();
+          }}
+        />
       )}
       {cycle && (
         <OperationForm

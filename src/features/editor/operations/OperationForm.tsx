@@ -20,7 +20,7 @@ import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { useSession } from "../../../app/fields/blocks/session.ts";
 import { contourTableSlot } from "../../../app/fields/slots.ts";
-import { PlaceFields, arePlaceFieldsUsable } from "./PlaceFields.tsx";
+import { SpindleFields, StartFields, arePlaceFieldsUsable } from "./PlaceFields.tsx";
 import { StockPlace } from "./StockPlace.tsx";
 import { ToolChoice } from "./ToolChoice.tsx";
 import type { StateBefore } from "./stock-before.ts";
@@ -218,11 +218,10 @@ export function OperationForm({ words, cycle, site, before, onSite, onBack, onIn
             </label>
           )}
           {job && (
-            <PlaceFields
-              job={job}
-              onStart={(axis, text) => setTyped({ ...typed, [axis]: text })}
-              onSpindle={(next) => setSpindle(next)}
-            />
+            <>
+              <StartFields start={job.start} onStart={(axis, text) => setTyped({ ...typed, [axis]: text })} />
+              <SpindleFields spindle={job.spindle} onSpindle={setSpindle} />
+            </>
           )}
         </div>
         {cycle.contour === "free" && named === null && (

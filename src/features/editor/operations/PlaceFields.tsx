@@ -3,32 +3,25 @@ import type { SetJob, SpindleDraft } from "../../../program/job/job.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { AskedNumber, isUsable } from "./AskedNumber.tsx";
 
-interface Props {
-  readonly job: Pick<SetJob, "start" | "spindle">;
-  readonly onStart: (axis: "x" | "z", text: string) => void;
-  readonly onSpindle: (spindle: SpindleDraft) => void;
-}
+type Place = Pick<SetJob, "start" | "spindle">;
+
+export const isSpindleUsable = (spindle: SpindleDraft): boolean =>
+  spindle.mode === "surface"
+    ? isUsable(FIELDS.cuttingSpeed, spindle.cuttingSpeed) && isUsable(FIELDS.limit, spindle.limit)
+    : isUsable(FIELDS.speed, spindle.speed);
 
 /** Whether start point and spindle can be written. */
-export const arePlaceFieldsUsable = ({ start, spindle }: Props["job"]): boolean =>
-  isUsable(FIELDS.startX, start.x) &&
-  isUsable(FIELDS.startZ, start.z) &&
-  (spindle.mode === "surface"
-    ? isUsable(FIELDS.cuttingSpeed, spindle.cuttingSpeed) && isUsable(FIELDS.limit, spindle.limit)
-    : isUsable(FIELDS.speed, spindle.speed));
+export const arePlaceFieldsUsable = ({ start, spindle }: Place): boolean =>
+  isUsable(FIELDS.startX, start.x) && isUsable(FIELDS.startZ, start.z) && isSpindleUsable(spindle);
 
-/** Start point and spindle of an operation. */
-export function PlaceFields({ job: { start, spindle }, onStart, onSpindle }: Props) {
+interface StartProps {
+  readonly start: SetJob["start"];
+  readonly onStart: (axis: "x" | "z", text: string) => void;
+}
+
+/** Start point of an operation. */
+export function StartFields({ start, onStart }: StartProps) {
   const t = useTexts();
-  const ofSpindle = (name: "cuttingSpeed" | "limit" | "speed", unit: string) => (
-    <AskedNumber
-      name={t.setup.spindle[name]}
-      unit={unit}
-      field={FIELDS[name]}
-      text={spindle[name]}
-      onText={(text) => onSpindle({ ...spindle, [name]: text })}
-    />
-  );
   return (
     <>
       <AskedNumber
@@ -45,6 +38,29 @@ export function PlaceFields({ job: { start, spindle }, onStart, onSpindle }: Pro
         text={start.z}
         onText={(text) => onStart("z", text)}
       />
+    </>
+  );
+}
+
+interface SpindleProps {
+  readonly spindle: SpindleDraft;
+  readonly onSpindle: (spindle: SpindleDraft) => void;
+}
+
+/** Spindle of an operation. */
+export function SpindleFields({ spindle, onSpindle }: SpindleProps) {
+  const t = useTexts();
+  const ofSpindle = (name: "cuttingSpeed" | "limit" | "speed", unit: string) => (
+    <AskedNumber
+      name={t.setup.spindle[name]}
+      unit={unit}
+      field={FIELDS[name]}
+      text={spindle[name]}
+      onText={(text) => onSpindle({ ...spindle, [name]: text })}
+    />
+  );
+  return (
+    <>
       <label>
         <span>{t.operations.spindle}</span>
         <select

@@ -14,14 +14,17 @@ interface Props {
   /** The present tool, by number or name. */
   readonly taken: string | null;
   readonly onTake: (tool: number) => void;
+  /** Only these tools; absent: all of the table. */
+  readonly among?: readonly Tool[];
   /** Folds the unsuitable tools under this heading; absent: they are listed. */
   readonly folded?: (tools: number) => string;
 }
 
 /** All tools as buttons, drawn and named: suitable ones first, the others with the residual material they leave. */
-export function ToolChoice({ fits, taken, onTake, folded }: Props) {
+export function ToolChoice({ fits, taken, onTake, among, folded }: Props) {
   const t = useTexts();
-  const tools = useToolList();
+  const all = useToolList();
+  const tools = among ?? all;
   const details = useToolDetails();
   const verdict = useToolVerdict();
   const ranked = fits ? fits.map(({ tool }) => tool) : tools;

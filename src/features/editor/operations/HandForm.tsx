@@ -1,0 +1,164 @@
+import { useEffect, useMemo, useRef, useState } from "react";
+import { catalogue } from "../../../cycles/index.ts";
+import type { Site } from "../../../cycles/shape-request.ts";
+import type { InsertTexts } from "../../../i18n/en/insert.ts";
+import { length } from "../../../kernel/units.ts";
+import type { Statement } from "../../../nc/statement.ts";
+import {
+  canDo,
+  handCut,
+  isOnAxis,
+  sizesOf,
+  speedOnAxis,
+  wallOf,
+  type HandSize,
+  type HandWork,
+} from "../../../program/edits/hand-operation.ts";
+import { exampleJob, type SetJob, type SpindleDraft } from "../../../program/job/job.ts";
+import { cylinderAround } from "../../../program/job/requested-shape.ts";
+import { longestOf, surfacesOf, type StockSurface } from "../../../program/job/stock-surface.ts";
+import { anyNumber, readText, type Field } from "../../../program/values/field.ts";
+import { Icon } from "../../../app/base/Icon.tsx";
+import { Message } from "../../../app/base/Message.tsx";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
+import { useToolList } from "../../../app/document/work-tools.ts";
+import { showTools } from "../../../app/place/place.ts";
+import { AskedNumber, isUsable } from "./AskedNumber.tsx";
+import { SpindleFields, isSpindleUsable } from "./PlaceFields.tsx";
+import { StockPlace } from "./StockPlace.tsx";
+import { ToolChoice } from "./ToolChoice.tsx";
+import type { StateBefore } from "./stock-before.ts";
+
+interface Props {
+  readonly words: InsertTexts;
+  readonly work: HandWork;
+  readonly site: Site;
+  readonly before: StateBefore;
+  readonly onBack: () => void;
+  readonly onInsert: (job: SetJob, cut: readonly Statement[], title: string) => void;
+}
+
+const FIELDS: Readonly<Record<HandSize, Field>> = {
+  size: { ...anyNumber, id: "hand.size", range: [Number.MIN_VALUE, 99.999], optional: false, decimals: 3 },
+  z: { ...anyNumber, id: "hand.z", range: [-99_999.999, 99_999.999], optional: false, decimals: 3 },
+};
+const UNTYPED: Readonly<Record<HandSize, string>> = { size: "", z: "" };
+
+/** A job that only carries tool, spindle and blank. */
+const BASE = catalogue.find(({ group, contour }) => group === "longitudinal" && contour === "own");
+
+/** Asks for the sizes, spindle and tool of an operation without a turning cycle. */
+export function HandForm({ words, work, site, before, onBack, onInsert }: Props) {
+  const t = useTexts().operations;
+  const form = useRef<HTMLFormElement>(null);
+  const [title, setTitle] = useState(() => words.hand.of[work].toUpperCase());
+  const [picked, pick] = useState<StockSurface | null>(null);
+  const [typed, type] = useState(UNTYPED);
+  const [spindle, setSpindle] = useState<SpindleDraft | null>(null);
+  const [taken, take] = useState<number | null>(null);
+  const { stock, operations } = before;
+  const surfaces = useMemo(
+    () => surfacesOf(stock, isOnAxis(work) ? "face" : work === "chamfer" && site === "inside" ? "inside" : "outside"),
+    [stock, work, site],
+  );
+  const surface = picked ?? (work === "chamfer" ? (surfaces[0] ?? null) : longestOf(surfaces));
+  const needed = { isInside: surface?.site === "inside", depth: surface ? wallOf(stock, surface) : 0 };
+  const tools = useToolList().filter((tool) => canDo(work, tool, needed));
+  const tool = tools.find(({ T }) => T === taken) ?? tools[0];
+  const asked = sizesOf(work);
+  const last = operations.findLast(({ spindle: of }) => of?.kind === "surface")?.spindle;
+  const base = BASE && exampleJob(BASE);
+  const usual: SpindleDraft | undefined =
+    base &&
+    (isOnAxis(work)
+      ? { ...base.spindle, mode: "constant", speed: tool ? String(speedOnAxis(work, tool)) : base.spindle.speed }
+      : last?.kind === "surface"
+        ? { ...base.spindle, cuttingSpeed: String(last.cuttingSpeed), limit: String(last.limit) }
+        : base.spindle);
+  const turns = spindle ?? usual;
+  const usable =
+    tool !== undefined &&
+    turns !== undefined &&
+    isSpindleUsable(turns) &&
+    asked.every((s) => isUsable(FIELDS[s], typed[s]));
+
+  const insert = () => {
+    if (!usable || !base || !surface) return;
+    const value = (s: HandSize) => length(readText(FIELDS[s], typed[s]).value ?? 0);
+    const { start, cut } = handCut(work, { stock, surface, tool, sizes: { size: value("size"), z: value("z") } });
+    onInsert({ ...base, tool: tool.T, spindle: turns, start, blank: cylinderAround(stock) }, cut, title);
+  };
+  useEffect(
+    () =>
+      (
+        form.current?.querySelector<HTMLElement>("[aria-invalid=true]") ??
+        form.current?.querySelector<HTMLElement>("input, button")
+      )?.focus(),
+    [],
+  );
+  return (
+    <form
+      className="operation-form"
+      ref={form}
+      onSubmit={(event) => {
+        event.preventDefault();
+        insert();
+      }}
+    >
+      <div className="operation-body">
+        <div className="operation-ask">
+          <label className="wide">
+            <span>{t.title}</span>
+            <input
+              className="input"
+              type="text"
+              maxLength={60}
+              autoComplete="off"
+              value={title}
+              onFocus={(event) => event.currentTarget.select()}
+              onChange={(event) => setTitle(event.currentTarget.value)}
+            />
+          </label>
+          {stock.length === 0 || !surface ? (
+            <Message tone="warning" className="wide">
+              {stock.length === 0 ? words.noStock : words.none[site]}
+            </Message>
+          ) : (
+            !isOnAxis(work) && (
+              <StockPlace words={words} stock={stock} surfaces={surfaces} chosen={surface} onChoose={pick} />
+            )
+          )}
+          {asked.map((size) => (
+            <AskedNumber
+              key={size}
+              name={words.hand.sizes[size]}
+              unit="mm"
+              field={FIELDS[size]}
+              text={typed[size]}
+              onText={(text) => type({ ...typed, [size]: text })}
+            />
+          ))}
+          {turns && <SpindleFields spindle={turns} onSpindle={setSpindle} />}
+        </div>
+        {tools.length > 0 ? (
+          <ToolChoice fits={null} among={tools} taken={tool ? String(tool.T) : null} onTake={take} />
+        ) : (
+          <>
+            <Message tone="warning">{words.hand.noTool}</Message>
+            <button type="button" className="button" onClick={() => showTools()}>
+              {words.hand.tools}
+            </button>
+          </>
+        )}
+      </div>
+      <footer className="operation-foot">
+        <button type="button" className="button" onClick={onBack}>
+          <Icon name="back" /> {t.back}
+        </button>
+        <button type="submit" className="button primary" disabled={!usable || !surface}>
+          {t.put}
+        </button>
+      </footer>
+    </form>
+  );
+}

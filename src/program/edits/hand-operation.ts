@@ -1,0 +1,177 @@
+import { isDrill } from "../../kernel/cutter/drill.ts";
+import { cuttingWidth, noseRadius, tipDirection } from "../../kernel/cutter/insert.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
+import { radius, rounded, toDiameter } from "../../kernel/units.ts";
+import type { Statement } from "../../nc/statement.ts";
+import { noWords, type AxisWord, type CycleParameter, type Words } from "../../nc/words.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
+import { frontOf, startOnSurface, type StockSurface } from "../job/stock-surface.ts";
+import { positionAsTyped } from "../values/typed-value.ts";
+
+/** Operations without a turning cycle: by path blocks, or with a drilling cycle on the axis. */
+export const HAND_WORKS = ["chamfer", "partOff", "partOffChamfered", "drill", "tap"] as const;
+export type HandWork = (typeof HAND_WORKS)[number];
+
+/** Sizes that only the drawing knows: of a chamfer, and the Z of the rear face. */
+export type HandSize = "size" | "z";
+
+export const sizesOf = (work: HandWork): readonly HandSize[] => {
+  if (work === "chamfer") return ["size"];
+  if (work === "partOff") return ["z"];
+  return work === "partOffChamfered" ? ["z", "size"] : [];
+};
+
+export const isOnAxis = (work: HandWork): work is "drill" | "tap" => work === "drill" || work === "tap";
+
+/** Radial depth of a cut through the stock, from its surface to the axis or through the wall of its bore, mm. */
+export const wallOf = (stock: readonly Ring[], { from }: StockSurface): number =>
+  from.r - Math.min(...stock.flat().map(({ r }) => r));
+
+/** Whether a tool can do it, on this side and to this depth. */
+export function canDo(work: HandWork, tool: Tool, { isInside, depth }: { isInside: boolean; depth: number }): boolean {
+  const { u, v } = tipDirection(tool.TO);
+  switch (work) {
+    case "drill":
+      return isDrill(tool) && tool.TYPE !== "TAP";
+    case "tap":
+      return tool.TYPE === "TAP";
+    case "chamfer":
+      return (tool.TYPE === "ROUGH" || tool.TYPE === "FINISH") && u < 0 && (isInside ? v > 0 : v < 0);
+    default:
+      return (tool.TYPE === "RECESS" || tool.TYPE === "RECTURN") && v < 0 && (tool.CUTLENGTH ?? Infinity) >= depth;
+  }
+}
+
+/** Lead-in and lead-out beyond an edge, clearance beside a surface, and overlap into a bore, mm. */
+const LEAD = 1;
+const CLEARANCE = 2;
+const OVER_BORE = 1;
+/** Feeds, mm/rev. */
+const FEED = { chamfer: 0.12, partOff: 0.06, drill: 0.12 };
+/** A nose radius lies off the theoretical corner: a 45° path moves by this share of the radius along either axis. */
+const NOSE = 2 - Math.SQRT2;
+
+interface HandContext {
+  readonly stock: readonly Ring[];
+  readonly surface: StockSurface;
+  readonly tool: Tool;
+  readonly sizes: Readonly<Record<HandSize, number>>;
+}
+
+/** Start point and path blocks of an operation. */
+export interface HandCut {
+  readonly start: { readonly x: string; readonly z: string };
+  readonly cut: readonly Statement[];
+}
+
+function line(x: number | null, z: number | null, feed: number | "max"): Statement {
+  const word = (axis: "X" | "Z", value: number | null): AxisWord[] =>
+    value === null ? [] : [{ axis, value: rounded(value), incremental: false }];
+  const words: Partial<Words> = {
+    axes: [...word("X", x), ...word("Z", z)],
+    feed: feed === "max" ? "max" : { value: feed, unit: "F" },
+  };
+  return { kind: "path", path: "L", words: { ...noWords, ...words } };
+}
+
+const startAt = (x: number, z: number) => ({ x: positionAsTyped(rounded(x)), z: positionAsTyped(rounded(z)) });
+const acrossOf = (r: number) => toDiameter(radius(r));
+
+/** A chamfer of 45° at the front edge of a cylinder or a bore. */
+function chamfer({ stock, surface, tool, sizes }: HandContext): HandCut {
+  const out = surface.site === "inside" ? -1 : 1;
+  const [d, front] = [acrossOf(surface.from.r), startOnSurface(surface, stock)];
+  const leg = sizes.size + NOSE * noseRadius(tool);
+  const begin = d - 2 * out * (leg + LEAD);
+  return {
+    start: startAt(begin, Math.max(front, frontOf(stock)) + CLEARANCE),
+    cut: [
+      line(null, front + LEAD, "max"),
+      line(d + 2 * out * LEAD, front - leg - LEAD, FEED.chamfer),
+      line(null, Math.max(front, frontOf(stock)) + CLEARANCE, "max"),
+    ],
+  };
+}
+
+/** Cuts the part off behind its rear face; a chamfer at its rear edge is cut before the part comes loose. */
+function partOff({ stock, surface, tool, sizes }: HandContext, isChamfered: boolean): HandCut {
+  const d = acrossOf(surface.from.r);
+  const clear = d + 2 * CLEARANCE;
+  // The right-hand corner of the insert makes the rear face.
+  const half = cuttingWidth(tool) / 2;
+  const z = sizes.z - half + tipDirection(tool.TO).u * half;
+  const low = Math.min(...stock.flat().map(({ r }) => r));
+  const end = low > 0 ? Math.max(0, acrossOf(low) - 2 * OVER_BORE) : 0;
+  const leg = sizes.size + NOSE * noseRadius(tool);
+  const edge: readonly Statement[] = isChamfered
+    ? [
+        line(d - 2 * (leg + LEAD), null, FEED.partOff),
+        line(clear, null, "max"),
+        line(null, z + leg + CLEARANCE, "max"),
+        line(d - 2 * leg, z, FEED.partOff),
+      ]
+    : [];
+  return { start: startAt(clear, z), cut: [...edge, line(end, null, FEED.partOff), line(clear, null, "max")] };
+}
+
+/** A parameter of a drilling cycle as the control labels it; an open one has no value. */
+const parameter = (q: string, value: number | null, label: string): CycleParameter => ({ q, value, label });
+
+/** A drilling cycle on the axis; depth and pitch stay open where the tool does not know them. */
+function onAxis(work: "drill" | "tap", { stock, tool }: HandContext): HandCut {
+  const front = frontOf(stock);
+  const surface = parameter("Q203", Math.min(0, front), "SURFACE COORDINATE");
+  const [first, second] = [
+    parameter("Q200", CLEARANCE, "SET-UP CLEARANCE"),
+    parameter("Q204", 50, "2ND SET-UP CLEARANCE"),
+  ];
+  const depth = (label: string) => parameter("Q201", null, label);
+  const cycle: Statement =
+    work === "tap"
+      ? {
+          kind: "cycle",
+          cycle: 207,
+          name: "RIGID TAPPING NEW",
+          parameters: [
+            first,
+            depth("DEPTH OF THREAD"),
+            parameter("Q239", tool.PITCH ?? null, "THREAD PITCH"),
+            surface,
+            second,
+          ],
+        }
+      : {
+          kind: "cycle",
+          cycle: 200,
+          name: "DRILLING",
+          parameters: [
+            first,
+            depth("DEPTH"),
+            parameter("Q206", FEED.drill, "FEED RATE FOR PLNGNG"),
+            parameter("Q202", 5, "PLUNGING DEPTH"),
+            parameter("Q210", 0, "DWELL TIME AT TOP"),
+            surface,
+            second,
+            parameter("Q211", 0, "DWELL TIME AT DEPTH"),
+          ],
+        };
+  return {
+    start: startAt(0, front + CLEARANCE),
+    cut: [cycle, { kind: "cycleCall", how: "", words: noWords }],
+  };
+}
+
+/** The path of an operation without a turning cycle. */
+export function handCut(work: HandWork, context: HandContext): HandCut {
+  if (work === "drill" || work === "tap") return onAxis(work, context);
+  return work === "chamfer" ? chamfer(context) : partOff(context, work === "partOffChamfered");
+}
+
+/** Cutting speeds of drills and taps, m/min. */
+const ON_AXIS = { drill: 60, tap: 12 };
+
+/** Speed of a tool on the axis, rpm: it cuts at its own diameter. */
+export function speedOnAxis(work: "drill" | "tap", tool: Tool): number {
+  const across = Math.max(1, toDiameter(radius(noseRadius(tool))));
+  return Math.max(10, Math.round((100 * ON_AXIS[work]) / (Math.PI * across)) * 10);
+}
