@@ -2,12 +2,11 @@ import { Suspense, useEffect, useId, useMemo, useState } from "react";
 import type { PartialWork } from "../../../program/job/partial-work.ts";
 import { NO_TIMING } from "../../../program/run/run-times.ts";
 import type { Run } from "../../../program/state/run-types.ts";
-import type { Pt, Ring } from "../../../kernel/geometry/point.ts";
-import { axial, diameter, radius, toRadius } from "../../../kernel/units.ts";
+import type { Ring } from "../../../kernel/geometry/point.ts";
 import { toPlace, type Place } from "../../../view/camera.ts";
 import { datumAt, datumIndex } from "../../../view/datum.ts";
 import { trackOf } from "../../../view/playback.ts";
-import { sceneOf, type SceneParts } from "../../../view/scene.ts";
+import { sceneOf } from "../../../view/scene.ts";
 import type { Clock } from "../../base/clock.ts";
 import { DeferredUntilPaint } from "../../base/typing.ts";
 import { CountedIn, useLengths } from "../../calculation/lengths.ts";
@@ -18,8 +17,7 @@ import { useMeasuring } from "../measure/measuring.ts";
 import { useLatheSource } from "../measure/source.ts";
 import { lazyPart } from "../../base/parts.ts";
 import { whichSlot } from "../../document/which-slot.ts";
-import type { WhichRegion } from "../../place/place.ts";
-import { KEEPS_KEYBOARD } from "../../place/place.ts";
+import { KEEPS_KEYBOARD, type WhichRegion } from "../../place/place.ts";
 import { reducedMotion } from "../../base/settings/appearance.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
@@ -45,6 +43,7 @@ import { StepList } from "./StepList.tsx";
 import { useTaskMarks } from "./task-marks.ts";
 import { Timeline } from "./Timeline.tsx";
 import { combineViews, useFindingFocus } from "./use-finding-focus.ts";
+import { knownParts, partsOf } from "./scene-parts.ts";
 import { stretchesOf, useShownPath } from "./use-paths.ts";
 import { usePicking } from "./use-picking.ts";
 import { usePlayback } from "./use-playback.ts";
@@ -88,23 +87,6 @@ const EMPTY_RUN: Run = {
   timing: NO_TIMING,
 };
 
-const partsOf = (run: Run): SceneParts => ({
-  blank: run.blank,
-  clamping: run.clamping,
-  contours: run.operations.map((o) => o.plan.contour),
-  steps: run.steps,
-});
-
-/** Scene parts known without a run: blank, contour as far as typed, and the start of the tool. */
-function knownParts({ blank, start, tool, outline, points }: PartialWork, run: Run): Partial<SceneParts> {
-  const { contour, sketch, positions } = outline;
-  const alone = positions.map(({ axis, value }): Pt =>
-    axis === "x" ? { z: axial(0), r: toRadius(diameter(value)) } : { z: axial(value), r: radius(0) },
-  );
-  const framedPoints = [...points, ...alone];
-  const parkedTool = start && run.steps.length === 0 ? { at: start, tool } : null;
-  return { contours: [contour], sketch, framedPoints, parkedTool, ...(run.blank.length === 0 && { blank }) };
-}
 /** A move was clicked. `byKey`: chosen by keyboard, so its dialog gets the focus. */
 export type MovePointed = (step: number, byKey?: boolean) => void;
 
