@@ -24,8 +24,7 @@ test("a bushing from the empty page, by keyboard alone", async ({ page }) => {
     ["bore", "38"],
     ["length", "61"],
   ] as const) {
-    await keyboard.press("Tab");
-    await expect(page.getByRole("textbox", { name: t.setup.blank[field] })).toBeFocused();
+    await tabTo(page, page.getByRole("textbox", { name: t.setup.blank[field] }));
     await keyboard.type(size);
     insertion.entries += 1;
   }

@@ -22,7 +22,7 @@ test("arrow keys move through the rows of a group and from its buttons to the ne
   const { start } = await Turnwise.open(page);
   await start.search.focus();
   await page.keyboard.press("ArrowDown");
-  await expect(page.locator("[aria-expanded]").first()).toBeFocused();
+  await expect(page.locator(".cycle-group-head").first()).toBeFocused();
   await page.keyboard.press("ArrowDown");
   await expect(page.locator(".cycle-take").first()).toBeFocused();
   await page.keyboard.press("ArrowRight");

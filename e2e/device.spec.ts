@@ -127,7 +127,7 @@ test("a backup restores on another device and overwrites nothing there", async (
   // A backup also opens like a program file; a truncated one says so.
   await elsewhere.page.getByRole("link", { name: elsewhere.t.page.home }).click();
   const cut = { ...file, buffer: file.buffer.subarray(0, file.buffer.length - 30) };
-  await elsewhere.page.locator(".program-ways input[type=file]:not([webkitdirectory])").setInputFiles(cut);
+  await elsewhere.page.locator("input[type=file]:not([webkitdirectory])").setInputFiles(cut);
   await expect(dialog.getByText(t.restore.problems.damaged(file.name))).toBeVisible();
   await other.close();
 });
@@ -157,7 +157,7 @@ test("a full disk and refused storage are reported, editing continues, and unsav
 
   const other = await browser.newContext();
   const elsewhere = await Turnwise.open(await other.newPage());
-  await elsewhere.page.locator(".program-ways input[type=file]:not([webkitdirectory])").setInputFiles(file);
+  await elsewhere.page.locator("input[type=file]:not([webkitdirectory])").setInputFiles(file);
   await button(elsewhere.page, t.restore.take).click();
   await button(elsewhere.page, t.restore.showAll).click();
   await elsewhere.page.getByRole("button", { name: /^Open .*812/ }).click();

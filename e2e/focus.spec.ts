@@ -13,28 +13,45 @@ async function press(target: Locator, key = "Enter"): Promise<void> {
 
 /** The focus is on an element, not on the page, also after a component has placed it. */
 async function expectFocus(page: Page): Promise<void> {
-  await page.waitForTimeout(150);
+  await page.evaluate(() => new Promise((resolve) => requestIdleCallback(resolve, { timeout: 500 })));
   await expect
     .poll(() => page.evaluate(() => document.activeElement !== document.body && document.activeElement !== null))
     .toBe(true);
 }
 
 test("no dialog of the workplace loses the keyboard", async ({ page }) => {
-  const turnwise = await Turnwise.open(page);
-  await turnwise.start.beginWithExample(812);
-  await turnwise.effect.proved();
-  const openers = page.locator("button[aria-haspopup=dialog]:visible");
+  const { start, effect, menus } = await Turnwise.open(page);
+  await start.beginWithExample(812);
+  await effect.proved();
   const shown = page.getByRole("dialog").or(page.getByRole("alertdialog"));
-  const count = await openers.count();
-  expect(count).toBeGreaterThan(3);
-  for (let i = 0; i < count; i += 1) {
-    const opener = openers.nth(i);
-    await press(opener);
+  /** The opened dialog has the focus, and gives it back to its opener when it is closed. */
+  const expectReturnTo = async (opener: Locator) => {
     await expect(shown.locator(":focus").first()).toBeVisible();
     await page.keyboard.press("Escape");
     await expect(shown).toHaveCount(0);
     await expect(opener).toBeFocused();
+  };
+  const openers = page.locator("button[aria-haspopup=dialog]:visible");
+  for (let i = 0; i < (await openers.count()); i += 1) {
+    await press(openers.nth(i));
+    await expectReturnTo(openers.nth(i));
   }
+  const items = page.getByRole("menu").locator("[aria-haspopup=dialog]");
+  let opened = 0;
+  for (const menu of ["export", "program"] as const) {
+    const button = menus.button(menu);
+    await press(button);
+    const count = await items.count();
+    await page.keyboard.press("Escape");
+    await expect(button).toBeFocused();
+    for (let i = 0; i < count; i += 1) {
+      await press(button);
+      await press(items.nth(i));
+      await expectReturnTo(button);
+      opened += 1;
+    }
+  }
+  expect(opened).toBeGreaterThan(5);
 });
 
 test("what is added, drawn or undone has the keyboard", async ({ page }) => {
@@ -48,8 +65,7 @@ test("what is added, drawn or undone has the keyboard", async ({ page }) => {
   await expect(contour.add).toBeFocused();
   await page.keyboard.press("Enter");
   await expect(contour.x(1)).toBeFocused();
-  const undo = page.getByRole("button", { name: t.page.undo, exact: true });
-  for (let i = 0; i < 3; i += 1) await press(undo);
+  for (let i = 0; i < 3; i += 1) await press(turnwise.historyButton("undo"));
 
   await page.goto("./#/");
   await turnwise.start.beginWithExample(812);

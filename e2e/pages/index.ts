@@ -8,6 +8,7 @@ export { Effect } from "./effect.ts";
 export { Findings } from "./findings.ts";
 export { Sharing } from "./sharing.ts";
 export { Lathe } from "./lathe.ts";
+export { Menus } from "./menus.ts";
 export { OwnCycles } from "./own-cycles.ts";
 export { ProgramEditor } from "./program-editor.ts";
 export { ProgramText } from "./program-text.ts";

@@ -1,4 +1,5 @@
 import { Suspense, useEffect, useMemo, useRef, useState } from "react";
+import { useActions } from "../../app/base/actions.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { lazyPart } from "../../app/base/parts.ts";
 import { Message } from "../../app/base/Message.tsx";
@@ -77,6 +78,9 @@ export function TextPanel({ bar, toBlock }: Props) {
     if (await allowed("download")) downloadBytes(encode(text, "utf-8"), `${name.replace(/\.[^.]*$/, "")}.i`);
   };
 
+  const copy = () => void copyProgram(running(), sessionText() ?? "");
+  useActions([{ id: "do.copy", name: t.page.text.copyLong, run: copy }]);
+
   return (
     <section className={`program text-panel${leavesOut ? " leaves-out" : ""}`} aria-label={t.page.text.title}>
       <WorkFiles />
@@ -112,9 +116,7 @@ export function TextPanel({ bar, toBlock }: Props) {
             type="button"
             className="button"
             aria-label={`${t.page.text.copyLong}: ${t.page.text.files[kind]}`}
-            onClick={() => {
-              void copyProgram(running(), sessionText() ?? "");
-            }}
+            onClick={copy}
           >
             <Icon name={faults > 0 ? "warning" : copied ? "check" : "copy"} />{" "}
             {copied ? t.page.text.copied : t.page.text.copy}

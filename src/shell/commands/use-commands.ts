@@ -8,7 +8,9 @@ import {
   useSettings,
 } from "../../app/base/settings/settings.ts";
 import { useTexts, useTextsOrNull } from "../../app/base/settings/use-texts.ts";
+import { useDocumentInView } from "../../app/document/history.ts";
 import { useEditor } from "../../app/document/store.ts";
+import { useStepName } from "../../app/document/use-step-words.ts";
 import { offeredCycles } from "../../app/fields/chooser/menu.ts";
 import { noteRecent } from "../../app/fields/chooser/recent.ts";
 import { openSaved } from "../../app/fields/kept/SavedPrograms.tsx";
@@ -80,11 +82,14 @@ export function useCommands(): readonly Command[] {
   const isProgram = useEditor((s) => s.program !== null) && shownPage(usePlace.getState()).page === "work";
   const settings = useSettings();
   const views = useViewSettings();
+  const document = useDocumentInView();
+  const undo = useStepName(document, "past", page.undo);
+  const redo = useStepName(document, "future", page.redo);
   return useMemo(() => {
     const texts: Readonly<Record<string, Readonly<Record<string, string>>>> = does;
     const nameOf = ({ id, name }: Action) => {
       const [place = "", key = ""] = id.split(".");
-      return name ?? texts[place]?.[key] ?? id;
+      return (id === "everywhere.undo" ? undo : id === "everywhere.redo" ? redo : name) ?? texts[place]?.[key] ?? id;
     };
     const place = (name: string, address: Address, words: readonly string[] = []): Command => ({
       id: `page ${printAddress(address)}`,
@@ -145,5 +150,5 @@ export function useCommands(): readonly Command[] {
       })),
       ...settingCommands([...settingChoices(page, settings), ...views]),
     ];
-  }, [t, page, menu, does, lessons, works, open, isProgram, settings, views]);
+  }, [t, page, menu, does, lessons, works, open, isProgram, settings, views, undo, redo]);
 }

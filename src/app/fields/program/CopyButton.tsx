@@ -1,5 +1,6 @@
 import { useVerdict } from "../../findings/use-findings.ts";
 import { copyJob } from "../leaving/copy-program.ts";
+import { useActions } from "../../base/actions.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { useEditor } from "../../document/store.ts";
@@ -14,6 +15,7 @@ export function CopyButton({ main = false, long = false }: { readonly main?: boo
   const done = useCopying((c) => c.state === "copied" && c.verdict !== null);
   const wrong = faults > 0 || open > 0;
   const kind = useFileKind();
+  useActions(job ? [{ id: "do.copy", name: t.copyLong, run: () => void copyJob(job) }] : []);
   if (!job) return null;
   return (
     <button

@@ -94,6 +94,7 @@ export function ProgramMenus({
     ...(ofProgram ? [{ id: "do.clamping", name: t.clamping, run: clamp } as const] : []),
     { id: "do.compare", name: t.compare, run: compare },
     { id: "do.output", name: t.output, run: setOutput },
+    ...[...files, ...changes].map(({ name, go }, i) => ({ id: `do.file ${i}`, name, run: go }) as const),
   ]);
   return (
     <div className="program-more">

@@ -1,6 +1,7 @@
 import { Toolbar } from "react-aria-components/Toolbar";
 import { formatNumber } from "../../../i18n/number.ts";
 import { RATES } from "../../../view/playback.ts";
+import { useActions } from "../../base/actions.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { GlyphButton } from "./GlyphButton.tsx";
@@ -22,6 +23,8 @@ export function PlaybackBar({
   const empty = usePlayback(playback, (s) => s.get().track.ends.length === 0);
   const first = usePlayback(playback, (s) => s.get().position.step === 0 && s.get().position.fraction === 0);
   const last = usePlayback(playback, (s) => s.get().position.step >= s.get().track.ends.length);
+  const toggle = () => playback.dispatch({ do: "toggle" });
+  useActions(empty ? [] : [{ id: "do.play", name: playing ? t.pause : t.play, run: toggle }]);
   return (
     <Toolbar className="lathe-playbar" aria-label={t.playback}>
       <GlyphButton
@@ -40,7 +43,7 @@ export function PlaybackBar({
         glyph={playing ? "pause" : "play"}
         name={playing ? t.pause : t.play}
         disabled={empty}
-        onPress={() => playback.dispatch({ do: "toggle" })}
+        onPress={toggle}
       />
       <GlyphButton
         glyph="forward"

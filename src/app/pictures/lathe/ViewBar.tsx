@@ -1,4 +1,5 @@
 import { Toolbar } from "react-aria-components/Toolbar";
+import { useActions } from "../../base/actions.ts";
 import {
   changeSettings,
   SECTION_VIEWS,
@@ -77,6 +78,13 @@ export function ViewBar({
   const paths = useSettings((s) => s.paths),
     colours = useSettings((s) => s.colours),
     solid = useSettings((s) => s.solid);
+  const turnX = () => changeSettings({ xDown: !down });
+  useActions([
+    { id: "do.fit", name: t.fit, run: viewport.fit },
+    { id: "do.turnX", name: t.xDown, run: turnX },
+    { id: "do.ruler", name: t.ruler, run: measuring.toggle },
+    ...(onWhich ? [{ id: "do.which", name: t.which, run: onWhich } as const] : []),
+  ]);
   return (
     <Toolbar className="lathe-viewbar" aria-label={t.viewTools}>
       <div className="lathe-choices">
@@ -108,13 +116,7 @@ export function ViewBar({
           onChoose={(value) => changeSettings({ colours: value })}
         />
       </div>
-      <GlyphButton
-        glyph={down ? "xDown" : "xUp"}
-        name={t.xDown}
-        text={t.xDown}
-        pressed={down}
-        onPress={() => changeSettings({ xDown: !down })}
-      />
+      <GlyphButton glyph={down ? "xDown" : "xUp"} name={t.xDown} text={t.xDown} pressed={down} onPress={turnX} />
       <GlyphButton
         glyph="ruler"
         name={t.ruler}

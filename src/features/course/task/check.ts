@@ -1,6 +1,9 @@
 import { judge } from "../../../course/judge/judge.ts";
 import type { Answer } from "../../../course/judge/judgement.ts";
+import { wrongSideOf } from "../../../course/judge/wrong-side.ts";
 import type { Task } from "../../../course/task.ts";
+import type { RunFinding } from "../../../program/state/run-types.ts";
+import { SLIP_CODES } from "../../../program/values/dimension-slips.ts";
 import { comparePredictedAnswers, type ComparedAnswer } from "../../../course/predicted-answers.ts";
 import { asProgram } from "../../../app/fields/compare/sides.ts";
 import { restartComparison } from "../../../app/findings/effect/compared.ts";
@@ -64,11 +67,18 @@ export function clearResolvedNotReady(): void {
   if (!isSame) useTaskView.setState({ notReady: null });
 }
 
-/** Whether an answer can be judged: something cuts, or a cycle call is refused for a reason that the marks give. */
-const isJudged = ({ run }: Answer): boolean =>
+/** Whether an issue says which dimension is wrong. */
+const isSlip = ({ issue }: RunFinding): boolean =>
+  issue.severity === "error" && (SLIP_CODES.has(issue.code) || wrongSideOf(issue) !== null);
+
+/**
+ * Whether an answer can be judged: something cuts, or a cycle call is refused for a dimension that is not as the task
+ * began.
+ */
+const isJudged = ({ run, text }: Answer, task: Task): boolean =>
   run.steps.some(({ move }) => move.kind !== "rapid") ||
   run.plane.length > 0 ||
-  run.issues.some(({ issue, operation }) => operation !== null && issue.severity === "error");
+  (run.issues.some(isSlip) && text !== asProgram(workOfTask(task)).text);
 
 const areRight = (answers: readonly ComparedAnswer[] | null, task: Task): boolean =>
   (task.predict ?? []).every((_, i) => answers?.[i]?.right === true);
@@ -87,7 +97,7 @@ export async function checkTask(task: Task): Promise<void> {
   const answer = await awaitOutcome();
   await afterPaint();
   if (useTaskView.getState().work !== work) return;
-  if (!answer || !isJudged(answer))
+  if (!answer || !isJudged(answer, task))
     return useTaskView.setState({ checking: false, notReady: { why: answer ? "noRun" : "notRun" } });
   const judgement = judge(task, answer);
   const passed = judgement.passed && areRight(useTaskView.getState().comparedAnswers, task);
