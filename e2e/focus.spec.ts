@@ -85,16 +85,16 @@ test("what is added, drawn or undone has the keyboard", async ({ page }) => {
 });
 
 test("an exercise keeps the keyboard from the prediction to the check", async ({ page }) => {
-  const { task, course } = await Turnwise.open(page);
+  const { task, course, dialog } = await Turnwise.open(page);
   const titleOf = (id: string): string =>
     JSON.parse(readFileSync(new URL(`../src/course/tasks/${id}.json`, import.meta.url), "utf8")).words.en.title;
   const begin = async (id: string) => {
     await page.goto("./#/course/first-shoulder/tasks");
     await press(course.task(titleOf(id)));
     await expect(task.assignment).toBeVisible();
-    await press(task.fold);
   };
   await begin("l03-how-many-passes");
+  await press(task.fold);
   await task.field("answer").fill("19");
   await page.keyboard.press("Enter");
   await task.field("answer").fill("2.1");
@@ -105,6 +105,8 @@ test("an exercise keeps the keyboard from the prediction to the check", async ({
   await expect(task.run.or(task.nextQuestion)).toBeVisible();
   await expectFocus(page);
   await begin("l03-first-shoulder");
+  await expect(dialog.value).toBeFocused();
+  await press(task.fold);
   await press(task.check);
   await expect(task.check).toBeFocused();
 });

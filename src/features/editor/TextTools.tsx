@@ -25,8 +25,8 @@ export function TextTools({ bar }: { readonly bar: TextBar }) {
   const reading = useSession((s) => s.reading);
   const { mode, opened } = bar;
   useActions([{ id: "do.renumber", name: t.renumber, run: renumber }]);
-  const tool = (icon: IconName, name: string, act: () => void) => (
-    <button type="button" className="button icon plain" aria-label={name} title={name} onClick={act}>
+  const tool = (icon: IconName, name: string, act: () => void, keys = "") => (
+    <button type="button" className="button icon plain" aria-label={name} title={`${name}${keys}`} onClick={act}>
       <Icon name={icon} />
     </button>
   );
@@ -49,7 +49,7 @@ export function TextTools({ bar }: { readonly bar: TextBar }) {
         >
           <Icon name="goTo" /> {t.goTo}
         </button>
-        {tool("foldLines", `${t.fold} (${t.shift}+F9)`, foldAll)}
+        {tool("foldLines", t.fold, foldAll, ` (${t.shift}+F9)`)}
         {tool("numbers", t.renumber, renumber)}
       </div>
       {mode === "goTo" && <GoToBar bar={bar} program={reading.program} go={goToPlace} leave={editorText.focus} />}

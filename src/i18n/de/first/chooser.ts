@@ -17,7 +17,7 @@ export const chooser = {
   count: (n) => (n === 1 ? "1 Zyklus" : `${n} Zyklen`),
   evidence: (cycles) =>
     `Die Parameterlisten von ${cycles} sind am Handbuch geprüft. Die der anderen Zyklen an der eigenen Steuerung prüfen.`,
-  evidenceLink: "Hilfe",
+  evidenceLink: "Parameterlisten in der Hilfe",
   empty: "Ohne Werte",
   insert: "Einfügen",
   back: "Alle Sätze",

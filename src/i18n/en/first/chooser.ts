@@ -20,7 +20,7 @@ export const chooser = {
   /** Which parameter lists are printed in a manual. */
   evidence: (cycles: string) =>
     `The parameter lists of ${cycles} are checked against the manual. Check those of all other cycles on your control.`,
-  evidenceLink: "Guide",
+  evidenceLink: "Parameter lists in the guide",
   empty: "Blank",
   insert: "Insert",
   back: "All blocks",

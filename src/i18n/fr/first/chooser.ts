@@ -16,7 +16,7 @@ export const chooser = {
   count: (n) => (n === 1 ? "1 cycle" : `${n} cycles`),
   evidence: (cycles) =>
     `Les listes de paramètres de ${cycles} sont vérifiées d’après le manuel. Vérifiez celles des autres cycles sur votre commande.`,
-  evidenceLink: "Aide",
+  evidenceLink: "Listes de paramètres dans l’aide",
   empty: "Sans valeurs",
   insert: "Insérer",
   back: "Toutes les séquences",

@@ -14,7 +14,7 @@ export const chooser = {
   recentOne: (cycle) => `最近使用：${cycle}`,
   count: (n) => `${n} 个循环`,
   evidence: (cycles) => `${cycles} 的参数表已与手册核对。其他循环的参数表请在机床的数控系统上核对。`,
-  evidenceLink: "帮助",
+  evidenceLink: "帮助中的参数表",
   empty: "无数值",
   insert: "插入",
   back: "全部程序段",
