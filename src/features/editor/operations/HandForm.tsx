@@ -26,6 +26,7 @@ import { showTools } from "../../../app/place/place.ts";
 import { AskedNumber, isUsable } from "./AskedNumber.tsx";
 import { SpindleFields, isSpindleUsable } from "./PlaceFields.tsx";
 import { StockPlace } from "./StockPlace.tsx";
+import { TitleField } from "./TitleField.tsx";
 import { ToolChoice } from "./ToolChoice.tsx";
 import type { StateBefore } from "./stock-before.ts";
 
@@ -107,18 +108,7 @@ export function HandForm({ words, work, site, before, onBack, onInsert }: Props)
     >
       <div className="operation-body">
         <div className="operation-ask">
-          <label className="wide">
-            <span>{t.title}</span>
-            <input
-              className="input"
-              type="text"
-              maxLength={60}
-              autoComplete="off"
-              value={title}
-              onFocus={(event) => event.currentTarget.select()}
-              onChange={(event) => setTitle(event.currentTarget.value)}
-            />
-          </label>
+          <TitleField title={title} onTitle={setTitle} />
           {stock.length === 0 || !surface ? (
             <Message tone="warning" className="wide">
               {stock.length === 0 ? words.noStock : words.none[site]}

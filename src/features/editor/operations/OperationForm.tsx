@@ -22,6 +22,7 @@ import { useSession } from "../../../app/fields/blocks/session.ts";
 import { contourTableSlot } from "../../../app/fields/slots.ts";
 import { SpindleFields, StartFields, arePlaceFieldsUsable } from "./PlaceFields.tsx";
 import { StockPlace } from "./StockPlace.tsx";
+import { TitleField } from "./TitleField.tsx";
 import { ToolChoice } from "./ToolChoice.tsx";
 import type { StateBefore } from "./stock-before.ts";
 import { UNKNOWN_STOCK } from "./unknown-stock.ts";
@@ -146,19 +147,7 @@ export function OperationForm({ words, cycle, site, before, onSite, onBack, onIn
     >
       <div className="operation-body">
         <div className="operation-ask">
-          <label className="wide">
-            <span>{t.title}</span>
-            <input
-              className="input"
-              type="text"
-              maxLength={60}
-              autoComplete="off"
-              value={title}
-              onFocus={(event) => event.currentTarget.select()}
-              onChange={(event) => setTitle(event.currentTarget.value)}
-            />
-            <span className="small soft">{t.titleHint}</span>
-          </label>
+          <TitleField title={title} onTitle={setTitle} hint={t.titleHint} />
           {sites.length > 1 && (
             <label>
               <span>{words.site}</span>
