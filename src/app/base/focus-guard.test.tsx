@@ -46,7 +46,7 @@ test.each<[string, (go: () => void) => ReactNode, ReactNode, string]>([
     "Add",
   ],
   [
-    "content that was rendered anew: the same control",
+    "content that was rendered again: the same control",
     (go) => (
       <section key="a">
         <button>First</button>
@@ -112,7 +112,7 @@ test("what was opened from a dialog that closes leaves the focus where the dialo
     return (
       <main>
         <button>First</button>
-        {/* The opener is rendered anew with the dialog. */}
+        {/* The opener is rendered again with the dialog. */}
         <button key={String(open)} onClick={() => show(true)}>
           Open
         </button>

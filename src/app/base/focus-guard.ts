@@ -21,7 +21,7 @@ interface Position {
 
 interface Focused {
   readonly element: HTMLElement;
-  /** Its name, to find the same control in content that was rendered anew. */
+  /** Its name, to find the same control in content that was rendered again. */
   readonly name: string;
   /** The element and its ancestors, from the inside out. */
   readonly path: readonly Position[];

@@ -9,7 +9,7 @@ const asked = (typed: Partial<OperationRequest["typed"]>): OperationRequest => (
   rows: [],
 });
 
-test("another site keeps the typed numbers that fit it, and proposes the others anew", () => {
+test("another site keeps the typed numbers that fit it, and proposes new values for the others", () => {
   const before = asked({ d1: "81.3", d2: "53.7", z2: "-27.4" });
   const next = changedRequest(before, { site: "inside" }, new Set(["d2", "z2"]));
   expect(next.typed).toEqual({ ...usualNumbers("inside", "step"), d2: "53.7", z2: "-27.4" });

@@ -104,7 +104,10 @@ function write(): void {
   }
 }
 
-/** The stored histories: of the previous page, and of works that were not opened since. An earlier version stored them in another form: those are dropped. */
+/**
+ * The stored histories: of the previous page, and of works that were not opened since. Those that an earlier version
+ * stored in another form are dropped.
+ */
 function readStored(): readonly KeptHistory[] {
   const raw = jsonOf(KEPT.get()) as { readonly histories?: unknown } | null | undefined;
   const all: readonly (KeptHistory | null)[] = Array.isArray(raw?.histories) ? raw.histories : [];

@@ -84,9 +84,6 @@ function knownSizes(cycle: Cycle, { stock, surface, start }: OperationContext): 
       };
     }
     case "groove":
-      return site === "face"
-        ? { Q492: from.z, ...put("Q491", typed(start.x)) }
-        : { Q491: d, ...put("Q492", typed(start.z)) };
     case "plunge":
       return site === "face"
         ? { Q492: from.z, ...put("Q491", typed(start.x)) }

@@ -43,12 +43,18 @@ export function ToolTable({ read, fits }: { readonly read: JobReading; readonly 
       >
         {tools.map((tool) => {
           const fit = fits?.find((f) => f.tool.T === tool.T);
+          const said = [
+            t.name(tool.T, tool.NAME),
+            details(tool),
+            ...(tool.T === proposed ? [setup.proposed] : []),
+            ...(fit ? [verdict(fit)] : []),
+          ];
           return (
             <Radio
               key={tool.T}
               value={String(tool.T)}
               className={`tool-row radio${tool.T === proposed ? " suggested" : ""}`}
-              aria-label={`${t.name(tool.T, tool.NAME)}, ${details(tool)}${tool.T === proposed ? `, ${setup.proposed}` : ""}${fit ? `, ${verdict(fit)}` : ""}`}
+              aria-label={said.join(", ")}
             >
               <InsertDrawing tool={tool} width={DRAWING} height={DRAWING} />
               <ToolWords tool={tool} fit={fit} />
