@@ -64,7 +64,8 @@ test("DIN/ISO: shown, copied and downloaded alike; reopened, it runs the same", 
   await expect(sheet.preview).toContainText("G812 Q215=+0");
   await sheet.close();
   await page.getByRole("link", { name: t.page.home }).click();
-  await editor.paste(text);
+  await editor.pasteOnPage(text);
+  await expect(page.locator(".panel-structure :focus, .panel-structure:focus")).toHaveCount(1);
   await expect(page.getByText(t.page.notice.isoRead)).toBeVisible();
   await expect(editor.total(t.findings.verdict.title)).toContainText(t.findings.verdict.proved);
   const again = page.waitForEvent("download");

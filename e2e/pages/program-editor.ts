@@ -71,6 +71,16 @@ export class ProgramEditor {
     await expect(this.text).toBeVisible();
   }
 
+  /** Pastes a program on the start page, outside of any field. */
+  async pasteOnPage(text: string): Promise<void> {
+    await this.context.page.evaluate((pasted) => {
+      const clipboardData = new DataTransfer();
+      clipboardData.setData("text/plain", pasted);
+      document.body.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
+    }, text);
+    await expect(this.text).toBeVisible();
+  }
+
   /** The text editor. */
   get text(): Locator {
     return this.context.page.getByRole("textbox", { name: this.context.t.page.text.title, exact: true });

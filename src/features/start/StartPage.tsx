@@ -2,10 +2,12 @@ import { Suspense, useEffect, useRef, useState, type ReactNode } from "react";
 import type { ExampleId } from "../../examples/index.ts";
 import type { OtherRows } from "../../app/fields/chooser/use-cycle-chooser.tsx";
 import { useCycleChooser } from "../../app/fields/chooser/use-cycle-chooser.tsx";
+import { focusPart } from "../../app/base/focus-guard.ts";
 import { lazyPart } from "../../app/base/parts.ts";
 import { prefetchIdle } from "../../app/base/idle.ts";
 import { refreshWorks, useSavedWorks } from "../../app/records/keep.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
+import { openText } from "../../app/fields/open/open-program.ts";
 import { useMedia } from "../../app/base/use-media.ts";
 import { findOtherResults } from "./other-results.ts";
 import { SavedPrograms, openSaved } from "../../app/fields/kept/SavedPrograms.tsx";
@@ -28,6 +30,15 @@ function typeIntoSearch(page: HTMLElement, event: KeyboardEvent): void {
   if (!isTyped || document.querySelector("dialog[open]") || (target as HTMLElement).closest("input, select, textarea"))
     return;
   page.querySelector<HTMLInputElement>("input[type=search]")?.focus();
+}
+
+/** A text of several lines pasted anywhere on the first screen is a program: a search has one line. */
+function pasteProgram(event: ClipboardEvent): void {
+  const text = event.clipboardData?.getData("text/plain") ?? "";
+  if (!text.trim().includes("\n") || document.querySelector("dialog[open]")) return;
+  event.preventDefault();
+  openText(text);
+  focusPart(".panel-structure", () => undefined);
 }
 
 /** Stored works and examples that a search finds besides the cycles. */
@@ -107,7 +118,11 @@ export function StartPage({ course }: { readonly course: ReactNode }) {
   useEffect(() => {
     const onKey = (event: KeyboardEvent) => page.current && typeIntoSearch(page.current, event);
     document.addEventListener("keydown", onKey);
-    return () => document.removeEventListener("keydown", onKey);
+    document.addEventListener("paste", pasteProgram);
+    return () => {
+      document.removeEventListener("keydown", onKey);
+      document.removeEventListener("paste", pasteProgram);
+    };
   }, []);
 
   const { start: words } = t.page;

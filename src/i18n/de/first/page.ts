@@ -70,7 +70,7 @@ export const page = {
     openFolder: "Ordner öffnen",
     paste: "Programm einfügen",
     create: "Neues Programm",
-    drop: "oder Dateien hier ablegen",
+    drop: "oder Dateien hier ablegen, Text einfügen",
     dropHere: "Programm hier ablegen, mit den Dateien, die es aufruft",
     examples: "Beispiele",
     example: (title) => `Beispiel ${title} öffnen`,

@@ -70,7 +70,7 @@ export const page = {
     openFolder: "Open folder",
     paste: "Paste a program",
     create: "New program",
-    drop: "or drop files here",
+    drop: "or drop files or paste text here",
     dropHere: "Drop the program here, with the files it calls",
     examples: "Examples",
     example: (title: string) => `Open the example ${title}`,

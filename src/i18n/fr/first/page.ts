@@ -70,7 +70,7 @@ export const page = {
     openFolder: "Ouvrir un dossier",
     paste: "Coller un programme",
     create: "Nouveau programme",
-    drop: "ou déposer des fichiers ici",
+    drop: "ou déposer des fichiers, coller un texte ici",
     dropHere: "Déposer ici le programme, avec les fichiers qu’il appelle",
     examples: "Exemples",
     example: (title) => `Ouvrir l’exemple ${title}`,

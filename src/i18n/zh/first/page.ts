@@ -69,7 +69,7 @@ export const page = {
     openFolder: "打开文件夹",
     paste: "粘贴程序",
     create: "新建程序",
-    drop: "或将文件拖放到此处",
+    drop: "或将文件拖放、文本粘贴到此处",
     dropHere: "将程序及其调用的文件拖放到此处",
     examples: "示例",
     example: (title) => `打开示例：${title}`,
