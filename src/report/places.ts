@@ -57,10 +57,6 @@ export function operationKey(
 const areaOf = ({ issue }: FindingOfWork): number =>
   "area" in issue.data && typeof issue.data.area === "number" ? issue.data.area : 0;
 
-/** The number of places of a finding. */
-export const placeCount = ({ data }: AnyIssue): number =>
-  "places" in data && typeof data.places === "number" ? data.places : 1;
-
 function joinedOf<T extends FindingOfWork>(first: T, joined: readonly T[]): JoinedFinding<T> {
   const area = joined.reduce((sum, each) => sum + areaOf(each), 0);
   const data = {

@@ -266,25 +266,3 @@ export function definitionOf(run: Run, step: number): TextLine | null {
   if (made) return { line: made.definedLine, ...(made.definedFile !== undefined && { file: made.definedFile }) };
   return file !== undefined && line !== undefined ? { file, line } : null;
 }
-
-/** A contour segment of a cycle at a point of the picture. */
-export interface ContourHit extends TextLine {
-  readonly operation: number;
-  readonly segment: number;
-}
-
-/** Nearest segment of a programmed contour within `reach` mm; null where none is near. */
-export function contourHit(run: Run, place: Pt, reach: number): ContourHit | null {
-  let best: ContourHit | null = null;
-  let nearest = reach;
-  run.operations.forEach((call, operation) => {
-    contourOf(call).forEach((s, segment) => {
-      const far = part.distanceTo(s, place),
-        line = call.contourLines?.[segment];
-      if (!line || far > nearest || (best && far === nearest)) return;
-      nearest = far;
-      best = { ...line, operation, segment };
-    });
-  });
-  return best;
-}

@@ -5,13 +5,12 @@ import type { Tool } from "../../kernel/plan/tool.ts";
 import { degrees, length } from "../../kernel/units.ts";
 import { advise, SPINDLE, type Advised } from "./advise.ts";
 import { readCuttingTable, usualTable, writeCuttingTable } from "../../program/tools/cutting-table.ts";
-import { cuttingForce, cuttingPower, depthForPower, feedForRz, heldDownTo, rpmFor, specificForce } from "./formulas.ts";
+import { cuttingForce, cuttingPower, depthForPower, feedForRz, heldDownTo, specificForce } from "./formulas.ts";
 
 const steel = { kc11: 2220, mc: 0.14 };
 
 /* Calculated by hand (logarithms), not by these functions. */
-test("speed and diameter", () => {
-  expect(rpmFor(187, 43.7)).toBeCloseTo(1362.1, 1);
+test("the diameter below which a speed limit acts", () => {
   expect(heldDownTo(173, 2350)).toBeCloseTo(23.433, 2);
 });
 

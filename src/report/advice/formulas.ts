@@ -14,9 +14,6 @@ const MM = 1000;
 const PER_MINUTE = 60_000;
 const right = Math.PI / 2;
 
-/** Spindle speed for a cutting speed at a diameter, rpm. */
-export const rpmFor = (speed: number, across: number): number => (MM * speed) / (Math.PI * across);
-
 /** The diameter below which a limited spindle no longer holds its cutting speed. */
 export const heldDownTo = (speed: number, limit: number): number => (MM * speed) / (Math.PI * limit);
 

@@ -20,8 +20,6 @@ export interface Measurable {
   readonly path: readonly Pt[];
 }
 
-export const NOTHING_MEASURABLE: Measurable = { isTurned: true, contours: [], blank: [], stock: [], path: [] };
-
 /** Owners of edges, the preferred first. */
 const OWNERS = ["contour", "blank", "stock"] as const;
 const chainsOf = (drawing: Measurable, of: MeasuredEdge["of"]): readonly Chain[] =>

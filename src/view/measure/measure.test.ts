@@ -2,7 +2,7 @@ import fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import type { MeasuredKind, MeasuredMoment, MeasuredPlace, Measurement } from "../../kernel/plan/measured.ts";
 import { at, part, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
-import { chainOfRing, NOTHING_MEASURABLE, type Measurable } from "./edges.ts";
+import { chainOfRing, type Measurable } from "./edges.ts";
 import { measuredFigure } from "./figure.ts";
 import { readMeasurement } from "./reading.ts";
 import { snapTargetOf, nextStop, snapAt, snappingOf, stopsOf } from "./snap.ts";
@@ -17,8 +17,11 @@ const shaft: readonly Segment[] = [
   line(at(-14.87, 21.0175), at(-41.3, 23.33)),
 ];
 const drawing = (given: Partial<Measurable> = {}): Measurable => ({
-  ...NOTHING_MEASURABLE,
+  isTurned: true,
   contours: [shaft],
+  blank: [],
+  stock: [],
+  path: [],
   ...given,
 });
 const REACH = 0.6;
