@@ -19,6 +19,7 @@ const IN_STOCK: ReadonlySet<AnyCode> = new Set<AnyCode>([
   "holderContact",
   "clampContact",
   "cutBelowContour",
+  "intendedCut",
   "cutBehindLimit",
   "behindBlank",
   "startInMaterial",
@@ -26,8 +27,9 @@ const IN_STOCK: ReadonlySet<AnyCode> = new Set<AnyCode>([
   "cutOnLoosePiece",
 ]);
 
-/** The kind of a finding: equal data for the same operation, except place and area. */
+/** The kind of a finding: equal data for the same operation, except place and area. Intended cuts are all one kind. */
 function kindOf({ issue, work }: FindingOfWork): string {
+  if (issue.code === "intendedCut") return issue.code;
   const {
     x: _x,
     z: _z,
@@ -57,6 +59,9 @@ export function operationKey(
 const areaOf = ({ issue }: FindingOfWork): number =>
   "area" in issue.data && typeof issue.data.area === "number" ? issue.data.area : 0;
 
+const blocksOf = ({ issue }: FindingOfWork): readonly number[] =>
+  issue.code === "intendedCut" ? issue.data.blocks : [];
+
 /** The number of places of a finding. */
 export const placeCount = ({ data }: AnyIssue): number =>
   "places" in data && typeof data.places === "number" ? data.places : 1;
@@ -67,6 +72,7 @@ function joinedOf<T extends FindingOfWork>(first: T, joined: readonly T[]): Join
     ...first.issue.data,
     places: joined.length,
     ...(IN_STOCK.has(first.issue.code) && "area" in first.issue.data && { area }),
+    ...(first.issue.code === "intendedCut" && { blocks: [...new Set(joined.flatMap(blocksOf))] }),
   };
   return { ...first, issue: { ...first.issue, data } as AnyIssue, joined };
 }
