@@ -5,7 +5,8 @@ import { withInserted } from "../../../nc/edit.ts";
 import type { Program } from "../../../nc/program.ts";
 import type { Statement } from "../../../nc/statement.ts";
 import { valueInProgram } from "../../../program/blocks/cycle-values.ts";
-import { countsInches, inProgram, withPrompt } from "./block-prompts.ts";
+import { countsInches } from "../../../program/edits/program-unit.ts";
+import { inProgram, withPrompt } from "./block-prompts.ts";
 import type { Repair } from "./repair.ts";
 
 type Overrun = Extract<Issue, { code: "threadOverruns" }>;
