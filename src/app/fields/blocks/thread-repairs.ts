@@ -12,7 +12,7 @@ import type { Repair } from "./repair.ts";
 type Overrun = Extract<Issue, { code: "threadOverruns" }>;
 
 /** How much earlier a thread is ended, in overruns. */
-const EARLIER = [0.5, 1, 1.5];
+const EARLIER = [0.5, 1, 1.5, 2];
 /** Decimals of a new end, mm. */
 const TENTH = 10;
 
