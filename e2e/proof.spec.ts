@@ -12,6 +12,7 @@ test("a cut below the contour of a cycle asks for confirmation, and one click co
   await expectAccessibleAndFits(page);
   await page.getByRole("button", { name: t.findings.meant, exact: true }).first().click();
   await expect(asked).toBeHidden();
+  await expect(findings.panel.getByText("Marked as intended")).toBeVisible();
   await editor.show("text");
   await expect(editor.text).toContainText("INTENDED CUT");
 });

@@ -95,6 +95,7 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   rapidInStock: { area: 1.25, x: 60.5, z: -5.5 },
   holderContact: { x: 60.5, z: -5.5 },
   cutBelowContour: { block: 9, area: 1.25, x: 60.5, z: -5.5 },
+  intendedCut: { blocks: [9, 14], area: 1.25, x: 60.5, z: -5.5 },
   cameLoose: { shape: "ring", area: 1.25, block: 9, x: 60.5, z: -5.5 },
   partedOff: { area: 125.5, block: 9, x: 60.5, z: -5.5 },
   cutOnLoosePiece: { area: 1.25, block: 9, x: 60.5, z: -5.5 },

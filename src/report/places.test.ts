@@ -32,6 +32,18 @@ test("places of one kind at one piece of work are one finding with a count, at t
   expect(found.map(({ issue: { data } }) => "places" in data && data.places)).toEqual([2, false, false]);
 });
 
+test("intended cuts are one finding with their blocks and total area, whatever their blocks", () => {
+  const cut = (block: number, area: number) => ({
+    issue: issue("intendedCut", "info", { blocks: [block], area, x: 20, z: -block }),
+    work: String(block),
+  });
+  const found = joinPlaces([cut(17, 2), stays(40, 1), cut(31, 3), cut(31, 4)]);
+  expect(found.map((each) => each.issue.data)).toEqual([
+    { blocks: [17, 31], area: 9, x: 20, z: -17, places: 3 },
+    { reason: "mainEdge", area: 1, x: 40, z: -5 },
+  ]);
+});
+
 test("a few places are listed one by one where the list has a mark for each", () => {
   expect(joinPlaces([stays(40, 1), stays(30, 2)], 2)).toHaveLength(2);
   expect(joinPlaces([stays(40, 1), stays(30, 2), stays(20, 4)], 2)).toHaveLength(1);

@@ -19,6 +19,7 @@ const IN_STOCK: ReadonlySet<AnyCode> = new Set<AnyCode>([
   "holderContact",
   "clampContact",
   "cutBelowContour",
+  "intendedCut",
   "cutBehindLimit",
   "behindBlank",
   "startInMaterial",
@@ -26,8 +27,9 @@ const IN_STOCK: ReadonlySet<AnyCode> = new Set<AnyCode>([
   "cutOnLoosePiece",
 ]);
 
-/** The kind of a finding: equal data for the same operation, except place and area. */
+/** The kind of a finding: equal data for the same operation, except place and area. Intended cuts are all one kind. */
 function kindOf({ issue, work }: FindingOfWork): string {
+  if (issue.code === "intendedCut") return issue.code;
   const {
     x: _x,
     z: _z,
@@ -57,12 +59,16 @@ export function operationKey(
 const areaOf = ({ issue }: FindingOfWork): number =>
   "area" in issue.data && typeof issue.data.area === "number" ? issue.data.area : 0;
 
+const blocksOf = ({ issue }: FindingOfWork): readonly number[] =>
+  issue.code === "intendedCut" ? issue.data.blocks : [];
+
 function joinedOf<T extends FindingOfWork>(first: T, joined: readonly T[]): JoinedFinding<T> {
   const area = joined.reduce((sum, each) => sum + areaOf(each), 0);
   const data = {
     ...first.issue.data,
     places: joined.length,
     ...(IN_STOCK.has(first.issue.code) && "area" in first.issue.data && { area }),
+    ...(first.issue.code === "intendedCut" && { blocks: [...new Set(joined.flatMap(blocksOf))] }),
   };
   return { ...first, issue: { ...first.issue, data } as AnyIssue, joined };
 }

@@ -101,7 +101,8 @@ export function check(index: number, sweep: Sweep, cut: Cutting, against: CheckC
       const judged = judgePlainCut(index, taken, cut, { ...against, surfaces: finished.surfaces });
       const { kind = null, below = -1 } = judged ?? {};
       if (kind === "gouge") report(kind, taken);
-      else if (kind) report("cutBelowContour", taken, { ...step, below, ...(kind === "meant" && { isMeant: true }) });
+      else if (kind === "meant") report("cutBelowContour", taken, { ...step, below, isMeant: true });
+      else if (kind) report(kind, taken, { ...step, below });
     }
   }
   report("holderContact", sure(holderHits(step, outlines, now)));

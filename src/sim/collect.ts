@@ -41,7 +41,7 @@ const around = (a: Box, b: Box): Box => ({
 const leavesStock = (f: AnyFinding) => f.kind === "holderContact" || f.kind === "clampContact";
 
 /** Findings that may span several blocks, such as a groove below the contour. */
-const goesOn = (f: AnyFinding) => leavesStock(f) || f.kind === "cutBelowContour";
+const goesOn = (f: AnyFinding) => leavesStock(f) || f.kind === "cutBelowContour" || f.kind === "intendedCut";
 /** Findings without stock cover the same place each time. */
 const covers = (f: AnyFinding) =>
   leavesStock(f) || f.kind === "cutOnLoosePiece" || f.kind === "rapidBehindBlank" || f.kind === "feedBehindBlank";

@@ -45,6 +45,8 @@ function whatOf({ kind, area, place, block, clamp, idle, hole, other = block, re
       return issue(kind, "error", { area, x, z, block: other });
     case "cutBelowContour":
       return issue(kind, "warning", { area, x, z, block: other });
+    case "intendedCut":
+      return issue(kind, "info", { area, x, z, blocks: [block] });
     case "rapidBehindBlank":
       return issue("behindBlank", "error", { motion: "rapid", x, z, rear });
     case "feedBehindBlank":

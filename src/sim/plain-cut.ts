@@ -135,9 +135,12 @@ export interface PlainCutContext {
   readonly outlines: (tool: Tool) => Outlines;
 }
 
-/** The verdict on a plain cut below a contour. "meant" is no fault, unless later moves change it. */
+/**
+ * The verdict on a plain cut below a contour. "intendedCut": only its comment makes it no fault. "meant" is no fault by
+ * its shape, unless later moves change it.
+ */
 export interface PlainCut {
-  readonly kind: "gouge" | "cutBelowContour" | "meant";
+  readonly kind: "gouge" | "cutBelowContour" | "intendedCut" | "meant";
   /** The first operation whose contour is cut. */
   readonly below: number;
 }
@@ -161,7 +164,6 @@ export function judgePlainCut(
   const [first] = touched;
   if (!first) return null;
   const as = (kind: PlainCut["kind"]): PlainCut => ({ kind, below: first.operation });
-  if (step.intent === "meant") return as("meant");
   if (makesEnd(index, area, stock, beside)) return as("meant");
   const { insert } = outlines(step.tool);
   const [, last] = plainRun(steps, index);
@@ -170,6 +172,7 @@ export function judgePlainCut(
     withoutSlivers(intersection(stock, foldedAtAxis(insert.map((p) => at(p.z + end.z, p.r + end.r))))).length === 0;
   const isShape = step.intent === "compensated" || makesShape(step.tool) || isOutside();
   if (isShape && breaksEdge(area, stock)) return as("meant");
+  if (step.intent === "meant") return as("intendedCut");
   return as(!isShape && touched.some((surface) => goesThrough(surface, step, insert)) ? "gouge" : "cutBelowContour");
 }
 

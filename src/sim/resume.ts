@@ -105,6 +105,9 @@ export function sweptBox(outline: Ring, step: Step): Box | null {
 export const areBoxesApart = (a: Box, b: Box): boolean =>
   a.right < b.left || b.right < a.left || a.high < b.low || b.high < a.low;
 
+/** Verdicts on plain cuts. */
+const JUDGED: ReadonlySet<AnyFinding["kind"]> = new Set(["gouge", "cutBelowContour", "intendedCut"]);
+
 /**
  * Steps before a limit to check again: those that sweep where the two finished parts differ, and those that cut into
  * the previous finished part.
@@ -121,8 +124,7 @@ function stepsToRecheck(
   const sameSurfaces = sameRings(lines(former.finished.surfaces), lines(surfaces));
   // Whether a plain cut is meant depends on the tool's next moves, which may have changed.
   const open = input.steps[until - 1]?.operation === null ? plainSince(input.steps, until - 1) : until;
-  const judged = (i: number) =>
-    former.damage.get(i)?.some(({ kind }) => kind === "gouge" || kind === "cutBelowContour") === true;
+  const judged = (i: number) => former.damage.get(i)?.some(({ kind }) => JUDGED.has(kind)) === true;
   if (isSame) {
     const first = sameSurfaces ? open : 0;
     return [...former.damage.keys()]

@@ -170,7 +170,7 @@ function finalFindings(
 }
 
 const isRemark = (f: AnyFinding): f is StockFinding<StockRemark> =>
-  f.kind === "cutBelowContour" || f.kind === "feedBehindBlank";
+  f.kind === "cutBelowContour" || f.kind === "intendedCut" || f.kind === "feedBehindBlank";
 const isFault = (f: AnyFinding): f is StockFinding => !isRemark(f);
 
 function runSimulation(

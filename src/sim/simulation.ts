@@ -61,8 +61,11 @@ export const STOCK_FAULTS = [
 ] as const;
 export type StockFault = (typeof STOCK_FAULTS)[number];
 
-/** Findings that may be intended: plain cuts below the contour of a cycle, and feeds behind the blank. */
-export type StockRemark = "cutBelowContour" | "feedBehindBlank";
+/**
+ * Findings that are no fault by themselves: plain cuts below the contour of a cycle, in question or marked as intended,
+ * and feeds behind the blank.
+ */
+export type StockRemark = "cutBelowContour" | "intendedCut" | "feedBehindBlank";
 
 /** A finding in the stock: the tool damaged the finished part, ran into material, or was behind the blank. */
 export interface StockFinding<Kind = StockFault> {

@@ -1,4 +1,4 @@
-; expect: verdict=proved -cutBelowContour -gouge
+; expect: verdict=proved intendedCut -cutBelowContour -gouge
 0 BEGIN PGM CASE MM
 1 BLK FORM CYLINDER Z D30 L80 DIST+0
 2 FUNCTION MODE TURN

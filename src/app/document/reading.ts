@@ -2,7 +2,7 @@ import type { Cycle } from "../../cycles/define.ts";
 import { cycleByNumber } from "../../cycles/index.ts";
 import type { Job, SetJob } from "../../program/job/job.ts";
 import { knownParameters } from "../../program/job/job-parameters.ts";
-import { readDraft, type Draft, type DraftReading } from "../../program/job/read-draft.ts";
+import { readDraft, type Draft, type DraftInches, type DraftReading } from "../../program/job/read-draft.ts";
 import { setupOf, withSetup, type Setup } from "../../program/job/setup.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { draftOf } from "./edits.ts";
@@ -19,7 +19,10 @@ export interface JobReading {
   readonly tools: readonly Tool[];
   readonly cycle: Cycle;
   readonly draft: Draft;
+  /** The values of the draft, in mm. */
   readonly reading: DraftReading;
+  /** How the numbers of the draft count in inches; absent: in mm. */
+  readonly inches?: DraftInches;
 }
 
 interface Completed {

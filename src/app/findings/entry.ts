@@ -88,6 +88,7 @@ const stockFindings: ReadonlySet<string> = new Set([
   "cutOnLoosePiece",
   "behindBlank",
   "cutBelowContour",
+  "intendedCut",
   "cameLoose",
   "partedOff",
   "clampContact",

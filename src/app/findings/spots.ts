@@ -28,6 +28,7 @@ const SHOWN_AT = {
   rapidBehindBlank: 0.999,
   feedBehindBlank: 0.999,
   cutBelowContour: 0.999,
+  intendedCut: 0.999,
   spindleStopped: 0,
   holeMissing: 0,
 } as const;
@@ -121,6 +122,7 @@ export function spotOfProof(simulation: Simulation, { issue, step }: ProofIssue)
     case "clampContact":
     case "cutOnLoosePiece":
     case "cutBelowContour":
+    case "intendedCut":
     case "behindBlank": {
       const code = issue.code === "threadOverruns" ? "gouge" : issue.code;
       const f = [...findings, ...proof.remarks].find((each) => codeOf(each.kind) === code && isAt(issue.data)(each));

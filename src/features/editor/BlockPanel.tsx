@@ -13,7 +13,6 @@ import { duplicated, exchanged, removed } from "../../app/fields/blocks/block-ed
 import { BlockForm } from "./BlockForm.tsx";
 import { kindOf } from "../../app/fields/blocks/block-kind.ts";
 import { Palette } from "./Palette.tsx";
-import { countsInches } from "../../app/fields/blocks/block-prompts.ts";
 import { setBlockPrompt, setBlockPrompts, useOpenBlock } from "../../app/fields/blocks/open-block.ts";
 import { askForOperation } from "../../app/document/inserting.ts";
 import { operationAt } from "../../program/edits/operations.ts";
@@ -60,7 +59,6 @@ export function BlockPanel() {
       const prompted = {
         line,
         problems,
-        inches: countsInches(program),
         sizes,
         onInsert: () => askForOperation(operationAt(program, index)),
         set: setBlockPrompt,

@@ -244,6 +244,8 @@ interface Data {
   holderContact: { x: number; z: number };
   /** A cut outside cycles goes below the contour of the cycle called in `block`, mm². */
   cutBelowContour: { block: number; area: number; x: number; z: number };
+  /** The same, marked as intended, in the blocks that cut, mm². */
+  intendedCut: { blocks: readonly number[]; area: number; x: number; z: number };
   /** A piece is no longer connected to the clamped end, mm²: `block` has cut it loose. */
   cameLoose: { shape: "piece" | "ring" | "slug"; area: number; block: number; x: number; z: number };
   /** The same where a parting blade or a cut outside cycles parts it off. */

@@ -26,17 +26,29 @@ const hasInches = (p: { readonly kind: string }) => isLength(p) || p.kind === "f
 export const decimalsInInches = (p: { readonly kind: string; readonly decimals: number }): number =>
   hasInches(p) ? p.decimals + INCH_DECIMALS : p.decimals;
 
-/** A parameter value in mm as the program writes it, in inches where it counts in inches. */
-export const valueInProgram = (p: { readonly kind: string } | undefined, mm: number, inches: boolean): number =>
-  inches && p && isLength(p) ? roundedInch(mm / INCH) : mm;
+/** Tenths of an inch, mm: the unit of a feed per minute in an inch program. */
+const INCH_TENTH = INCH / 10;
 
-/** A program number in the unit of the parameter, rounded to the control's resolution before conversion. */
-function inMillimetres(machine: Machine, p: Param, n: number): number {
-  if (!machine.now.inch) return roundedTo(n, p.decimals);
-  if (!hasInches(p)) return roundedTo(n, CONVERTED_DECIMALS);
-  const inches = roundedTo(n, decimalsInInches(p));
-  return roundedTo(p.kind === "feed" ? machine.feedOf(inches) : machine.length(inches), CONVERTED_DECIMALS);
+/** A parameter value in mm as the program writes it, in inches where it counts in inches. */
+export function valueInProgram(
+  p: { readonly kind: string } | undefined,
+  mm: number,
+  inches: boolean,
+  perRevolution = true,
+): number {
+  if (!inches || !p || !hasInches(p)) return mm;
+  return roundedInch(mm / (p.kind === "feed" && !perRevolution ? INCH_TENTH : INCH));
 }
+
+/** A number of an inch program in the unit of the parameter, rounded to the control's resolution before conversion. */
+export function valueFromInches(p: Param, n: number, perRevolution: boolean): number {
+  if (!hasInches(p)) return roundedTo(n, CONVERTED_DECIMALS);
+  const per = p.kind === "feed" && !perRevolution ? INCH_TENTH : INCH;
+  return roundedTo(roundedTo(n, decimalsInInches(p)) * per, CONVERTED_DECIMALS);
+}
+
+const inMillimetres = ({ now }: Machine, p: Param, n: number): number =>
+  now.inch ? valueFromInches(p, n, now.perRevolution) : roundedTo(n, p.decimals);
 
 /** One value of a definition, or its issue; an omitted optional value counts as 0. */
 function valueOf(machine: Machine, q: string, p: Param, given: number | "auto" | null): number | "auto" | Issue {

@@ -39,6 +39,16 @@ const LENGTHS: ReadonlySet<string> = new Set([
 /** Whether a cycle drills on the axis while turning. */
 export const isDrilling = (cycle: number): boolean => DRILL_WORDS.has(cycle);
 
+const FEEDS: ReadonlySet<string> = new Set(["Q206", "Q208", "Q253"]);
+
+/** Whether a parameter of a drilling cycle is a length or a feed; undefined where it is neither. */
+export function drillQuantity(cycle: number, q: string): { readonly kind: "length" | "feed" } | undefined {
+  if (!isDrilling(cycle)) return undefined;
+  if (FEEDS.has(q)) return { kind: "feed" };
+  // The retraction of a tap counts in pitches.
+  return LENGTHS.has(q) && !(q === "Q256" && cycle === 209) ? { kind: "length" } : undefined;
+}
+
 /**
  * Runs a drilling cycle on the axis of the turning spindle. False where the cycle is not simulated: off the axis,
  * without a drill, or with values that make no bore.
@@ -54,8 +64,7 @@ export function drillOnAxis(machine: Machine, defined: Defined, index: number): 
   if (Math.abs(tip.r) > ON_AXIS || needed.some((q) => value(machine, defined, q) === null)) return false;
   const q: Q = (name) => {
     const n = value(machine, defined, name) ?? 0;
-    // The retraction of a tap counts in pitches.
-    return LENGTHS.has(name) && !(name === "Q256" && defined.cycle === 209) ? machine.length(n) : n;
+    return drillQuantity(defined.cycle, name)?.kind === "length" ? machine.length(n) : n;
   };
   const bore = boreOf(defined, tool, q, machine.now.datum.z);
   const path = bore && drillPath(defined.cycle, q, bore);

@@ -8,6 +8,7 @@ import type { NcOutput } from "../machine/nc-output.ts";
 import { blocksOfStatements, withAddedBehind } from "./operation-edits.ts";
 import { endsMain, operationsOf } from "./operations.ts";
 import { outputIn } from "./output-in.ts";
+import { countsInches, statementsInUnit } from "./program-unit.ts";
 import { jobStatements, machiningStatements, startStatement, type Labels } from "../job/print-job.ts";
 
 /** Place and title of an added operation. */
@@ -85,7 +86,7 @@ function withStatements(
 }
 
 /**
- * Adds the operation of a job to a program: structure item, tool call, spindle, feed unit, approach, cycle, call,
+ * Adds the operation of a job, in mm, to a program: structure item, tool call, spindle, feed unit, approach, cycle, call,
  * retraction, and its contour under its own label at the end of the file.
  */
 export function withOperation(program: Program, job: SetJob, labels: Labels, place: OperationPlace = {}): Program {
@@ -100,11 +101,13 @@ export function withOperation(program: Program, job: SetJob, labels: Labels, pla
   });
   const ending = all.findIndex(endsMain);
   const first = all.findIndex((s) => s.kind === "toolCall");
+  // The rows of a contour are typed in the unit of the program.
   const contour = place.contour === undefined ? all.slice(ending + 1).filter((s) => s.kind !== "end") : [];
-  return withStatements(program, { main: all.slice(first, ending), contour, output }, place);
+  const main = statementsInUnit(all.slice(first, ending), countsInches(program), job.perRevolution);
+  return withStatements(program, { main, contour, output }, place);
 }
 
-/** Adds an operation without a turning cycle; `cut` begins and ends at the start point of the job. */
+/** Adds an operation without a turning cycle, in mm; `cut` begins and ends at the start point of the job. */
 export function withHandOperation(
   program: Program,
   job: SetJob,
@@ -112,6 +115,7 @@ export function withHandOperation(
   place: OperationPlace = {},
 ): Program {
   const output = outputIn(program, job.output);
-  const main = machiningStatements({ ...job, output }, [startStatement({ ...job, output }), ...cut]);
+  const planned = machiningStatements({ ...job, output }, [startStatement({ ...job, output }), ...cut]);
+  const main = statementsInUnit(planned, countsInches(program), job.perRevolution);
   return withStatements(program, { main, contour: [], output }, place);
 }

@@ -4,7 +4,8 @@ import { firstValues } from "../../cycles/first-values.ts";
 import type { Param, Params, Values } from "../../cycles/params.ts";
 import type { Issue } from "../../kernel/plan/issue.ts";
 import type { KnownParameters } from "../values/expression.ts";
-import { type Field, type FieldReading, readText } from "../values/field.ts";
+import { valueFromInches } from "../blocks/cycle-values.ts";
+import { anyNumber, checkNumber, type Field, type FieldReading, readText, rejectedReading } from "../values/field.ts";
 import { testedOffers } from "../values/tested-offers.ts";
 
 /** Typed text of the prompts of one cycle, by Q number; a missing key is an empty field. */
@@ -21,6 +22,28 @@ export interface DraftReading<P extends Params = Params> {
 /** The prompt of a parameter. */
 export const promptField = (q: string, param: Param): Field => ({ ...param, id: q });
 
+/** How a draft in inches counts its feeds. */
+export interface DraftInches {
+  readonly perRevolution: boolean;
+}
+
+/** Reading of a prompt, in mm. */
+function readPrompt(
+  q: string,
+  param: Param,
+  text: string,
+  known: KnownParameters,
+  inches: DraftInches | null,
+): FieldReading {
+  const field = promptField(q, param);
+  if (inches === null) return readText(field, text, known);
+  const read = readText({ ...field, range: anyNumber.range, decimals: null }, text, known);
+  if (read.value === null) return read;
+  const value = valueFromInches(param, read.value, inches.perRevolution);
+  const found = checkNumber(field, value);
+  return found ? rejectedReading(found) : { ...read, value };
+}
+
 /** Value of a prompt for its cycle: an omitted optional one (NO ENT) counts as 0. */
 const valueOf = (param: Param, { written, value, empty }: FieldReading): number | "auto" | null =>
   written === "auto" ? written : empty && param.optional ? 0 : value;
@@ -34,11 +57,12 @@ export function readDraft<P extends Params>(
   cycle: Pick<Cycle<P>, "params"> & Partial<Pick<Cycle<P>, "contour" | "outline">>,
   draft: Draft,
   known: KnownParameters = {},
+  inches: DraftInches | null = null,
 ): DraftReading<P> {
   const partial: Record<string, number | "auto"> = {};
   const perField: Record<string, FieldReading> = {};
   for (const [q, param] of Object.entries<Param>(cycle.params)) {
-    const field = readText(promptField(q, param), draft[q] ?? "", known);
+    const field = readPrompt(q, param, draft[q] ?? "", known, inches);
     perField[q] = field;
     const value = valueOf(param, field);
     if (value !== null) partial[q] = value;

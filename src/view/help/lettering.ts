@@ -6,8 +6,8 @@ export type Numbers = Readonly<Record<string, number | "auto">>;
 
 /** Words and number form of the screen language. */
 export interface HelpWords {
-  /** At most so many decimals, with the decimal sign of the language. */
-  readonly number: (value: number, decimals: number) => string;
+  /** At most so many decimals, with the decimal sign of the language; a length or feed in the unit of the program. */
+  readonly number: (value: number, decimals: number, of: Pick<Param, "kind">) => string;
   /** Short names of element types 0, 1, 2. */
   readonly element: readonly [none: string, chamfer: string, radius: string];
   /** The parameter has no function in this cycle. */
@@ -46,7 +46,7 @@ function plain(p: Param, number: (v: number) => string, value: number): string {
 
 /** The short text of a position: ⌀75, Z−55. */
 export const positionText = (kind: "diameter" | "axial", value: number, speech: HelpWords): string =>
-  (kind === "diameter" ? "⌀" : "Z") + signed(speech.number(value, 3));
+  (kind === "diameter" ? "⌀" : "Z") + signed(speech.number(value, 3, { kind }));
 
 /** The short text of a value on the drawing: ⌀75, Z−55, 5°, R1.5, 0.5×45°, ≤3, F0.3. */
 export function letteringOf(params: Params, q: string, values: Numbers, speech: HelpWords, square: boolean): string {
@@ -54,7 +54,7 @@ export function letteringOf(params: Params, q: string, values: Numbers, speech: 
     value = values[q];
   if (!p || value === undefined) return "";
   if (value === "auto") return "FAUTO";
-  const number = (v: number) => signed(speech.number(v, p.decimals));
+  const number = (v: number) => signed(speech.number(v, p.decimals, p));
   const text = number(value);
   if (p.reserved) return `${text} ${speech.reserved}`;
   if (p.shown === "infeed") return value > 0 ? `≤${text}` : text;

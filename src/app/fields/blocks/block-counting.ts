@@ -5,7 +5,7 @@ import type { Run } from "../../../program/state/run-types.ts";
 import { datumAt, datumIndex } from "../../../view/datum.ts";
 import type { BlockUnits } from "../../../view/measure/distance.ts";
 import { useShownOtherFile } from "../../document/shown-file.ts";
-import { countsInches } from "./block-prompts.ts";
+import { countsInches } from "../../../program/edits/program-unit.ts";
 import { useSession } from "./session.ts";
 
 /** Unit and datum of a cycle block: the unit of its program, and the datum active at its first call. */

@@ -9,6 +9,7 @@ import type { CycleParameter } from "../../../nc/words.ts";
 import { contourBefore } from "../../../program/job/contour-of-text.ts";
 import { decimalsInInches, valueInProgram } from "../../../program/blocks/cycle-values.ts";
 import { OWN_DECIMALS, ownField } from "../../../program/edits/own-cycle.ts";
+import { countsInches } from "../../../program/edits/program-unit.ts";
 import { ownCycle } from "../../document/own-reading.ts";
 import { feedWord } from "../../../program/values/field.ts";
 import { exampleJob, type SetJob } from "../../../program/job/job.ts";
@@ -32,10 +33,12 @@ export function readingOfBlock(program: Program, index: number, typed: Draft): J
   );
   const written = s.parameters.map((p) => [p.q, parameterAsTyped(p.value)]);
   const draft: Draft = { ...Object.fromEntries<string>([...filled, ...written] as [string, string][]), ...typed };
+  const perRevolution = perRevolutionBefore(program, index);
+  const inches = countsInches(program) ? { perRevolution } : null;
   const job: SetJob = {
     ...exampleJob(cycle),
     drafts: { [cycle.number]: draft },
-    perRevolution: perRevolutionBefore(program, index),
+    perRevolution,
     contour: cycle.contour === "free" ? contourBefore(program, index) : [],
   };
   return {
@@ -44,7 +47,8 @@ export function readingOfBlock(program: Program, index: number, typed: Draft): J
     tools: [],
     cycle,
     draft,
-    reading: readDraft(cycle, draft, parametersBefore(program, index)),
+    reading: readDraft(cycle, draft, parametersBefore(program, index), inches),
+    ...(inches && { inches }),
   };
 }
 
@@ -76,10 +80,6 @@ export function withPrompt(program: Program, index: number, q: string, text: str
     word === "auto" || (word === "max" && param?.rapid) ? word : (left ?? blockValue(text, decimalsIn(program, param)));
   return value === null ? program : withBlock(program, index, withParameter(s, q, value));
 }
-
-/** True for a program whose numbers are inches. */
-export const countsInches = ({ blocks }: Program): boolean =>
-  blocks.some(({ statement }) => statement.kind === "begin" && statement.unit === "INCH");
 
 /** Converts mm to the unit of a program. */
 export const inProgram = (program: Program, mm: number): number =>

@@ -5,13 +5,14 @@ import { withInserted } from "../../../nc/edit.ts";
 import type { Program } from "../../../nc/program.ts";
 import type { Statement } from "../../../nc/statement.ts";
 import { valueInProgram } from "../../../program/blocks/cycle-values.ts";
-import { countsInches, inProgram, withPrompt } from "./block-prompts.ts";
+import { countsInches } from "../../../program/edits/program-unit.ts";
+import { inProgram, withPrompt } from "./block-prompts.ts";
 import type { Repair } from "./repair.ts";
 
 type Overrun = Extract<Issue, { code: "threadOverruns" }>;
 
 /** How much earlier a thread is ended, in overruns. */
-const EARLIER = [0.5, 1, 1.5];
+const EARLIER = [0.5, 1, 1.5, 2];
 /** Decimals of a new end, mm. */
 const TENTH = 10;
 

@@ -13,9 +13,7 @@ function show(index: number, prompt: string | null): void {
   const read = readingOfBlock(program, index, {});
   if (!read) throw new Error("no cycle of the catalogue");
   openPrompt(prompt, "");
-  render(
-    <CycleDialog read={read} block={{ line: index + 1, problems: [], inches: false, set: nothing, setAll: nothing }} />,
-  );
+  render(<CycleDialog read={read} block={{ line: index + 1, problems: [], set: nothing, setAll: nothing }} />);
 }
 
 beforeEach(() => changeSettings({ language: "en" }));

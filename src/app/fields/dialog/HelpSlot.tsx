@@ -54,6 +54,7 @@ export function HelpSlot({
         given={given}
         isBorrowed={isBorrowed}
         activeQ={active}
+        inches={read.inches ?? null}
         language={language}
         onPick={onPick}
       />

@@ -2,6 +2,7 @@ import { hasNoEffect } from "../../../cycles/effect.ts";
 import { isRecalled, type Param } from "../../../cycles/params.ts";
 import type { ParamTextId } from "../../../cycles/index.ts";
 import { formatNumber } from "../../../i18n/number.ts";
+import { decimalsInInches, valueInProgram } from "../../../program/blocks/cycle-values.ts";
 import { anyNumber, readText } from "../../../program/values/field.ts";
 import type { SetupPlace } from "../../../program/job/setup-places.ts";
 import type { Draft } from "../../../program/job/read-draft.ts";
@@ -26,8 +27,6 @@ export interface PromptedBlock {
   /** Its first line in the text, from 1. */
   readonly line: number;
   readonly problems: readonly FindingEntry[];
-  /** Its program is in inches. */
-  readonly inches: boolean;
   readonly set: (q: string, text: string) => void;
   /** Sizes that follow from the stock, suggested at open prompts. */
   readonly sizes?: Draft;
@@ -55,6 +54,7 @@ function suggestionContext({ job, setup }: JobReading): SuggestionContext {
 /** The prompts of a cycle: those of the job, or of a block of a program. */
 export function useCycleSession(read: JobReading, block: PromptedBlock | null): PromptSession {
   const { cycle, job, draft, reading } = read;
+  const inches = read.inches !== undefined;
   const t = useTexts();
   const language = useSettings((s) => s.language);
   const opened = usePlace();
@@ -65,14 +65,16 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
   const { units, evidence } = t.dialog;
   const unitText = (param: Param): string => {
     const unit = units[unitOf(param, job.perRevolution)];
-    return block?.inches ? unit.replace("mm", "inch") : unit;
+    return inches ? unit.replace("mm", "inch") : unit;
   };
-  const number = (param: Param, n: number) => formatNumber(language, n, param.decimals);
+  const inProgram = (param: Param, n: number) => valueInProgram(param, n, inches, job.perRevolution);
+  const number = (param: Param, n: number) =>
+    formatNumber(language, inProgram(param, n), inches ? decimalsInInches(param) : param.decimals);
 
   const shownOf = (q: string, param: Param): Prompt["shown"] => {
     const field = reading.perField[q];
     if (field?.empty) return { text: field.issue ? t.dialog.noValue : t.dialog.noEntry, unit: "", soft: true };
-    const written = field ? writeValue(language, param, field) : null;
+    const written = field ? writeValue(language, param, field, inches ? (mm) => inProgram(param, mm) : null) : null;
     const bare = written === null || field?.written === "auto";
     return { text: written ?? draft[q] ?? "", unit: bare ? "" : unitText(param), soft: false };
   };
@@ -85,7 +87,8 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
     const { prompt, label, explanation, ...words } = t.params[param.text as ParamTextId];
     const meanings: Readonly<Record<number, string>> = "choices" in words ? words.choices : {};
     const idle = hasNoEffect(param, reading.partial);
-    const suggested = block?.sizes?.[q] ?? (param.optional ? null : suggestedValue(cycle, q, context));
+    const usual = param.optional ? null : suggestedValue(cycle, q, context);
+    const suggested = block?.sizes?.[q] ?? (usual === null ? null : inProgram(param, usual));
     return promptOf(
       { id: q, optional: param.optional, decimals: param.decimals },
       { prompt, label, about: explanation },

@@ -7,15 +7,24 @@ import { valueAsTyped } from "../../../program/values/typed-value.ts";
 /** Decimals shown of each value in the list of prompts. */
 const SHOWN = 3;
 
-/** A read value as the list of prompts shows it: positions with their sign, three decimals. */
-export function writeValue(language: Language, param: Param, field: FieldReading): string | null {
+/**
+ * A read value as the list of prompts shows it: positions with their sign, three decimals. `toInches` converts it for an
+ * inch program, with one decimal more.
+ */
+export function writeValue(
+  language: Language,
+  param: Param,
+  field: FieldReading,
+  toInches: ((mm: number) => number) | null = null,
+): string | null {
   const { value, written } = field;
   if (written === "auto") return "FAUTO";
   if (value === null) return null;
   if (typeof written === "object" && written !== null) return valueAsTyped(written);
   if (param.kind === "choice" || param.kind === "count") return String(value);
   const signed = param.range[0] < 0;
-  return signed ? formatPosition(language, value, SHOWN) : formatFixed(language, value, SHOWN);
+  const [shown, decimals] = toInches ? [toInches(value), SHOWN + 1] : [value, SHOWN];
+  return signed ? formatPosition(language, shown, decimals) : formatFixed(language, shown, decimals);
 }
 
 /** A value as one types it. */

@@ -3,13 +3,14 @@ import { likelyCompletion } from "../../../cycles/completions.ts";
 import type { Cycle, Given, Outline } from "../../../cycles/define.ts";
 import { pointPlan } from "../../../cycles/point-plan.ts";
 import type { Plan } from "../../../kernel/plan/plan.ts";
+import type { DraftInches } from "../../../program/job/read-draft.ts";
 import { texts } from "../../base/settings/loaded-texts.ts";
 import type { Language } from "../../../i18n/languages.ts";
-import { formatNumber } from "../../../i18n/number.ts";
 import { coarseContour } from "../../../view/help/coarse.ts";
 import type { Numbers } from "../../../view/help/lettering.ts";
 import { helpDrawing } from "../../../view/help/picture.ts";
 import { Hatches, HelpMarks } from "./HelpMarks.tsx";
+import { numberIn } from "./number-in.ts";
 import { pictureInWords } from "./spoken.ts";
 import { dimensionAt, usePressing } from "./press-dimension.ts";
 import { useSize } from "./use-size.ts";
@@ -28,6 +29,8 @@ interface Props {
   readonly isBorrowed?: boolean;
   readonly activeQ: string | null;
   readonly language: Language;
+  /** Lengths are written in inches, feeds per revolution or per minute; null: in mm. */
+  readonly inches?: DraftInches | null;
   /** A dimension was clicked. `q`: the parameter that it shows. `taken`: put its value into the open prompt. */
   readonly onPick?: (q: string, taken: boolean) => void;
 }
@@ -62,7 +65,7 @@ function drawnBy(
 
 const NOTHING: Numbers = {};
 
-interface SheetProps extends Pick<Props, "cycle" | "activeQ" | "language"> {
+interface SheetProps extends Pick<Props, "cycle" | "activeQ" | "language" | "inches"> {
   readonly id: string;
   readonly shown: Drawn;
   readonly width: number;
@@ -70,7 +73,7 @@ interface SheetProps extends Pick<Props, "cycle" | "activeQ" | "language"> {
 }
 
 /** The drawing of the planned contour, separate so that a slow device can do other work in between. */
-function HelpSheet({ id, cycle, shown, activeQ, language, width, height }: SheetProps) {
+function HelpSheet({ id, cycle, shown, activeQ, language, inches = null, width, height }: SheetProps) {
   const t = texts(language);
   const drawing = useMemo(
     () =>
@@ -84,13 +87,13 @@ function HelpSheet({ id, cycle, shown, activeQ, language, width, height }: Sheet
         active: activeQ,
         size: { width, height },
         speech: {
-          number: (n, decimals) => formatNumber(language, n, decimals),
+          number: numberIn(language, inches),
           element: [t.help.element.none, t.help.element.chamfer, t.help.element.radius],
           reserved: t.help.reserved,
           notToScale: t.help.notToScale,
         },
       }),
-    [cycle, shown, activeQ, width, height, language, t],
+    [cycle, shown, activeQ, width, height, language, inches, t],
   );
   return <HelpMarks marks={drawing.marks} id={id} />;
 }
@@ -100,7 +103,18 @@ function HelpSheet({ id, cycle, shown, activeQ, language, width, height }: Sheet
  * instead of a measure. Invalid values leave the last valid drawing, dimmed.
  */
 export function HelpPicture(props: Props) {
-  const { cycle, values, partial, wrong = false, given: exact, isBorrowed = false, activeQ, language, onPick } = props;
+  const {
+    cycle,
+    values,
+    partial,
+    wrong = false,
+    given: exact,
+    isBorrowed = false,
+    activeQ,
+    language,
+    inches = null,
+    onPick,
+  } = props;
   const contour = useMemo(() => coarseContour(exact.contour), [exact.contour]);
   const given = useMemo(() => ({ ...exact, contour }), [exact, contour]);
   const box = useRef<HTMLDivElement>(null);
@@ -137,12 +151,24 @@ export function HelpPicture(props: Props) {
       <svg
         role="img"
         viewBox={`0 0 ${size.width} ${size.height}`}
-        aria-label={[pictureInWords(t, language, cycle, activeQ, said), note].filter((s) => s !== null).join(" ")}
+        aria-label={[pictureInWords(t, language, cycle, activeQ, said, inches), note]
+          .filter((s) => s !== null)
+          .join(" ")}
         {...(isStale ? { className: "dimmed" } : {})}
         {...(onPick && pressing)}
       >
         <Hatches id={id} />
-        {shown && <HelpSheet id={id} cycle={cycle} shown={shown} activeQ={activeQ} language={language} {...size} />}
+        {shown && (
+          <HelpSheet
+            id={id}
+            cycle={cycle}
+            shown={shown}
+            activeQ={activeQ}
+            language={language}
+            inches={inches}
+            {...size}
+          />
+        )}
       </svg>
       {isStale && (
         <p className="help-note" aria-hidden="true">

@@ -17,10 +17,13 @@ import {
 import { exampleJob, type SetJob, type SpindleDraft } from "../../../program/job/job.ts";
 import { cylinderAround } from "../../../program/job/requested-shape.ts";
 import { longestOf, surfacesOf, type StockSurface } from "../../../program/job/stock-surface.ts";
+import { countsInches, typedInMillimetres } from "../../../program/edits/program-unit.ts";
 import { anyNumber, readText, type Field } from "../../../program/values/field.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { Message } from "../../../app/base/Message.tsx";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
+import { useLengths } from "../../../app/calculation/lengths.ts";
+import { useSession } from "../../../app/fields/blocks/session.ts";
 import { useToolList } from "../../../app/document/work-tools.ts";
 import { showTools } from "../../../app/place/place.ts";
 import { AskedNumber, isUsable } from "./AskedNumber.tsx";
@@ -51,6 +54,8 @@ const BASE = catalogue.find(({ group, contour }) => group === "longitudinal" && 
 /** Asks for the sizes, spindle and tool of an operation without a turning cycle. */
 export function HandForm({ words, work, site, before, onBack, onInsert }: Props) {
   const t = useTexts().operations;
+  const inches = useSession((s) => countsInches(s.reading.program));
+  const unit = useLengths().words;
   const form = useRef<HTMLFormElement>(null);
   const [title, setTitle] = useState(() => words.hand.of[work].toUpperCase());
   const [picked, pick] = useState<StockSurface | null>(null);
@@ -85,7 +90,7 @@ export function HandForm({ words, work, site, before, onBack, onInsert }: Props)
 
   const insert = () => {
     if (!usable || !base || !surface) return;
-    const value = (s: HandSize) => length(readText(FIELDS[s], typed[s]).value ?? 0);
+    const value = (s: HandSize) => length(readText(anyNumber, typedInMillimetres(typed[s], inches)).value ?? 0);
     const { start, cut } = handCut(work, { stock, surface, tool, sizes: { size: value("size"), z: value("z") } });
     onInsert({ ...base, tool: tool.T, spindle: turns, start, blank: cylinderAround(stock) }, cut, title);
   };
@@ -122,7 +127,7 @@ export function HandForm({ words, work, site, before, onBack, onInsert }: Props)
             <AskedNumber
               key={size}
               name={words.hand.sizes[size]}
-              unit="mm"
+              unit={unit("mm")}
               field={FIELDS[size]}
               text={typed[size]}
               onText={(text) => type({ ...typed, [size]: text })}

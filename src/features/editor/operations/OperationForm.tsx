@@ -9,9 +9,17 @@ import type { Label } from "../../../nc/words.ts";
 import { contoursIn } from "../../../program/job/contour-of-text.ts";
 import { readRows } from "../../../program/job/contour-rows.ts";
 import type { ContourRow, SetJob, SpindleDraft } from "../../../program/job/job.ts";
+import {
+  contourInMillimetres,
+  countsInches,
+  draftForProgram,
+  typedForProgram,
+  typedInMillimetres,
+} from "../../../program/edits/program-unit.ts";
 import { proposedOperation, sitesOf, usualSurface } from "../../../program/job/proposed-operation.ts";
 import { readDraft, type Draft } from "../../../program/job/read-draft.ts";
 import { surfacesOf, type StockSurface } from "../../../program/job/stock-surface.ts";
+import { useLengths } from "../../../app/calculation/lengths.ts";
 import { useFitsOfWork } from "../../../app/calculation/use-tool-fits.ts";
 import { lazyPart } from "../../../app/base/parts.ts";
 import { Message } from "../../../app/base/Message.tsx";
@@ -52,13 +60,18 @@ const surfaceAt = (surfaces: readonly StockSurface[], { x = "", z = "" }: TypedS
     return (site === "face" ? x : z).trim() !== "" && typed <= high && typed >= low;
   });
 
+const startForProgram = ({ x, z }: SetJob["start"], inches: boolean): SetJob["start"] => ({
+  x: typedForProgram(x, inches),
+  z: typedForProgram(z, inches),
+});
+
 /** What the form hands over. */
 export interface InsertedOperation {
   readonly job: SetJob;
   readonly title: string;
   /** A contour of the program; undefined: the job's own contour is added. */
   readonly contour: Label | undefined;
-  /** Sizes to suggest at the open prompts. */
+  /** Sizes to suggest at the open prompts, in the unit of the program. */
   readonly sizes: Draft;
 }
 
@@ -72,9 +85,13 @@ interface Props {
   readonly onInsert: (made: InsertedOperation) => void;
 }
 
-/** Start point as far as typed; the rest is proposed. */
+/** Start point in the unit of the program, as far as typed; the rest is proposed. */
 type TypedStart = Readonly<{ x?: string; z?: string }>;
 const UNTYPED: TypedStart = {};
+const startInMillimetres = ({ x = "", z = "" }: TypedStart, inches: boolean): SetJob["start"] => ({
+  x: typedInMillimetres(x, inches),
+  z: typedInMillimetres(z, inches),
+});
 const NO_ROWS: readonly ContourRow[] = [];
 
 /** Asks where an operation starts, for its contour, start point, spindle and tool. Sizes stay for its prompts. */
@@ -82,6 +99,8 @@ export function OperationForm({ words, cycle, site, before, onSite, onBack, onIn
   const { operations: t } = useTexts();
   const language = useSettings((s) => s.language);
   const program = useSession((s) => s.reading.program);
+  const inches = countsInches(program);
+  const unit = useLengths().words;
   const form = useRef<HTMLFormElement>(null);
   const [title, setTitle] = useState(() => ncLabels(ncLanguageOf(language)).cycleName(cycle.number));
   const [picked, pick] = useState<StockSurface | null>(null);
@@ -93,34 +112,45 @@ export function OperationForm({ words, cycle, site, before, onSite, onBack, onIn
   const [named, name] = useState<Label | null>(contours[0]?.label ?? null);
   const [waiting, wait] = useState(false);
 
+  const start = useMemo(() => startInMillimetres(typed, inches), [typed, inches]);
   const isKnown = before.stock.length > 0;
   const stock = isKnown ? before.stock : UNKNOWN_STOCK;
   const surfaces = useMemo(() => surfacesOf(stock, site), [stock, site]);
   const surface = useMemo(() => {
     if (picked && surfaces.includes(picked)) return picked;
-    const at = surfaceAt(surfaces, typed);
+    const at = surfaceAt(surfaces, start);
     return at ?? usualSurface(cycle, surfaces);
-  }, [picked, surfaces, typed, cycle]);
+  }, [picked, surfaces, start, cycle]);
   const contourRows = contours.find(({ label }) => label === named)?.rows ?? rows;
-  const contour = useMemo(() => readRows(contourRows).contour.segments, [contourRows]);
+  const contour = useMemo(
+    () => contourInMillimetres(readRows(contourRows).contour.segments, inches),
+    [contourRows, inches],
+  );
   const undrawn = cycle.contour === "free" && contour.length === 0;
-  const made = useMemo(() => {
-    const start = { x: typed.x ?? "", z: typed.z ?? "" };
-    return surface && proposedOperation(cycle, { stock, surface, before: before.operations, contour, start });
-  }, [cycle, stock, surface, before.operations, contour, typed]);
+  const made = useMemo(
+    () => surface && proposedOperation(cycle, { stock, surface, before: before.operations, contour, start }),
+    [cycle, stock, surface, before.operations, contour, start],
+  );
   const fits = useFitsOfWork(made?.likely ?? null);
   const best = fits?.find((fit) => fit.makesContour)?.tool.T ?? null;
   const chosen = tool ?? best;
   const job = made && {
     ...made.job,
     drafts: isKnown ? made.job.drafts : emptied(made.job, made.placed),
-    start: isKnown ? { ...made.job.start, ...typed } : { x: "", z: "", ...typed },
+    start: isKnown
+      ? {
+          ...made.job.start,
+          ...(typed.x !== undefined && { x: start.x }),
+          ...(typed.z !== undefined && { z: start.z }),
+        }
+      : start,
     spindle: spindle ?? made.job.spindle,
     contour: named === null ? rows : [],
   };
-  const placed = isKnown ? (made?.placed ?? {}) : {};
-  const sizes = isKnown ? (made?.sizes ?? {}) : {};
-  const usable = job !== null && !undrawn && arePlaceFieldsUsable(job);
+  const shown = job && { ...job, start: { ...startForProgram(job.start, inches), ...typed } };
+  const placed = draftForProgram(cycle, isKnown ? (made?.placed ?? {}) : {}, inches);
+  const sizes = draftForProgram(cycle, isKnown ? (made?.sizes ?? {}) : {}, inches);
+  const usable = job !== null && shown !== null && !undrawn && arePlaceFieldsUsable(shown);
   const openQs = made ? readDraft(cycle, job?.drafts[cycle.number] ?? {}).issues.flatMap(({ at }) => at ?? []) : [];
   const unknown = openQs.filter((q) => sizes[q] === undefined);
 
@@ -206,10 +236,14 @@ export function OperationForm({ words, cycle, site, before, onSite, onBack, onIn
               </select>
             </label>
           )}
-          {job && (
+          {shown && (
             <>
-              <StartFields start={job.start} onStart={(axis, text) => setTyped({ ...typed, [axis]: text })} />
-              <SpindleFields spindle={job.spindle} onSpindle={setSpindle} />
+              <StartFields
+                start={shown.start}
+                unit={unit}
+                onStart={(axis, text) => setTyped({ ...typed, [axis]: text })}
+              />
+              <SpindleFields spindle={shown.spindle} onSpindle={setSpindle} />
             </>
           )}
         </div>

@@ -15,25 +15,28 @@ export const arePlaceFieldsUsable = ({ start, spindle }: Place): boolean =>
   isUsable(FIELDS.startX, start.x) && isUsable(FIELDS.startZ, start.z) && isSpindleUsable(spindle);
 
 interface StartProps {
+  /** In the unit of the program. */
   readonly start: SetJob["start"];
+  /** Writes a unit in that of the program. */
+  readonly unit: (mm: string) => string;
   readonly onStart: (axis: "x" | "z", text: string) => void;
 }
 
 /** Start point of an operation. */
-export function StartFields({ start, onStart }: StartProps) {
+export function StartFields({ start, unit, onStart }: StartProps) {
   const t = useTexts();
   return (
     <>
       <AskedNumber
         name={t.setup.start.x}
-        unit={t.setup.units.diameter}
+        unit={unit(t.setup.units.diameter)}
         field={FIELDS.startX}
         text={start.x}
         onText={(text) => onStart("x", text)}
       />
       <AskedNumber
         name={t.setup.start.z}
-        unit={t.setup.units.mm}
+        unit={unit(t.setup.units.mm)}
         field={FIELDS.startZ}
         text={start.z}
         onText={(text) => onStart("z", text)}

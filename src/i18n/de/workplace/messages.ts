@@ -215,6 +215,10 @@ export const messages = {
       `Dieser Schnitt geht bei ${w.place(d.x, d.z)} um ${w.area(
         d.area,
       )} unter die Kontur des Zyklus in Satz ${d.block}. Falls gewollt, bestätigen.`,
+    intendedCut: (d, w) =>
+      `Als gewollt gekennzeichnet: ${d.blocks.length === 1 ? "Schnitt" : "Schnitte"} unter der Kontur in ${
+        d.blocks.length === 1 ? "Satz" : "den Sätzen"
+      } ${d.blocks.join(", ")}, ${w.area(d.area)} bei ${w.place(d.x, d.z)}.`,
     cameLoose: (d, w) =>
       `${{ piece: "Ein Stück", ring: "Ein Ring", slug: "Ein Butzen" }[d.shape]} von ${w.area(d.area)} bei ${w.place(
         d.x,

@@ -209,6 +209,10 @@ export const messages = {
         d.x,
         d.z,
       )}. Confirm it if intended.`,
+    intendedCut: (d, w) =>
+      `Marked as intended: ${d.blocks.length === 1 ? "cut" : "cuts"} below the contour in ${
+        d.blocks.length === 1 ? "block" : "blocks"
+      } ${d.blocks.join(", ")}, ${w.area(d.area)} at ${w.place(d.x, d.z)}.`,
     cameLoose: (d, w) =>
       `${{ piece: "A piece", ring: "A ring", slug: "A slug" }[d.shape]} of ${w.area(d.area)} at ${w.place(
         d.x,

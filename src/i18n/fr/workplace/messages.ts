@@ -212,6 +212,10 @@ export const messages = {
         d.x,
         d.z,
       )}. La confirmer si elle est voulue.`,
+    intendedCut: (d, w) =>
+      `${d.blocks.length === 1 ? "Passe sous le contour déclarée voulue, séquence" : "Passes sous le contour déclarées voulues, séquences"} ${d.blocks.join(
+        ", ",
+      )} : ${w.area(d.area)} en ${w.place(d.x, d.z)}.`,
     cameLoose: (d, w) =>
       `${{ piece: "Un morceau", ring: "Un anneau", slug: "Une débouchure" }[d.shape]} de ${w.area(d.area)} en ${w.place(
         d.x,

@@ -157,6 +157,8 @@ export const messages = {
     holderContact: (d, w) => `刀杆在${w.place(d.x, d.z)}处碰到材料。`,
     cutBelowContour: (d, w) =>
       `此切削在${w.place(d.x, d.z)}处低于程序段${d.block}中循环的轮廓${w.area(d.area)}。如果是有意的，请确认。`,
+    intendedCut: (d, w) =>
+      `程序段${d.blocks.join("、")}中低于轮廓的切削已标记为有意：${w.place(d.x, d.z)}处${w.area(d.area)}。`,
     cameLoose: (d, w) =>
       `${w.place(d.x, d.z)}处的${{ piece: "一段工件", ring: "一个环", slug: "一个料芯" }[d.shape]}（${w.area(
         d.area,
