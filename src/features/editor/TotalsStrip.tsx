@@ -19,6 +19,7 @@ import { VerdictText } from "../../app/findings/VerdictText.tsx";
 import { useLengths } from "../../app/calculation/lengths.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { useSession } from "../../app/fields/blocks/session.ts";
+import { SpokenEffect } from "../../app/findings/effect/SpokenEffect.tsx";
 
 /** How many tool calls of a text change the tool. */
 function toolCalls({ blocks }: Program): number {
@@ -123,6 +124,7 @@ export function TotalsStrip() {
       </dl>
       <PinButton />
       <StripStatus />
+      <SpokenEffect />
     </section>
   );
 }

@@ -15,6 +15,7 @@ import { chipArea, cutAtOnce, effectNow } from "./effect.ts";
 import { PinButton } from "./Pinned.tsx";
 import { TimeName } from "./TimeName.tsx";
 import { FaultsChange, useChanges } from "./EffectChanges.tsx";
+import { SpokenEffect } from "./SpokenEffect.tsx";
 
 /** Effect of the values while they are typed: passes, actual infeed, time, chip, residual material, and the verdict. */
 export function EffectStrip({ read }: { readonly read: JobReading }) {
@@ -76,6 +77,7 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
       </dl>
       <PinButton />
       <StripStatus otherwise={dimmed ? t.effect.waiting : ""} />
+      <SpokenEffect />
     </section>
   );
 }
