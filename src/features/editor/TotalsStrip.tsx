@@ -117,8 +117,8 @@ export function TotalsStrip() {
           </dt>
           <dd>
             <VerdictText verdict={verdict} reasons={verdict.state === "faults" ? 0 : 1} />
+            {checking.seen && <Checking />}
           </dd>
-          {checking.seen && <Checking />}
         </div>
       </dl>
       <PinButton />

@@ -70,8 +70,8 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
           </dt>
           <dd>
             <VerdictText verdict={verdict} reasons={verdict.state === "faults" ? 0 : 1} />
+            {checking.seen && <Checking />}
           </dd>
-          {checking.seen && <Checking />}
         </div>
       </dl>
       <PinButton />
