@@ -1,4 +1,5 @@
 import { expect, test as plain, type Page } from "@playwright/test";
+import { axeViolations } from "./axe.ts";
 
 /** CPU slowdown of the page: `THROTTLE=4 npm run e2e` is like a small tablet. */
 const rate = Number(process.env["THROTTLE"] ?? 1);
@@ -8,11 +9,22 @@ async function slowed(page: Page): Promise<void> {
   await session.send("Emulation.setCPUThrottlingRate", { rate });
 }
 
-/** Every spec file uses this `test`, so that all of them can run with a slowed CPU. */
+/** Whether the page is still there to be looked at: neither closed nor left. */
+const isShown = (page: Page): boolean => !page.isClosed() && page.url().startsWith("http");
+
+/**
+ * Every spec file uses this `test`, so that all of them can run with a slowed CPU, and that the screen in which a journey
+ * ends passes axe.
+ */
 export const test = plain.extend({
   context: async ({ context }, use) => {
     if (rate > 1) context.on("page", (page) => void slowed(page).catch(() => undefined));
     await use(context);
+  },
+  page: async ({ page }, use, info) => {
+    await use(page);
+    if (info.status === info.expectedStatus && isShown(page))
+      expect(await axeViolations(page), "axe on the last screen").toEqual([]);
   },
 });
 

@@ -1,12 +1,14 @@
 import { useEffect } from "react";
 import { useTexts } from "../app/base/settings/use-texts.ts";
 import { useEditor } from "../app/document/store.ts";
+import { taskOfWork } from "../app/document/work-task.ts";
 import { guidePath, shownPage, usePlace } from "../app/place/place.ts";
 
-/** The name of the page on top; null for the course, which names its lessons itself. */
+/** The name of the page on top; null for the course, which names its lessons and exercises itself. */
 function usePageName(): string | null {
   const { page: t, start, menu } = useTexts("first");
   const name = useEditor((s) => s.job?.name ?? s.program?.name ?? "");
+  const isTask = useEditor((s) => taskOfWork(s) !== undefined);
   const page = usePlace((p) => shownPage(p).page);
   const isFinding = usePlace((p) => p.over?.dialog === "which");
   const [kind, of, more] = usePlace(guidePath) ?? [];
@@ -29,7 +31,7 @@ function usePageName(): string | null {
     case "course":
       return null;
     default:
-      return name;
+      return page === "work" && isTask ? null : name;
   }
 }
 

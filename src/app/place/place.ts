@@ -208,11 +208,17 @@ export function showOwn(row?: string, fields = false): void {
 export const openOwn = (row: string | null, fields = false): void =>
   set((p) => ({ own: { row, focus: fields ? p.own.focus + 1 : p.own.focus } }));
 
-/** Marks an area that keeps the focus while prompts open beside it: the program text, the list of its structure. */
+/** Marks an area that keeps the focus while prompts open beside it: the program text, its structure, an exercise. */
 export const KEEPS_KEYBOARD = "data-keeps-keyboard";
 
 /** False while the operator types in such an area: a field that opens must not take the focus. */
 export const mayTakeKeyboard = (): boolean => !document.activeElement?.closest(`[${KEEPS_KEYBOARD}]`);
+
+/** Lets the next field that opens take the focus, also out of such an area. */
+export function releaseKeyboard(): void {
+  const { activeElement } = document;
+  if (activeElement instanceof HTMLElement && !mayTakeKeyboard()) activeElement.blur();
+}
 
 /** Opens and focuses a prompt with its present text. */
 export const openPrompt = (prompt: string | null, before: string): void =>
@@ -228,8 +234,7 @@ export const showSection = (section: WorkSection): void => set({ section, field:
 export function enterSection(section: WorkSection): void {
   showSection(section);
   focusPart(`.panel-${section}`, () => {
-    const { activeElement } = document;
-    if (activeElement instanceof HTMLElement && !mayTakeKeyboard()) activeElement.blur();
+    releaseKeyboard();
     set((p) => ({ focus: p.focus + 1 }));
   });
 }

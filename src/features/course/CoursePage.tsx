@@ -11,8 +11,10 @@ export function CoursePage() {
   const t = useTexts("course");
   const { lessons } = useCourseIndex();
   const lesson = usePlace((p) => coursePage(p)?.lesson ?? null);
+  const at = usePlace((p) => coursePage(p)?.at ?? null);
   const open = lessons.find(({ id }) => id === lesson);
-  const title = open ? t.openLesson(String(open.number), open.title) : t.title;
+  const opened = open ? t.openLesson(String(open.number), open.title) : t.title;
+  const title = open && at === "tasks" ? `${t.tasks}, ${opened}` : opened;
   useEffect(() => {
     document.title = `${title} · Turnwise`;
   }, [title]);

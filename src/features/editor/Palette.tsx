@@ -3,11 +3,13 @@ import { markFresh } from "../../app/fields/blocks/fresh-block.ts";
 import { cycleByNumber } from "../../cycles/index.ts";
 import { CycleChooser } from "../../app/fields/chooser/CycleChooser.tsx";
 import { ownStatement } from "../../program/edits/own-cycle.ts";
+import { focusPart } from "../../app/base/focus-guard.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import type { Statement } from "../../nc/statement.ts";
 import { useOwnOffer } from "../../app/fields/own/OwnCycles.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useFingers } from "../../app/base/use-media.ts";
+import { usePlace } from "../../app/place/place.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { inserted } from "../../app/fields/blocks/block-edits.ts";
 import { BlockKinds } from "./BlockKinds.tsx";
@@ -18,6 +20,15 @@ interface Props {
   readonly index: number;
   readonly done: () => void;
 }
+
+const FORM = ".block-panel [role=form]";
+
+/** Moves the focus to the first field of the dialog that replaces the palette. */
+const enterForm = (): void =>
+  focusPart(FORM, () => {
+    usePlace.setState((p) => ({ focus: p.focus + 1 }));
+    document.querySelector<HTMLElement>(`${FORM} :is(input, select, textarea)`)?.focus({ preventScroll: true });
+  });
 
 /** All kinds of blocks; a click inserts one after the open block and opens its dialog. */
 export function Palette({ index, done }: Props) {
@@ -38,6 +49,7 @@ export function Palette({ index, done }: Props) {
     if (statement.kind === "approach") markFresh(index + 1);
     editProgram(inserted(program, index + 1, statement), null, index + 1);
     done();
+    if (!fingers) enterForm();
   };
   const putCycle = (number: number) => {
     const cycle = cycleByNumber(number);

@@ -19,6 +19,7 @@ import { VerdictText } from "../../app/findings/VerdictText.tsx";
 import { useLengths } from "../../app/calculation/lengths.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { useSession } from "../../app/fields/blocks/session.ts";
+import { SpokenEffect } from "../../app/findings/effect/SpokenEffect.tsx";
 
 /** How many tool calls of a text change the tool. */
 function toolCalls({ blocks }: Program): number {
@@ -83,8 +84,7 @@ export function TotalsStrip() {
     <div className={`effect-cell${compared === "residual" ? " stays" : ""}`}>
       <dt>{name}</dt>
       <dd {...(compared && changed(compared))}>
-        <span className="number">{value}</span>
-        {unit && <span className="soft small">{unit}</span>}
+        <span className="number">{value}</span> {unit && <span className="soft small">{unit}</span>}
       </dd>
     </div>
   );
@@ -117,12 +117,13 @@ export function TotalsStrip() {
           </dt>
           <dd>
             <VerdictText verdict={verdict} reasons={verdict.state === "faults" ? 0 : 1} />
+            {checking.seen && <Checking />}
           </dd>
-          {checking.seen && <Checking />}
         </div>
       </dl>
       <PinButton />
       <StripStatus />
+      <SpokenEffect />
     </section>
   );
 }

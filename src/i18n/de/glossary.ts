@@ -38,6 +38,8 @@ export const glossary: GlossaryTexts = {
   cornerElement: {
     name: "Fase, Rundung",
     text: "Element, das eine Ecke zwischen zwei Elementen bricht, oder die Kante am Start oder Ende eines Absatzes.",
+    // Not the nose of the insert.
+    where: "(?<!(?:ihre|ohne) )",
   },
   shoulder: { name: "Absatz", text: "Ein Zylinder und eine Planfläche, die sich in einer Innenecke treffen." },
   face: { name: "Planfläche", text: "Eine Fläche rechtwinklig zur Drehachse, gedreht mit einer Bewegung in X." },
@@ -71,6 +73,8 @@ export const glossary: GlossaryTexts = {
   oversize: {
     name: "Aufmaß",
     text: "Material, das nach dem Schruppen für das Schlichten bleibt: Q483 im Durchmesser, Q484 in Z.",
+    // Not the material in front of the face.
+    where: "(?!Aufmaß zum Plan)",
   },
   workpieceZero: {
     name: "Werkstück-Nullpunkt",
@@ -139,7 +143,12 @@ export const glossary: GlossaryTexts = {
     name: "Halter",
     text: "Werkzeugkörper, der die Schneidplatte trägt. Er darf weder Teil noch Futter berühren.",
   },
-  pass: { name: "Schnitt", text: "Ein Schruppschnitt auf einer Tiefe, von der Zustellung bis zum Abheben." },
+  pass: {
+    name: "Schnitt",
+    text: "Ein Schruppschnitt auf einer Tiefe, von der Zustellung bis zum Abheben.",
+    // Not the section view.
+    where: "(?<![Ii]m )",
+  },
   infeed: {
     name: "Zustellung",
     text: "Tiefe eines Schnitts gegenüber dem vorigen. Q463 ist das Maximum; die Tiefe wird gleichmäßig aufgeteilt.",

@@ -21,12 +21,16 @@ export const glossary: GlossaryTexts = {
   cornerElement: {
     name: "Chamfer, rounding",
     text: "Element that breaks the corner between two elements, or the edge at the start or end of a shoulder.",
+    // Not the nose ("its rounding") nor the verb.
+    where: String.raw`(?<!\bits )(?!chamfers the\b)`,
   },
   shoulder: { name: "Shoulder", text: "A cylinder and a face that meet in an inside corner." },
   face: { name: "Face", text: "A surface perpendicular to the axis, turned by a movement in X." },
   recess: {
     name: "Recess, groove",
     text: "A floor between two walls. Recess turning cuts it laterally, recessing with plunges side by side.",
+    // Not the marks that the feed leaves.
+    where: String.raw`(?<!\b(?:leaves|leaves a|fine) )(?!grooves grow\b)`,
   },
   undercut: {
     name: "Undercut",
@@ -106,7 +110,12 @@ export const glossary: GlossaryTexts = {
     name: "Holder",
     text: "The tool body that carries the insert. It must touch neither the part nor the chuck.",
   },
-  pass: { name: "Pass", text: "One roughing cut at one depth, from the infeed to the retraction." },
+  pass: {
+    name: "Pass",
+    text: "One roughing cut at one depth, from the infeed to the retraction.",
+    // Also a verb.
+    where: String.raw`(?!passes (?:the|through|by|over|without a)\b)`,
+  },
   infeed: {
     name: "Infeed",
     text: "Depth of a pass relative to the previous one. Q463 is the maximum; the depth is divided evenly.",
@@ -167,7 +176,12 @@ export const glossary: GlossaryTexts = {
     name: "Machining limit",
     text: "A diameter (Q480) or a Z position (Q482) beyond which the cycle does not cut the contour.",
   },
-  program: { name: "Program", text: "The blocks that the control executes one after the other." },
+  program: {
+    name: "Program",
+    text: "The blocks that the control executes one after the other.",
+    // Also a verb.
+    where: String.raw`(?<!\b(?:to|you|can|must|not) )(?!program (?:it|the|this|these|both|each|every|everything|only|all)\b)`,
+  },
   block: {
     name: "Block",
     text: "One numbered line of a program, or several that belong together, such as a cycle with its parameters.",

@@ -37,9 +37,16 @@ export const glossary: GlossaryTexts = typeset({
   cornerElement: {
     name: "Chanfrein, arrondi",
     text: "Élément qui casse un coin entre deux éléments, ou l’arête au départ ou à la fin d’un épaulement.",
+    // Not the nose, nor a rounded number or corner.
+    where: "(?:(?=chanfrein)|(?<=^|(?:un|ou|et|des) ))",
   },
   shoulder: { name: "Épaulement", text: "Un cylindre et une face qui se rejoignent dans un coin intérieur." },
-  face: { name: "Face", text: "Une surface perpendiculaire à l’axe, tournée par un mouvement en X." },
+  face: {
+    name: "Face",
+    text: "Une surface perpendiculaire à l’axe, tournée par un mouvement en X.",
+    // Not “face à”.
+    where: String.raw`(?!face (?:à|au|aux)\s)`,
+  },
   recess: {
     name: "Gorge",
     text:
@@ -49,6 +56,8 @@ export const glossary: GlossaryTexts = typeset({
   undercut: {
     name: "Dégagement",
     text: "Un creux sous la cote finie dans le coin devant une face, pour dégager la pièce opposée ou la meule.",
+    // Usually a retraction.
+    where: "(?<!, )(?!dégagement en )",
   },
   thread: {
     name: "Filetage",
@@ -63,7 +72,7 @@ export const glossary: GlossaryTexts = typeset({
       "Distance d’une rainure à la suivante. Avec plusieurs filets, la course par tour est le pas multiplié par le " +
       "nombre de filets.",
     // Usually part of a negation.
-    where: "(?<=(?:le|du|un|au|Le|Du|Un|Au) )",
+    where: String.raw`(?<=(?<!\p{L})(?:le|du|un|au) )`,
   },
   runIn: {
     name: "Course d’engagement",
@@ -73,6 +82,8 @@ export const glossary: GlossaryTexts = typeset({
   oversize: {
     name: "Surépaisseur",
     text: "Matière laissée par l’ébauche pour la finition : Q483 au diamètre, Q484 en Z.",
+    // Not the material in front of the face.
+    where: "(?!surépaisseur à dresser)",
   },
   workpieceZero: {
     name: "Origine pièce",
@@ -150,6 +161,8 @@ export const glossary: GlossaryTexts = typeset({
   roughing: {
     name: "Ébauche",
     text: "Enlever l’essentiel de la matière en peu de passes profondes, jusqu’à la surépaisseur.",
+    // Also a verb.
+    where: String.raw`(?<!T\d+ )`,
   },
   finishing: {
     name: "Finition",

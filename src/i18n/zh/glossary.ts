@@ -7,15 +7,30 @@ export const glossary: GlossaryTexts = {
   finishedPart: { name: "成品", text: "全部切削之后图纸所要求的工件，任何一刀都不得损伤。" },
   residue: { name: "残余材料", text: "刀片无法到达而留在轮廓上的材料：内角、侧面背后、极限处。", also: "残余材料" },
   contour: { name: "轮廓", text: "成品表面的直线与圆弧，按加工方向。" },
-  cornerElement: { name: "倒角、圆角", text: "两个元素之间的角，或台阶起点、终点处棱边的过渡元素。" },
-  shoulder: { name: "台阶", text: "圆柱面与端面在内角处相交。" },
+  cornerElement: {
+    name: "倒角、圆角",
+    text: "两个元素之间的角，或台阶起点、终点处棱边的过渡元素。",
+    // Not the radius that the nose leaves.
+    where: "(?:(?=倒角)|(?<!的))",
+  },
+  shoulder: {
+    name: "台阶",
+    text: "圆柱面与端面在内角处相交。",
+    // Not the steps at the ends of passes.
+    where: "(?<!像|形成|侧壁)",
+  },
   face: { name: "端面", text: "与轴线垂直的面，沿 X 车削。" },
   recess: { name: "凹槽", text: "两侧壁之间的槽底。凹槽车削横向切削，切槽则并排切入。" },
   undercut: { name: "退刀槽", text: "端面前内角处低于成品尺寸的凹处，为配合件或砂轮留出空间。" },
   thread: { name: "螺纹", text: "沿螺旋线的沟槽。进给与主轴同步，使每一刀都沿同一沟槽。" },
   pitch: { name: "螺距", text: "相邻沟槽间的距离。多头螺纹每转的行程（导程）为螺距乘以头数。" },
   runIn: { name: "导入段", text: "螺纹之前使轴加速到进给速率的行程。" },
-  oversize: { name: "余量", text: "粗加工为精加工留下的量：Q483 在直径上，Q484 沿 Z。" },
+  oversize: {
+    name: "余量",
+    text: "粗加工为精加工留下的量：Q483 在直径上，Q484 沿 Z。",
+    // Not the material in front of the face.
+    where: "(?<!端面的?|没有|前的|薄的|毛坯|mm )",
+  },
   workpieceZero: { name: "工件零点", text: "X0 与 Z0 的位置。X0 为主轴轴线；Z0 一般在成品端面上，工件在负侧。" },
   diameter: { name: "直径（⌀）", text: "X 按直径编程。X 移动 2 mm，刀具移动 1 mm。" },
   radius: { name: "半径值（r）", text: "垂直于轴线的深度只计一侧：3 mm 即直径上 6 mm。" },

@@ -57,6 +57,24 @@ test("terms are found in sentences of each language, and no text is lost", () =>
   }
 });
 
+test.each([
+  [en, "Program it, then program the groove wall. To program X you need a program.", ["recess", "program"]],
+  [en, "The material that passes the edge; each pass counts", ["pass"]],
+  [en, "The feed leaves grooves; a groove between two walls", ["recess"]],
+  [en, "the corner without its rounding; CHF chamfers the corner; a chamfer of 1 mm", ["cornerElement"]],
+  [de, "Im Schnitt hat die Kehle die Form; die Ecke ohne Rundung", []],
+  [de, "Das Aufmaß zum Plandrehen", []],
+  [fr, "n = 9 / Q463, arrondi au-dessus ; sans son arrondi ; arrondie à 0,6", []],
+  [fr, "un chanfrein ou un arrondi", ["cornerElement"]],
+  [fr, "Elle ne contrôle pas, l’écart ne se calcule pas", []],
+  [fr, "le long du contour, dégagement, puis Dégagement en Z ; outil face au brut", ["contour", "blank"]],
+  [zh, "这 2 mm 是车端面的余量，薄的余量；锥面下各刀的终点像台阶", ["face"]],
+  [zh, "留下 0.8 mm 的圆角；余量 0.3", ["oversize"]],
+] as const)("a word with another meaning is no term (%#)", (glossary, text, terms) => {
+  const [parts = []] = termParts([text], glossary);
+  expect(parts.flatMap(({ term }) => term ?? [])).toEqual(terms);
+});
+
 test("a parameter that leads to a term is among its uses once", () => {
   const uses = usingParameters("infeed");
   expect(uses.map(({ q }) => q)).toContain("Q463");

@@ -15,6 +15,7 @@ import { chipArea, cutAtOnce, effectNow } from "./effect.ts";
 import { PinButton } from "./Pinned.tsx";
 import { TimeName } from "./TimeName.tsx";
 import { FaultsChange, useChanges } from "./EffectChanges.tsx";
+import { SpokenEffect } from "./SpokenEffect.tsx";
 
 /** Effect of the values while they are typed: passes, actual infeed, time, chip, residual material, and the verdict. */
 export function EffectStrip({ read }: { readonly read: JobReading }) {
@@ -38,8 +39,7 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
     <div className={`effect-cell${compared === "residual" ? " stays" : ""}`}>
       <dt>{name}</dt>
       <dd {...(compared && changed(compared))}>
-        <span className="number">{value}</span>
-        {unit && <span className="soft small">{unit}</span>}
+        <span className="number">{value}</span> {unit && <span className="soft small">{unit}</span>}
       </dd>
     </div>
   );
@@ -70,12 +70,13 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
           </dt>
           <dd>
             <VerdictText verdict={verdict} reasons={verdict.state === "faults" ? 0 : 1} />
+            {checking.seen && <Checking />}
           </dd>
-          {checking.seen && <Checking />}
         </div>
       </dl>
       <PinButton />
       <StripStatus otherwise={dimmed ? t.effect.waiting : ""} />
+      <SpokenEffect />
     </section>
   );
 }

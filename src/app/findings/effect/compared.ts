@@ -28,7 +28,7 @@ interface Compared {
 const NOTHING: Compared = { text: null, before: null, pinned: null };
 export const useCompared = create<Compared>(() => NOTHING);
 
-const textOf = ({ job, program }: Editor): string | null => (job ? printedText(job) : (program?.text ?? null));
+export const textOf = ({ job, program }: Editor): string | null => (job ? printedText(job) : (program?.text ?? null));
 
 /** A result with its numbers; those of the run are from a newer planned path if there is one. */
 export function settingOf(outcome: Outcome, made: Outcome | Planned = outcome): MeasuredSetting {

@@ -18,6 +18,7 @@ export function GlyphButton({
   readonly pressed?: boolean;
   /** For a button that expands something. */
   readonly expanded?: boolean;
+  /** It keeps the focus where a press has ended what it does. */
   readonly disabled?: boolean;
   /** Visible text: its name, or a shorter one. */
   readonly text?: string;
@@ -32,8 +33,8 @@ export function GlyphButton({
       title={hint ?? name}
       aria-pressed={pressed}
       aria-expanded={expanded}
-      disabled={disabled}
-      onClick={onPress}
+      aria-disabled={disabled}
+      onClick={() => !disabled && onPress()}
     >
       <Glyph name={glyph} />
       {text !== undefined && (

@@ -1,4 +1,5 @@
 import { useEffect, useEffectEvent } from "react";
+import { FIRST_FOCUS } from "../../../app/base/focus-guard.ts";
 import type { TaskMark } from "../../../course/judge/judgement.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import type { Run } from "../../../program/state/run-types.ts";
@@ -43,7 +44,13 @@ export function MarkLine({
   if (!mark) return null;
   return (
     <div className="task-now task-mark">
-      <button type="button" className="task-told" aria-label={`${place + 1}: ${say(mark)}`} onClick={() => go(place)}>
+      <button
+        type="button"
+        className="task-told"
+        aria-label={`${place + 1}: ${say(mark)}`}
+        onClick={() => go(place)}
+        {...{ [FIRST_FOCUS]: "" }}
+      >
         <span className={`badge ${badgeOf(mark)}`} aria-hidden="true">
           {place + 1}
         </span>

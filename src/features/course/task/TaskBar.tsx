@@ -1,7 +1,10 @@
 import { useEffect } from "react";
 import { Icon } from "../../../app/base/Icon.tsx";
+import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { startWorkingTime } from "../../../app/records/course/working-time.ts";
+import { useEditor } from "../../../app/document/store.ts";
+import { inScreenLanguage } from "../../../course/words.ts";
 import { TaskPanel } from "./TaskPanel.tsx";
 import { viewTask } from "./task-view.ts";
 import { useTaskFile } from "./use-task-file.ts";
@@ -13,7 +16,13 @@ startWorkingTime();
 export function TaskBar({ work }: { readonly work: string }) {
   const t = useTexts("course-task");
   const task = useTaskFile();
+  const language = useSettings((s) => s.language);
+  const named = useEditor((s) => (s.job ?? s.program)?.name ?? "");
   useEffect(() => viewTask(work), [work]);
+  const title = (task !== null && task !== "none" && inScreenLanguage(task.words, language)?.title) || named;
+  useEffect(() => {
+    document.title = `${title} · Turnwise`;
+  }, [title]);
   if (task === null) return null;
   if (task !== "none") return <TaskPanel task={task} t={t} />;
   return (

@@ -4,7 +4,8 @@ import type { Task } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import { useOutcome } from "../../../app/calculation/outcome.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
-import { usePlace } from "../../../app/place/place.ts";
+import { FIRST_FOCUS } from "../../../app/base/focus-guard.ts";
+import { KEEPS_KEYBOARD, usePlace } from "../../../app/place/place.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { useEditor } from "../../../app/document/store.ts";
@@ -46,6 +47,13 @@ function useLiveJudgement(task: Task): void {
   }, [task, newest, job, program, checked]);
 }
 
+/** After a check, the focus goes to its first place, unless the operator has moved it. */
+const focusResult = (check: HTMLElement): number =>
+  requestAnimationFrame(() => {
+    if (document.activeElement !== check) return;
+    check.closest("section")?.querySelector<HTMLElement>(`[${FIRST_FOCUS}]`)?.focus({ preventScroll: true });
+  });
+
 /** A task above its work: one line with the next step, and the unfolded assignment. */
 export function TaskPanel({ task, t }: { readonly task: Task; readonly t: CourseTaskTexts }) {
   const texts = useTexts();
@@ -78,6 +86,7 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
       data-open={open}
       data-veiled={veiled}
       onKeyDown={(event) => event.stopPropagation()}
+      {...{ [KEEPS_KEYBOARD]: "" }}
     >
       <div className="task-head">
         <h2 className="task-title">{words.title}</h2>
@@ -87,7 +96,7 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
             type="button"
             className="button primary"
             aria-disabled={checking}
-            onClick={() => !checking && void checkTask(task)}
+            onClick={({ currentTarget }) => !checking && void checkTask(task).then(() => focusResult(currentTarget))}
           >
             <Icon name="check" /> {t.check}
           </button>

@@ -3,7 +3,8 @@ import type { Task } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { draftOf } from "../../../app/document/edits.ts";
-import { openPrompt, enterSection } from "../../../app/place/place.ts";
+import { FIRST_FOCUS } from "../../../app/base/focus-guard.ts";
+import { openPrompt, enterSection, releaseKeyboard } from "../../../app/place/place.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { useEditor } from "../../../app/document/store.ts";
@@ -20,7 +21,9 @@ function openFirstMissing(lacks: NotReady): void {
   const { job } = useEditor.getState();
   if (lacks.why === "noContour") return enterSection("contour");
   const q = lacks.why === "empty" ? lacks.at[0] : undefined;
-  if (job && q !== undefined) openPrompt(q, draftOf(job)[q] ?? "");
+  if (!job || q === undefined) return;
+  releaseKeyboard();
+  openPrompt(q, draftOf(job)[q] ?? "");
 }
 
 /** Why a check could not judge yet; that never counts as a try. */
@@ -39,7 +42,7 @@ function Lacking({ lacks, t }: { readonly lacks: NotReady; readonly t: CourseTas
   return (
     <>
       <span>{lacks.why === "empty" ? t.empty(names) : t.noContour}</span>
-      <button type="button" className="button plain" onClick={() => openFirstMissing(lacks)}>
+      <button type="button" className="button plain" onClick={() => openFirstMissing(lacks)} {...{ [FIRST_FOCUS]: "" }}>
         {t.goTo(lacks.why === "empty" ? (lacks.at[0] ?? "") : texts.page.contour)}
       </button>
     </>

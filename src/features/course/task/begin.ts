@@ -7,7 +7,8 @@ import { draftOf } from "../../../app/document/edits.ts";
 import { toFirstPrompt, usePlace } from "../../../app/place/place.ts";
 import { openWork, refreshWorks, startWork, useSavedWorks } from "../../../app/records/keep.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
-import { isProgram, type Work } from "../../../app/document/work.ts";
+import { useEditor } from "../../../app/document/store.ts";
+import type { Work } from "../../../app/document/work.ts";
 import { unfoldNext } from "./task-view.ts";
 
 /** The run is hidden until all predictions are made. */
@@ -39,14 +40,18 @@ function firstOpenPrompt(job: Job): string | null {
   return asked.find((q) => !draft[q]) ?? asked[0] ?? null;
 }
 
+function showFirstOpenPrompt(): void {
+  const { job } = useEditor.getState();
+  if (!job) return;
+  const prompt = firstOpenPrompt(job);
+  usePlace.setState({ section: "prompts", prompt, before: draftOf(job)[prompt ?? ""] ?? "", field: null });
+}
+
 /** Starts a task with a new work. */
 export function startTask(task: Task, fromOutside = false): void {
   unfoldNext();
-  const work = workOfTask(task, fromOutside);
-  startWork(work);
-  if (isProgram(work)) return;
-  const prompt = firstOpenPrompt(work);
-  usePlace.setState({ section: "prompts", prompt, before: draftOf(work)[prompt ?? ""] ?? "", field: null });
+  startWork(workOfTask(task, fromOutside));
+  showFirstOpenPrompt();
 }
 
 /** Resumes the newest stored work of a task, or starts the task. */
@@ -56,4 +61,5 @@ export async function resumeOrStartTask(task: Task, fromOutside = false): Promis
   toFirstPrompt();
   const kept = newestWorkOfTask(task.id);
   if (kept === undefined || !(await openWork(kept))) startTask(task, fromOutside);
+  else showFirstOpenPrompt();
 }

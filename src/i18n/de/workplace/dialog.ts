@@ -113,4 +113,5 @@ export const dialog = {
     firstOpen: "Zur Eingabe",
     copy: "Programm kopieren",
   },
+  result: (passes, infeed, time) => `${passes} zu ${infeed}, ${time}`,
 } satisfies DialogTexts;

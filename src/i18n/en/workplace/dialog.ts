@@ -113,6 +113,8 @@ export const dialog = {
     firstOpen: "Go to prompt",
     copy: "Copy the program",
   },
+  /** Announced once a value is taken. */
+  result: (passes: string, infeed: string, time: string) => `${passes} of ${infeed}, ${time}`,
 };
 
 export type DialogTexts = Shape<typeof dialog>;

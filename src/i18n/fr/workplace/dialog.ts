@@ -114,4 +114,5 @@ export const dialog = {
     firstOpen: "Aller à la question",
     copy: "Copier le programme",
   },
+  result: (passes, infeed, time) => `${passes} de ${infeed}, ${time}`,
 } satisfies DialogTexts;

@@ -111,4 +111,5 @@ export const dialog = {
     firstOpen: "转到该提问",
     copy: "复制程序",
   },
+  result: (passes, infeed, time) => `${passes}，每刀 ${infeed}，${time}`,
 } satisfies DialogTexts;
