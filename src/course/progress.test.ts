@@ -76,7 +76,8 @@ describe("a repeated attempt", () => {
     expect(help(aided)).toEqual({ hints: 2, solution: true });
     expect(help(begun)).toEqual({ hints: 0, solution: false });
     const passed = withPass(begun, "q463", { when: 23 });
-    expect([due(passed), state(passed)]).toEqual([false, "solution"]);
+    expect([due(passed), state(passed)]).toEqual([false, "alone"]);
+    expect(progressOfTask(passed, "q463").passed).toEqual({ way: "solution", when: 17 });
     expect(withStart(passed, "q463")).toBe(passed);
   });
 

@@ -197,15 +197,16 @@ export function withAnswer(
   return { ...progress, questions: { ...progress.questions, [lesson]: { ...ofLesson, [question]: now } } };
 }
 
-/** State of a task: not begun, tried, or passed in one of the three ways. */
+/** State of a task: not begun, tried, or passed in one of the three ways; unaided also if a repeated attempt was. */
 export type TaskState = "new" | "tried" | WayPassed;
 export function stateOfTask({
   tries,
   hints,
   solution,
   passed,
-}: Pick<TaskProgress, "tries" | "hints" | "solution" | "passed">): TaskState {
-  if (passed) return passed.way;
+  repeated = false,
+}: Pick<TaskProgress, "tries" | "hints" | "solution" | "passed"> & { readonly repeated?: boolean }): TaskState {
+  if (passed) return repeated ? "alone" : passed.way;
   return tries > 0 || hints > 0 || solution ? "tried" : "new";
 }
 

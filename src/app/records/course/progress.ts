@@ -60,5 +60,8 @@ export const noteAnswer = (lesson: string, question: string, isRight: boolean): 
 /** A page of a lesson was opened. */
 export const noteLessonPage = (at: CourseMark): void => change((now) => withPlace(now, at));
 
-/** Restarts the course, as one step of undo. */
-export const restartCourse = (): void => editRecord(progressRecord, () => NO_PROGRESS);
+/** Chooses the path through the course; null: the whole course. */
+export const choosePath = (path: string | null): void => change((now) => ({ ...now, path }));
+
+/** Restarts the course on the chosen path, as one step of undo. */
+export const restartCourse = (): void => editRecord(progressRecord, ({ path }) => ({ ...NO_PROGRESS, path }));

@@ -8,6 +8,7 @@ import { toFirstPrompt, usePlace } from "../../../app/place/place.ts";
 import { openWork, refreshWorks, startWork, useSavedWorks } from "../../../app/records/keep.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { isProgram, type Work } from "../../../app/document/work.ts";
+import { noteStart } from "../../../app/records/course/progress.ts";
 import { unfoldNext } from "./task-view.ts";
 
 /** The run is hidden until all predictions are made. */
@@ -39,9 +40,10 @@ function firstOpenPrompt(job: Job): string | null {
   return asked.find((q) => !draft[q]) ?? asked[0] ?? null;
 }
 
-/** Starts a task with a new work. */
+/** Starts a task with a new work; again, if it was passed with help before. */
 export function startTask(task: Task, fromOutside = false): void {
   unfoldNext();
+  noteStart(task.id);
   const work = workOfTask(task, fromOutside);
   startWork(work);
   if (isProgram(work)) return;
