@@ -2,6 +2,7 @@ import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import type { CourseIndex } from "../src/app/records/course/content.ts";
 import { lessonSchema, type Lesson } from "../src/course/lesson.ts";
+import { secondsOfPages, secondsOfTask } from "../src/course/study-time.ts";
 import { taskSchema, type Task } from "../src/course/task.ts";
 import { inScreenLanguage, type InLanguages } from "../src/course/words.ts";
 import { LANGUAGES, type Language } from "../src/i18n/languages.ts";
@@ -28,7 +29,8 @@ export function courseIndex(lessons: readonly Lesson[], tasks: readonly Task[], 
   return {
     lessons: [...lessons]
       .sort((a, b) => a.number - b.number)
-      .map(({ id, number, pages, words, tasks: asked }) => {
+      .map((lesson) => {
+        const { id, number, pages, words, tasks: asked } = lesson;
         const { title, aim } = wordsIn(words, language, id);
         return {
           id,
@@ -36,9 +38,13 @@ export function courseIndex(lessons: readonly Lesson[], tasks: readonly Task[], 
           title,
           aim,
           pages: pages.length,
+          seconds: Math.round(secondsOfPages(lesson)),
+          questions: [],
           tasks: asked.flatMap((each) => {
             const task = byId.get(each);
-            return task ? [{ id: each, kind: task.kind, title: wordsIn(task.words, language, each).title }] : [];
+            if (!task) return [];
+            const { title: name } = wordsIn(task.words, language, each);
+            return [{ id: each, kind: task.kind, title: name, seconds: Math.round(secondsOfTask(task)) }];
           }),
         };
       }),

@@ -1,4 +1,5 @@
 import { expect, type Locator } from "@playwright/test";
+import type { CoursePathTexts } from "../../src/i18n/en/course-path.ts";
 import type { CourseTexts } from "../../src/i18n/en/course.ts";
 import type { Context } from "./context.ts";
 import { words } from "./words.ts";
@@ -6,8 +7,10 @@ import { words } from "./words.ts";
 /** The course: the list of its lessons, and the open lesson. */
 export class Course {
   readonly words: CourseTexts;
+  readonly pathWords: CoursePathTexts;
   constructor(private readonly context: Context) {
     this.words = words(context.language, "course");
+    this.pathWords = words(context.language, "course-path");
   }
 
   /** The link to the course on the start page. */
@@ -23,9 +26,19 @@ export class Course {
     await expect(this.lessons).toBeVisible();
   }
 
-  /** The list of lessons. */
+  /** The list of lessons, by chapters. */
   get lessons(): Locator {
-    return this.context.page.getByRole("list", { name: this.words.lessons, exact: true });
+    return this.context.page.getByRole("group", { name: this.words.lessons, exact: true });
+  }
+
+  /** A path through the course. */
+  path(id: keyof CoursePathTexts["paths"]): Locator {
+    return this.context.page.getByRole("radio", { name: new RegExp(`^${this.pathWords.paths[id].name}`) });
+  }
+
+  /** Opens a chapter of the list, or closes it. */
+  chapter(id: keyof CoursePathTexts["chapters"]): Locator {
+    return this.lessons.locator("summary").filter({ hasText: this.pathWords.chapters[id] });
   }
 
   /** A lesson in the list, by its number. */

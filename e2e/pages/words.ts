@@ -6,6 +6,7 @@ const NAMES = [
   "clamping",
   "compare",
   "course",
+  "course-path",
   "course-task",
   "course-teach",
   "device",

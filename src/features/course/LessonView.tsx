@@ -12,7 +12,7 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { markFulfilled } from "../../app/base/settings/loaded-texts.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { inScreenLanguage } from "../../course/words.ts";
-import { fetchLesson, useCourseIndex, type LessonEntry } from "../../app/records/course/content.ts";
+import { fetchLesson, type LessonEntry } from "../../app/records/course/content.ts";
 import { courseHref } from "../../app/place/course-links.ts";
 import { LessonPicture } from "./LessonPicture.tsx";
 import { LessonProgram } from "./LessonProgram.tsx";
@@ -123,21 +123,14 @@ function PageLinks({ entry, at }: { readonly entry: LessonEntry; readonly at: Le
   );
 }
 
-/** The previous and the next page of a lesson. */
+/** The previous and the next page of a lesson; its tasks, the last page, lead on by themselves. */
 function usePageNeighbours(entry: LessonEntry, at: LessonPage) {
   const t = useTexts("course");
-  const { lessons } = useCourseIndex();
-  const next = lessons[lessons.indexOf(entry) + 1];
   const after = typeof at === "number" && at < entry.pages ? at + 1 : "tasks";
   const back = at === "tasks" ? entry.pages : at - 1;
   return {
-    back: back >= 1 ? { lesson: entry.id, page: back, name: t.previous } : null,
-    on:
-      at === "tasks"
-        ? next
-          ? { lesson: next.id, page: 1, name: t.nextLesson(String(next.number), next.title) }
-          : null
-        : { lesson: entry.id, page: after as LessonPage, name: after === "tasks" ? t.toTasks : t.next },
+    back: back >= 1 ? { page: back, name: t.previous } : null,
+    on: at === "tasks" ? null : { page: after as LessonPage, name: after === "tasks" ? t.toTasks : t.next },
   };
 }
 
@@ -151,12 +144,19 @@ function OpenLesson({ entry }: { readonly entry: LessonEntry }) {
   const { back, on } = usePageNeighbours(entry, at);
   usePageTurning(main, (by) => {
     const to = by < 0 ? back : on;
-    // The list of lessons is not reached by turning pages.
-    if (to && to.lesson === entry.id) goToEntrance({ page: "course", lesson: to.lesson, at: to.page });
+    if (to) goToEntrance({ page: "course", lesson: entry.id, at: to.page });
   });
   useEffect(() => noteLessonPage({ lesson: entry.id, number: entry.number, page: at }), [entry, at]);
   useEffect(() => {
     for (const each of main.current?.querySelectorAll(".lesson-body, .lesson-text") ?? []) each.scrollTop = 0;
+  }, [at]);
+  // The link that led to the tasks is gone: the focus goes to their list, where Enter pressed again does nothing.
+  const before = useRef(at);
+  useEffect(() => {
+    const isTurned = before.current !== "tasks" && at === "tasks";
+    before.current = at;
+    if (isTurned && (document.activeElement ?? document.body) === document.body)
+      document.getElementById("lesson-tasks")?.focus({ preventScroll: true });
   }, [at]);
   const words = lesson && inScreenLanguage(lesson.words, language);
   if (!lesson || !words) return <MissingLesson />;
@@ -187,7 +187,7 @@ function OpenLesson({ entry }: { readonly entry: LessonEntry }) {
       <footer className="lesson-foot">
         <span className="lesson-foot-side">
           {back && (
-            <a className="button" href={courseHref(back.lesson, back.page)}>
+            <a className="button" href={courseHref(entry.id, back.page)}>
               {back.name}
             </a>
           )}
@@ -197,7 +197,7 @@ function OpenLesson({ entry }: { readonly entry: LessonEntry }) {
         </span>
         <span className="lesson-foot-side">
           {on && (
-            <a className="button primary" href={courseHref(on.lesson, on.page)}>
+            <a className="button primary" href={courseHref(entry.id, on.page)}>
               {on.name}
             </a>
           )}

@@ -13,15 +13,20 @@ const FORMS: Readonly<Record<TaskState, string>> = {
   solution: "M2.5 6l3.5 4 7.5-8M2.5 14h4.5M9 14h4.5",
 };
 
-/** The state of a task, as a mark and in words. */
-export function TaskStateMark({ state }: { readonly state: TaskState }) {
-  const t = useTexts("course");
+/** A state, as a mark and in words. */
+export function StateMark({ form, words }: { readonly form: TaskState; readonly words: string }) {
   return (
-    <span className={`task-state task-${state}`}>
+    <span className={`task-state task-${form}`}>
       <svg className="icon" viewBox="0 0 16 16" aria-hidden="true" focusable="false">
-        <path d={FORMS[state]} />
+        <path d={FORMS[form]} />
       </svg>
-      {t.states[state]}
+      {words}
     </span>
   );
+}
+
+/** The state of a task. */
+export function TaskStateMark({ state }: { readonly state: TaskState }) {
+  const t = useTexts("course");
+  return <StateMark form={state} words={t.states[state]} />;
 }

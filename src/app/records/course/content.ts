@@ -10,6 +10,8 @@ export interface TaskEntry {
   readonly id: string;
   readonly kind: Task["kind"];
   readonly title: string;
+  /** Estimated time to solve it. */
+  readonly seconds: number;
 }
 
 /** Entry of a lesson in the list. */
@@ -19,6 +21,10 @@ export interface LessonEntry {
   readonly title: string;
   readonly aim: string;
   readonly pages: number;
+  /** Estimated time to study its pages. */
+  readonly seconds: number;
+  /** The questions on its pages, each by its page, from 1. */
+  readonly questions: readonly { readonly id: string; readonly page: number }[];
   readonly tasks: readonly TaskEntry[];
 }
 

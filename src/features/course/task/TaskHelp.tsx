@@ -1,4 +1,5 @@
 import { useState } from "react";
+import { shownHelp } from "../../../course/progress.ts";
 import { programOfLines } from "../../../course/task-start.ts";
 import { shownId, type Task, type TaskWords } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
@@ -29,7 +30,9 @@ export function TaskHelp({
   readonly t: CourseTaskTexts;
   readonly words: TaskWords;
 }) {
-  const { hints, solution: seen, tries } = useTaskProgress(task.id);
+  const progress = useTaskProgress(task.id);
+  const { hints, solution: seen } = shownHelp(progress);
+  const { tries } = progress;
   const [shown, setShown] = useState(0);
   const [sure, ask] = useState(false);
   const [open, setOpen] = useState(false);

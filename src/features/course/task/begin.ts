@@ -9,6 +9,7 @@ import { openWork, refreshWorks, startWork, useSavedWorks } from "../../../app/r
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useEditor } from "../../../app/document/store.ts";
 import type { Work } from "../../../app/document/work.ts";
+import { noteStart } from "../../../app/records/course/progress.ts";
 import { unfoldNext } from "./task-view.ts";
 
 /** The run is hidden until all predictions are made. */
@@ -47,9 +48,10 @@ function showFirstOpenPrompt(): void {
   usePlace.setState({ section: "prompts", prompt, before: draftOf(job)[prompt ?? ""] ?? "", field: null });
 }
 
-/** Starts a task with a new work. */
+/** Starts a task with a new work; again, if it was passed with help before. */
 export function startTask(task: Task, fromOutside = false): void {
   unfoldNext();
+  noteStart(task.id);
   startWork(workOfTask(task, fromOutside));
   showFirstOpenPrompt();
 }
