@@ -1,16 +1,21 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import {
+  answerToQuestion,
   isEmptyProgress,
   mergedProgress,
+  needsRepeat,
   NO_PROGRESS,
   progressOfTask,
   progressShape,
+  shownHelp,
   stateOfTask,
+  withAnswer,
   withHint,
   withPass,
   withPlace,
   withSolution,
+  withStart,
   withTry,
   type CourseProgress,
 } from "./progress.ts";
@@ -54,6 +59,53 @@ describe("how a task was passed", () => {
     expect(state(NO_PROGRESS, "constructor")).toBe("new"));
 });
 
+describe("a repeated attempt", () => {
+  const help = (progress: CourseProgress) => shownHelp(progressOfTask(progress, "q463"));
+  const due = (progress: CourseProgress) => needsRepeat(progressOfTask(progress, "q463"));
+  const aided = withPass(withSolution(withHint(NO_PROGRESS, "q463", 2), "q463"), "q463", { when: 17 });
+
+  test("is needed after a pass with help, and only then", () => {
+    expect(due(NO_PROGRESS)).toBe(false);
+    expect(due(withHint(NO_PROGRESS, "q463", 2))).toBe(false);
+    expect(due(withPass(NO_PROGRESS, "q463", { when: 17 }))).toBe(false);
+    expect(due(aided)).toBe(true);
+  });
+
+  test("begins with all help covered; the first attempt stays as it was", () => {
+    const begun = withStart(aided, "q463");
+    expect(help(aided)).toEqual({ hints: 2, solution: true });
+    expect(help(begun)).toEqual({ hints: 0, solution: false });
+    const passed = withPass(begun, "q463", { when: 23 });
+    expect([due(passed), state(passed)]).toEqual([false, "solution"]);
+    expect(withStart(passed, "q463")).toBe(passed);
+  });
+
+  test("with help again is needed once more", () => {
+    const begun = withStart(aided, "q463");
+    for (const again of [withHint(begun, "q463", 1), withSolution(begun, "q463")]) {
+      expect(due(withPass(again, "q463", { when: 23 }))).toBe(true);
+      expect(due(withPass(withStart(withPass(again, "q463", { when: 23 }), "q463"), "q463", { when: 29 }))).toBe(false);
+    }
+  });
+
+  test("starting over before a pass uncovers and covers nothing", () => {
+    const hinted = withHint(NO_PROGRESS, "q463", 2);
+    expect(withStart(hinted, "q463")).toBe(hinted);
+  });
+});
+
+test("the last answer to a question counts, and all are counted", () => {
+  const wrong = withAnswer(NO_PROGRESS, "tool", "nose", false);
+  expect(answerToQuestion(wrong, "tool", "nose")).toEqual({ last: "wrong", answers: 1 });
+  expect(answerToQuestion(withAnswer(wrong, "tool", "nose", true), "tool", "nose")).toEqual({
+    last: "right",
+    answers: 2,
+  });
+  expect(answerToQuestion(wrong, "tool", "edge")).toBeUndefined();
+  expect(answerToQuestion(wrong, "constructor", "name")).toBeUndefined();
+  expect(answerToQuestion(withAnswer(wrong, "tool", "edge", true), "tool", "nose")?.last).toBe("wrong");
+});
+
 describe("the place", () => {
   const at = (page: number | "tasks") => ({ lesson: "tool", number: 2, page });
   test("a lesson counts as read when its tasks are reached", () => {
@@ -78,6 +130,8 @@ const event = fc.oneof(
     seconds: fc.integer({ min: 3, max: 977 }),
     score: fc.integer({ min: 1, max: 100 }),
   }),
+  fc.record({ does: fc.constant("start" as const), task: ids }),
+  fc.record({ does: fc.constant("answer" as const), lesson: ids, question: ids, isRight: fc.boolean() }),
   fc.record({ does: fc.constant("read" as const), lesson: ids, page: fc.constantFrom(1, 4, "tasks" as const) }),
 );
 type Event = typeof event extends fc.Arbitrary<infer E> ? E : never;
@@ -91,6 +145,10 @@ function after(progress: CourseProgress, each: Event): CourseProgress {
       return withSolution(progress, each.task);
     case "pass":
       return withPass(progress, each.task, each);
+    case "start":
+      return withStart(progress, each.task);
+    case "answer":
+      return withAnswer(progress, each.lesson, each.question, each.isRight);
     case "read":
       return withPlace(progress, { lesson: each.lesson, number: 7, page: each.page });
   }
@@ -111,6 +169,13 @@ describe("imported progress", () => {
           expect(now?.tries).toBe(Math.max(here?.tries ?? 0, there?.tries ?? 0));
           expect(now?.seconds ?? Infinity).toBe(Math.min(here?.seconds ?? Infinity, there?.seconds ?? Infinity));
           expect(now?.score ?? 0).toBe(Math.max(here?.score ?? 0, there?.score ?? 0));
+          expect(now?.repeated).toBe(here?.repeated || there?.repeated);
+          for (const lesson of ["a-1", "b-2", "c-3"]) {
+            const [my, their, is] = [mine, brought, both].map((p) => answerToQuestion(p, lesson, task));
+            const isRight = my?.last === "right" || their?.last === "right";
+            expect(is?.last).toBe(my || their ? (isRight ? "right" : "wrong") : undefined);
+            expect(is?.answers ?? 0).toBe(Math.max(my?.answers ?? 0, their?.answers ?? 0));
+          }
         }
         expect(both.read).toEqual(expect.arrayContaining([...mine.read, ...brought.read]));
         expect(both.last).toEqual(mine.last ?? brought.last);
@@ -132,9 +197,16 @@ describe("imported progress", () => {
       expect(progressShape.safeParse(JSON.parse(bad)).success, bad).toBe(false);
   });
 
+  test("progress of a version without questions and paths is read", () =>
+    expect(progressShape.parse({ version: 1, tasks: {}, read: ["tool"], last: null })).toEqual({
+      ...NO_PROGRESS,
+      read: ["tool"],
+    }));
+
   test("only untouched progress is empty", () => {
     expect(isEmptyProgress(NO_PROGRESS)).toBe(true);
     expect(isEmptyProgress(withTry(NO_PROGRESS, "a-1"))).toBe(false);
+    expect(isEmptyProgress(withAnswer(NO_PROGRESS, "tool", "nose", true))).toBe(false);
     expect(isEmptyProgress(withPlace(NO_PROGRESS, { lesson: "tool", number: 2, page: 1 }))).toBe(false);
   });
 });

@@ -12,20 +12,29 @@ export type WayPassed = (typeof WAYS_PASSED)[number];
 /** The number of hints of a task. */
 const STAGES = 3;
 const count = z.int().check(z.gte(0), z.lte(1_000_000));
+const stage = z.int().check(z.gte(0), z.lte(STAGES));
 
 const taskProgress = z.object({
   /** Number of answers checked. */
   tries: count,
   /** Number of hints shown, and whether the solution was shown, both before the task was passed. */
-  hints: z.int().check(z.gte(0), z.lte(STAGES)),
+  hints: stage,
   solution: z.boolean(),
   /** The best way in which it was passed, and when for the first time, ms since 1970; null while not passed. */
   passed: z.nullable(z.object({ way: z.enum(WAYS_PASSED), when: z.number() })),
   /** Shortest machining time of a passing answer, s, and greatest score; null without one. */
   seconds: z.nullable(z.number()),
   score: z.nullable(z.number()),
+  /** The help shown in a repeated attempt: one started over after a pass with help. Null while there is none. */
+  repeat: z._default(z.nullable(z.object({ hints: stage, solution: z.boolean() })), null),
+  /** Whether a repeated attempt passed without help. `passed` keeps saying how the first one did. */
+  repeated: z._default(z.boolean(), false),
 });
 export type TaskProgress = z.output<typeof taskProgress>;
+
+/** A question on a page: the last answer, and the number of answers. A question without an answer has no entry. */
+const answered = z.object({ last: z.enum(["right", "wrong"]), answers: count });
+export type AnsweredQuestion = z.output<typeof answered>;
 
 /** A page of a lesson from 1, or the tasks behind the last one. */
 const lessonPage = z.union([z.int().check(z.gte(1), z.lte(99)), z.literal("tasks")]);
@@ -43,11 +52,31 @@ export const progressShape = z.object({
   /** Lessons read to the end. */
   read: z.array(id).check(z.maxLength(1000)),
   last: z.nullable(place),
+  /** Answered questions on pages, by lesson and question. */
+  questions: z._default(z.record(id, z.record(id, answered)), {}),
+  /** The chosen path through the course, by its id; null: the whole course. */
+  path: z._default(z.nullable(id), null),
 });
 export type CourseProgress = z.output<typeof progressShape>;
 
-export const NO_PROGRESS: CourseProgress = { version: 1, tasks: {}, read: [], last: null };
-const NOT_BEGUN: TaskProgress = { tries: 0, hints: 0, solution: false, passed: null, seconds: null, score: null };
+export const NO_PROGRESS: CourseProgress = {
+  version: 1,
+  tasks: {},
+  read: [],
+  last: null,
+  questions: {},
+  path: null,
+};
+const NOT_BEGUN: TaskProgress = {
+  tries: 0,
+  hints: 0,
+  solution: false,
+  passed: null,
+  seconds: null,
+  score: null,
+  repeat: null,
+  repeated: false,
+};
 
 /** The progress of a task. */
 export const progressOfTask = ({ tasks }: CourseProgress, task: string): TaskProgress =>
@@ -66,13 +95,34 @@ const changed = (
 export const withTry = (progress: CourseProgress, task: string): CourseProgress =>
   changed(progress, task, (now) => ({ ...now, tries: now.tries + 1 }));
 
+/** Changes the help shown: of the repeated attempt, or else of the first one. */
+const helped = (progress: CourseProgress, task: string, change: (now: ShownHelp) => ShownHelp): CourseProgress =>
+  changed(progress, task, (now) => (now.repeat ? { ...now, repeat: change(now.repeat) } : { ...now, ...change(now) }));
+
+/** The help shown in the attempt that is going on. */
+export interface ShownHelp {
+  readonly hints: number;
+  readonly solution: boolean;
+}
+export const shownHelp = ({ hints, solution, repeat }: TaskProgress): ShownHelp => repeat ?? { hints, solution };
+
 /** Hints of a task were shown up to a number, from 1. After the task is passed they change nothing. */
-export const withHint = (progress: CourseProgress, task: string, stage: number): CourseProgress =>
-  changed(progress, task, (now) => ({ ...now, hints: Math.min(STAGES, Math.max(now.hints, stage)) }));
+export const withHint = (progress: CourseProgress, task: string, hint: number): CourseProgress =>
+  helped(progress, task, ({ hints, solution }) => ({ hints: Math.min(STAGES, Math.max(hints, hint)), solution }));
 
 /** The solution of a task was shown. */
 export const withSolution = (progress: CourseProgress, task: string): CourseProgress =>
-  changed(progress, task, (now) => ({ ...now, solution: true }));
+  helped(progress, task, ({ hints }) => ({ hints, solution: true }));
+
+/** Whether a task was passed with help and not yet unaided in a repeated attempt. */
+export const needsRepeat = ({ passed, repeated }: TaskProgress): boolean =>
+  passed !== null && passed.way !== "alone" && !repeated;
+
+/** A task was started over. One that needs a repeated attempt begins it, with all help covered again. */
+export function withStart(progress: CourseProgress, task: string): CourseProgress {
+  const needs = needsRepeat(progressOfTask(progress, task));
+  return needs ? changed(progress, task, (now) => ({ ...now, repeat: { hints: 0, solution: false } })) : progress;
+}
 
 const rank = (passed: TaskProgress["passed"]): number =>
   passed ? WAYS_PASSED.indexOf(passed.way) : WAYS_PASSED.length;
@@ -103,10 +153,12 @@ export const withPass = (
   { when, seconds, score }: PassedAnswer,
 ): CourseProgress =>
   changed(progress, task, (now) => {
-    const helped: WayPassed = now.hints > 0 ? "hints" : "alone";
-    const way = now.solution ? "solution" : helped;
+    const firstWay: WayPassed = now.hints > 0 ? "hints" : "alone";
+    const way = now.solution ? "solution" : firstWay;
+    const isUnaidedRepeat = now.repeat !== null && now.repeat.hints === 0 && !now.repeat.solution;
     return {
       ...now,
+      repeated: now.repeated || isUnaidedRepeat,
       passed: betterPass(now.passed, { way, when }),
       seconds: least(now.seconds, seconds ?? null),
       score: greatest(now.score, score ?? null),
@@ -122,9 +174,37 @@ export function withPlace(progress: CourseProgress, last: CourseMark): CoursePro
   return { ...progress, read, last };
 }
 
+/** The answer to a question on a page; undefined before the first one. */
+export function answerToQuestion(
+  { questions }: CourseProgress,
+  lesson: string,
+  question: string,
+): AnsweredQuestion | undefined {
+  const ofLesson = Object.hasOwn(questions, lesson) ? questions[lesson] : undefined;
+  return ofLesson && Object.hasOwn(ofLesson, question) ? ofLesson[question] : undefined;
+}
+
+/** A question on a page of a lesson was answered. */
+export function withAnswer(
+  progress: CourseProgress,
+  lesson: string,
+  question: string,
+  isRight: boolean,
+): CourseProgress {
+  const answers = (answerToQuestion(progress, lesson, question)?.answers ?? 0) + 1;
+  const ofLesson = Object.hasOwn(progress.questions, lesson) ? progress.questions[lesson] : {};
+  const now: AnsweredQuestion = { last: isRight ? "right" : "wrong", answers };
+  return { ...progress, questions: { ...progress.questions, [lesson]: { ...ofLesson, [question]: now } } };
+}
+
 /** State of a task: not begun, tried, or passed in one of the three ways. */
 export type TaskState = "new" | "tried" | WayPassed;
-export function stateOfTask({ tries, hints, solution, passed }: TaskProgress): TaskState {
+export function stateOfTask({
+  tries,
+  hints,
+  solution,
+  passed,
+}: Pick<TaskProgress, "tries" | "hints" | "solution" | "passed">): TaskState {
   if (passed) return passed.way;
   return tries > 0 || hints > 0 || solution ? "tried" : "new";
 }
@@ -138,17 +218,44 @@ function mergedTask(one: TaskProgress, other: TaskProgress): TaskProgress {
     passed: betterPass(one.passed, other.passed),
     seconds: least(one.seconds, other.seconds),
     score: greatest(one.score, other.score),
+    repeat: one.repeat ?? other.repeat,
+    repeated: one.repeated || other.repeated,
   };
 }
 
-/** Merges two progresses. The place is the local one, if there is one. */
+/** Merges the answers to one question: right if it was right on either side. */
+const mergedAnswer = (one: AnsweredQuestion, other: AnsweredQuestion): AnsweredQuestion => ({
+  last: one.last === "right" ? "right" : other.last,
+  answers: Math.max(one.answers, other.answers),
+});
+
+function mergedQuestions(mine: CourseProgress, brought: CourseProgress): CourseProgress["questions"] {
+  const questions = { ...mine.questions };
+  for (const [lesson, theirs] of Object.entries(brought.questions)) {
+    const merged = Object.entries(theirs).map(([question, their]) => {
+      const my = answerToQuestion(mine, lesson, question);
+      return [question, my ? mergedAnswer(my, their) : their] as const;
+    });
+    questions[lesson] = { ...(Object.hasOwn(questions, lesson) && questions[lesson]), ...Object.fromEntries(merged) };
+  }
+  return questions;
+}
+
+/** Merges two progresses. Place and path are the local ones, if there are any. */
 export function mergedProgress(mine: CourseProgress, brought: CourseProgress): CourseProgress {
   const tasks = { ...mine.tasks };
   for (const [task, theirs] of Object.entries(brought.tasks))
     tasks[task] = mergedTask(progressOfTask(mine, task), theirs);
-  return { version: 1, tasks, read: [...new Set([...mine.read, ...brought.read])], last: mine.last ?? brought.last };
+  return {
+    version: 1,
+    tasks,
+    read: [...new Set([...mine.read, ...brought.read])],
+    last: mine.last ?? brought.last,
+    questions: mergedQuestions(mine, brought),
+    path: mine.path ?? brought.path,
+  };
 }
 
 /** Whether nothing was begun yet. */
-export const isEmptyProgress = ({ tasks, read, last }: CourseProgress): boolean =>
-  last === null && read.length === 0 && Object.keys(tasks).length === 0;
+export const isEmptyProgress = ({ tasks, read, last, questions }: CourseProgress): boolean =>
+  last === null && read.length === 0 && Object.keys(tasks).length === 0 && Object.keys(questions).length === 0;

@@ -1,12 +1,16 @@
 import {
+  answerToQuestion,
   NO_PROGRESS,
   progressOfTask,
   progressShape,
+  withAnswer,
   withHint,
   withPass,
   withPlace,
   withSolution,
+  withStart,
   withTry,
+  type AnsweredQuestion,
   type CourseMark,
   type PassedAnswer,
   type CourseProgress,
@@ -43,6 +47,16 @@ export const noteSolution = (task: string): void => change((now) => withSolution
 /** An answer passed. The hints and the solution that were shown before decide how it counts. */
 export const notePass = (task: string, worth: Omit<PassedAnswer, "when"> = {}): void =>
   change((now) => withPass(now, task, { ...worth, when: time() }));
+/** A task was started over. */
+export const noteStart = (task: string): void => change((now) => withStart(now, task));
+
+/** The answer to a question on a page of a lesson; undefined before the first one. */
+export const useAnswerToQuestion = (lesson: string, question: string): AnsweredQuestion | undefined =>
+  useLearning((s) => answerToQuestion(s.list, lesson, question));
+/** A question on a page of a lesson was answered. */
+export const noteAnswer = (lesson: string, question: string, isRight: boolean): void =>
+  change((now) => withAnswer(now, lesson, question, isRight));
+
 /** A page of a lesson was opened. */
 export const noteLessonPage = (at: CourseMark): void => change((now) => withPlace(now, at));
 
