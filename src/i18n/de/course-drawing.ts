@@ -34,9 +34,10 @@ export const courseDrawing = {
   blankOf: (outside: string, bore: string, length: string) =>
     `${outside}${bore === "" ? "" : ` / ${bore}`} × ${length}`,
   madeBy: (size, what) => `${size}: ${what}`,
-  madeByNothing: (size) => `${size}: macht das Programm noch nicht`,
+  madeByNothing: (size) => `${size}: kein passender Wert im Programm`,
   element: (n) => `Konturelement ${n}`,
   block: (n) => `Satz ${n}`,
+  cycle: (n) => `Zyklus ${n}`,
   chooseSize: "Ein Maß wählen zeigt, woraus es entsteht.",
   sizesOf: "Maße der Zeichnung",
   allowance: (value: string) => `${value} vor Z0`,

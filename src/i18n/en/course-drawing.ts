@@ -35,9 +35,10 @@ export const courseDrawing = {
     `${outside}${bore === "" ? "" : ` / ${bore}`} × ${length}`,
   /** What makes a size in the open work, and its places. */
   madeBy: (size: string, what: string) => `${size}: ${what}`,
-  madeByNothing: (size: string) => `${size}: not made by the program yet`,
+  madeByNothing: (size: string) => `${size}: no matching value in the program`,
   element: (n: string) => `contour element ${n}`,
   block: (n: string) => `block ${n}`,
+  cycle: (n: string) => `cycle ${n}`,
   chooseSize: "Choose a size to see what makes it.",
   sizesOf: "Sizes of the drawing",
   allowance: (value: string) => `${value} in front of Z0`,

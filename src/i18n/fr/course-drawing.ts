@@ -34,9 +34,10 @@ export const courseDrawing = {
   blankOf: (outside: string, bore: string, length: string) =>
     `${outside}${bore === "" ? "" : ` / ${bore}`} × ${length}`,
   madeBy: (size, what) => `${size} : ${what}`,
-  madeByNothing: (size) => `${size} : le programme ne la réalise pas encore`,
+  madeByNothing: (size) => `${size} : aucune valeur correspondante dans le programme`,
   element: (n) => `élément de contour ${n}`,
   block: (n) => `séquence ${n}`,
+  cycle: (n) => `cycle ${n}`,
   chooseSize: "Choisir une cote montre d’où elle vient.",
   sizesOf: "Cotes du dessin",
   allowance: (value: string) => `${value} devant Z0`,

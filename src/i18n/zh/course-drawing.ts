@@ -34,9 +34,10 @@ export const courseDrawing = {
   blankOf: (outside: string, bore: string, length: string) =>
     `${outside}${bore === "" ? "" : ` / ${bore}`} × ${length}`,
   madeBy: (size, what) => `${size}：${what}`,
-  madeByNothing: (size) => `${size}：程序尚未加工出该尺寸`,
+  madeByNothing: (size) => `${size}：程序中没有对应的值`,
   element: (n) => `轮廓元素 ${n}`,
   block: (n) => `程序段 ${n}`,
+  cycle: (n) => `循环 ${n}`,
   chooseSize: "选择一个尺寸，可查看它由什么确定。",
   sizesOf: "图纸尺寸",
   allowance: (value: string) => `Z0 前余量 ${value}`,

@@ -19,9 +19,6 @@ export const isSameLength = (a: number, b: number): boolean => Math.abs(a - b) <
 const overlaps = (s: Segment, left: number, right: number): boolean =>
   Math.max(s.from.z, s.to.z) > left - ONE && Math.min(s.from.z, s.to.z) < right + ONE;
 
-/** Whether a segment ends at a place that a size measures. */
-const ends = (s: Segment, at: (p: Pt) => boolean): boolean => at(s.from) || at(s.to);
-
 function lies(feature: MeasuredFeature, s: Segment): boolean {
   switch (feature.kind) {
     case "diameter":
@@ -37,17 +34,31 @@ function lies(feature: MeasuredFeature, s: Segment): boolean {
   }
 }
 
-/** Whether a segment without an element of its own ends where a size measures: a cone, an outline that runs out. */
-function touches(feature: MeasuredFeature, s: Segment): boolean {
-  if (feature.kind === "corner") return false;
-  if (feature.kind === "length") return ends(s, (p) => isSameLength(p.z, feature.z));
-  return overlaps(s, feature.left, feature.right) && ends(s, (p) => isSameLength(p.r, feature.r));
+/** Whether a size that is no element of its own measures a point: the end of a cone, a corner before it is broken. */
+function isAt(feature: MeasuredFeature, p: Pt): boolean {
+  switch (feature.kind) {
+    case "diameter":
+      return isSameLength(p.r, feature.r) && p.z > feature.left - ONE && p.z < feature.right + ONE;
+    case "length":
+      return isSameLength(p.z, feature.z);
+    case "corner":
+      return false;
+  }
+}
+
+/** The points where a segment ends, and where it would meet the lines beyond a broken corner. */
+function endsOf(outline: readonly Segment[], i: number): readonly Pt[] {
+  const s = outline[i];
+  if (!s) return [];
+  const sharp = [outline[i - 2], outline[i + 2]].flatMap((other) =>
+    other?.kind === "line" && s.kind === "line" ? part.meetings(s, other) : [],
+  );
+  return [s.from, s.to, ...sharp];
 }
 
 /** Indexes of the segments of an outline that a size measures; those that only end there where none lies on it. */
 export function measuredSegments(feature: MeasuredFeature, outline: readonly Segment[]): readonly number[] {
-  const on = (holds: (feature: MeasuredFeature, s: Segment) => boolean) =>
-    outline.flatMap((s, i) => (holds(feature, s) ? [i] : []));
-  const whole = on(lies);
-  return whole.length > 0 ? whole : on(touches);
+  const all = outline.map((_, i) => i);
+  const whole = all.filter((i) => outline[i] && lies(feature, outline[i]));
+  return whole.length > 0 ? whole : all.filter((i) => endsOf(outline, i).some((p) => isAt(feature, p)));
 }

@@ -108,6 +108,9 @@ export function sourceOfSize(run: Run, feature: MeasuredFeature): SizeSource | n
     const [segment] = measuredSegments(feature, contourOf(operation));
     const line = segment === undefined ? undefined : operation.contourLines?.[segment];
     if (line && line.file === undefined) return { at: { line: line.line }, q: null };
+    // A size that follows from several values: the end of a cone.
+    if (measuredSegments(feature, operation.plan.contour).length > 0)
+      return { at: { line: operation.definedLine }, q: null };
   }
   const moves = writtenMoves(run);
   const [found] = measuredSegments(

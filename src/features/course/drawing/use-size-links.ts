@@ -67,7 +67,9 @@ export function useSizeLinks(list: readonly ListedSize[], t: CourseDrawingTexts)
     (feature: MeasuredFeature) => {
       if (!job) return { source: sourceOfSize(run, feature) };
       const q = promptOfSize(job.cycle.params, job.reading.partial, feature);
-      return q === null ? { row: rowOfSize(job.job.contour, feature) } : { q };
+      if (q !== null) return { q };
+      const row = rowOfSize(job.job.contour, feature);
+      return row ? { row } : { source: sourceOfSize(run, feature) };
     },
     [job, run],
   );
@@ -79,6 +81,7 @@ export function useSizeLinks(list: readonly ListedSize[], t: CourseDrawingTexts)
       if (param) return t.madeBy(text, `${q} ${names[param.text as ParamTextId].label}`);
       if (row) return t.madeBy(text, t.element(String(row.number)));
       if (!source) return t.madeByNothing(text);
+      if (job) return t.madeBy(text, t.cycle(String(job.cycle.number)));
       const number = blockNumbers(useSession.getState().reading.program)[indexOf(source)];
       const place = t.block(String(number ?? ""));
       return t.madeBy(text, source.q === null ? place : `${place}, ${source.q}`);
@@ -92,7 +95,7 @@ export function useSizeLinks(list: readonly ListedSize[], t: CourseDrawingTexts)
       else if (row) {
         showSection("contour");
         chooseElement(row.id);
-      } else if (source) openSource(source);
+      } else if (source && !job) openSource(source);
     },
     [find, job],
   );
