@@ -33,6 +33,13 @@ export const courseDrawing = {
   steel: "Stahl",
   blankOf: (outside: string, bore: string, length: string) =>
     `${outside}${bore === "" ? "" : ` / ${bore}`} × ${length}`,
+  madeBy: (size, what) => `${size}: ${what}`,
+  madeByNothing: (size) => `${size}: kein passender Wert im Programm`,
+  element: (n) => `Konturelement ${n}`,
+  block: (n) => `Satz ${n}`,
+  cycle: (n) => `Zyklus ${n}`,
+  chooseSize: "Ein Maß wählen zeigt, woraus es entsteht.",
+  sizesOf: "Maße der Zeichnung",
   allowance: (value: string) => `${value} vor Z0`,
   tolerances: "ISO 2768 – m",
   tolerancesHint: "Maße ohne Abmaße: nach ISO 2768-1, Klasse mittel",

@@ -33,6 +33,14 @@ export const courseDrawing = {
   steel: "Steel",
   blankOf: (outside: string, bore: string, length: string) =>
     `${outside}${bore === "" ? "" : ` / ${bore}`} × ${length}`,
+  /** What makes a size in the open work, and its places. */
+  madeBy: (size: string, what: string) => `${size}: ${what}`,
+  madeByNothing: (size: string) => `${size}: no matching value in the program`,
+  element: (n: string) => `contour element ${n}`,
+  block: (n: string) => `block ${n}`,
+  cycle: (n: string) => `cycle ${n}`,
+  chooseSize: "Choose a size to see what makes it.",
+  sizesOf: "Sizes of the drawing",
   allowance: (value: string) => `${value} in front of Z0`,
   tolerances: "ISO 2768, class m",
   tolerancesHint: "Sizes without deviations: ISO 2768-1, medium class",

@@ -33,6 +33,13 @@ export const courseDrawing = {
   steel: "Acier",
   blankOf: (outside: string, bore: string, length: string) =>
     `${outside}${bore === "" ? "" : ` / ${bore}`} × ${length}`,
+  madeBy: (size, what) => `${size} : ${what}`,
+  madeByNothing: (size) => `${size} : aucune valeur correspondante dans le programme`,
+  element: (n) => `élément de contour ${n}`,
+  block: (n) => `séquence ${n}`,
+  cycle: (n) => `cycle ${n}`,
+  chooseSize: "Choisir une cote montre d’où elle vient.",
+  sizesOf: "Cotes du dessin",
   allowance: (value: string) => `${value} devant Z0`,
   tolerances: "ISO 2768 – m",
   tolerancesHint: "Cotes sans écarts : selon ISO 2768-1, classe moyenne",

@@ -33,6 +33,13 @@ export const courseDrawing = {
   steel: "钢",
   blankOf: (outside: string, bore: string, length: string) =>
     `${outside}${bore === "" ? "" : ` / ${bore}`} × ${length}`,
+  madeBy: (size, what) => `${size}：${what}`,
+  madeByNothing: (size) => `${size}：程序中没有对应的值`,
+  element: (n) => `轮廓元素 ${n}`,
+  block: (n) => `程序段 ${n}`,
+  cycle: (n) => `循环 ${n}`,
+  chooseSize: "选择一个尺寸，可查看它由什么确定。",
+  sizesOf: "图纸尺寸",
   allowance: (value: string) => `Z0 前余量 ${value}`,
   tolerances: "ISO 2768 – m",
   tolerancesHint: "未注公差尺寸：按 ISO 2768-1 中等级",

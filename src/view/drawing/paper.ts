@@ -20,6 +20,8 @@ export interface PrintShape {
 
 /** A text by the middle of its box, mm on paper; a turned one reads from the right. */
 export interface PrintText extends PrintSize {
+  /** The size that is written: the list of a drawing has the same object. */
+  readonly size: PrintSize;
   readonly at: Place;
   readonly turned: boolean;
   readonly box: LabelBox;
@@ -87,7 +89,7 @@ export function isCrossed(lines: readonly (readonly Place[])[], { x, y, width, h
 export function writtenAt(size: PrintSize, at: Place, turned: boolean): PrintText {
   const [long, tall] = [widthOf(size) + 1, tallOf(size)];
   const [width, height] = turned ? [tall, long] : [long, tall];
-  return { ...size, at, turned, box: { x: at.x - width / 2, y: at.y - height / 2, width, height } };
+  return { ...size, size, at, turned, box: { x: at.x - width / 2, y: at.y - height / 2, width, height } };
 }
 
 /**

@@ -102,13 +102,13 @@ function cornerSize(corner: PrintCorner, words: PrintWords): PrintSize {
 export function cornersOf(
   corners: readonly PrintCorner[],
   words: PrintWords,
-): { readonly corner: PrintCorner; readonly size: PrintSize; readonly all: readonly number[] }[] {
-  const made = new Map<string, { corner: PrintCorner; all: number[] }>();
+): { readonly corner: PrintCorner; readonly size: PrintSize; readonly all: readonly Pt[] }[] {
+  const made = new Map<string, { corner: PrintCorner; all: Pt[] }>();
   for (const corner of [...corners].sort((a, b) => b.at.z - a.at.z)) {
     const { text } = cornerSize(corner, words),
       known = made.get(text);
-    if (known) known.all.push(corner.at.z);
-    else made.set(text, { corner, all: [corner.at.z] });
+    if (known) known.all.push(corner.at);
+    else made.set(text, { corner, all: [corner.at] });
   }
   return [...made].map(([text, { corner, all }]) => ({
     corner,

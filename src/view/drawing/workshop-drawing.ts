@@ -19,6 +19,7 @@ import {
   type PrintSize,
   type PrintText,
 } from "./paper.ts";
+import type { MeasuredFeature } from "./measured-feature.ts";
 import { printFeatures } from "./print-features.ts";
 import {
   cornersOf,
@@ -36,6 +37,8 @@ export interface ListedSize {
   readonly size: PrintSize;
   /** Z of its place, both ends of a stretch; mm. */
   readonly at: readonly number[];
+  /** What it measures on the part; null for the blank, threads and surface marks. */
+  readonly measures: MeasuredFeature | null;
 }
 
 /** A workshop drawing, all places in mm on paper from its top left corner. */
@@ -50,6 +53,8 @@ export interface WorkshopPrint {
   readonly general: string | null;
   /** Number of notes without room: the list has them. */
   readonly omitted: number;
+  /** The place of Z0 on the axis, mm on paper: part space is scaled from here. */
+  readonly origin: Place;
 }
 
 /** Nearer values are one, mm. */
@@ -221,15 +226,28 @@ function laidOut(
   const marks = surfaceMarks(work, outer, inner);
   for (const { at: p, most } of marks.single) addNote({ text: words.roughness(most) }, p, true);
 
-  for (const { size, isBore, isBlank, left: a, right: b } of across) {
+  for (const { size, r, isBore, isBlank, left: a, right: b } of across) {
     const kind = isBore ? "bore" : "diameter";
-    listed.push({ kind: isBlank ? "blank" : kind, size, at: a === b ? [a] : [b, a] });
+    listed.push({
+      kind: isBlank ? "blank" : kind,
+      size,
+      at: a === b ? [a] : [b, a],
+      measures: isBlank ? null : { kind: "diameter", r, left: a, right: b },
+    });
   }
-  for (const { thread, size } of threads) listed.push({ kind: "thread", size, at: [thread.from.z, thread.to.z] });
-  for (const { size, from: p } of positions) listed.push({ kind: "length", size, at: [p.z] });
-  for (const { corner, size, all } of corners) listed.push({ kind: corner.kind, size, at: all });
+  for (const { thread, size } of threads)
+    listed.push({ kind: "thread", size, at: [thread.from.z, thread.to.z], measures: null });
+  for (const { size, from: p } of positions)
+    listed.push({ kind: "length", size, at: [p.z], measures: { kind: "length", z: p.z } });
+  for (const { corner, size, all } of corners)
+    listed.push({
+      kind: corner.kind,
+      size,
+      at: all.map(({ z }) => z),
+      measures: { kind: "corner", size: corner.size, places: all },
+    });
   for (const { most, stretch } of marks.single)
-    listed.push({ kind: "mark", size: { text: words.roughness(most) }, at: stretch });
+    listed.push({ kind: "mark", size: { text: words.roughness(most) }, at: stretch, measures: null });
 
   const half = Math.max(highest * k, ...[...right, ...left].map(({ size }) => widthOf(size) / 2));
   // Features hidden from outside get their lengths above, in the section.
@@ -347,6 +365,7 @@ function laidOut(
     list: listed,
     general: marks.general === null ? null : words.roughness(marks.general),
     omitted: notes.length - rows.length,
+    origin: { x: x0, y: axis },
   };
   return { print, isCrossed: insides.isCrossed };
 }

@@ -1,17 +1,27 @@
 import { create } from "zustand";
 
-/** The pane for help pictures; null if they are shown among the prompts. */
-export const useHelpDock = create<{
+/** A pane of the view that another part of the page may fill through a portal. */
+interface Dock {
+  /** Null where the page has no such pane. */
   readonly dock: HTMLElement | null;
-  /** A help picture is in it. */
   readonly filled: boolean;
-}>(() => ({ dock: null, filled: false }));
-
-/** Ref of the pane. */
-export const holdHelpDock = (dock: HTMLElement | null): void => useHelpDock.setState({ dock });
-
-/** Marks the pane as filled. Returns the function that clears the mark. */
-export function fillHelpDock(): () => void {
-  useHelpDock.setState({ filled: true });
-  return () => useHelpDock.setState({ filled: false });
 }
+
+function createDock() {
+  const use = create<Dock>(() => ({ dock: null, filled: false }));
+  return {
+    use,
+    /** Ref of the pane. */
+    hold: (dock: HTMLElement | null): void => use.setState({ dock }),
+    /** Marks the pane as filled. Returns the function that clears the mark. */
+    fill: () => {
+      use.setState({ filled: true });
+      return () => use.setState({ filled: false });
+    },
+  };
+}
+
+/** For help pictures: without a pane they are shown among the prompts. */
+export const { use: useHelpDock, hold: holdHelpDock, fill: fillHelpDock } = createDock();
+/** For the drawing of an exercise: a second picture in place of the lathe, or beside it where there is room. */
+export const { use: useDrawingDock, hold: holdDrawingDock, fill: fillDrawingDock } = createDock();

@@ -4,7 +4,7 @@ import type { WorkshopPrint } from "../../../view/drawing/workshop-drawing.ts";
 import { FIGURES } from "../../../view/sheet/sizes.ts";
 
 /** A size with its deviations, as a print stacks them. */
-function Written({ text }: { readonly text: PrintText }) {
+export function Written({ text }: { readonly text: PrintText }) {
   const {
     at: { x, y },
     turned,
@@ -30,6 +30,21 @@ function Written({ text }: { readonly text: PrintText }) {
   );
 }
 
+/** The lines of a workshop drawing, without its figures. */
+export function PrintShapes({ print }: { readonly print: WorkshopPrint }) {
+  const hatch = useId();
+  return (
+    <>
+      <pattern id={hatch} width="1.8" height="1.8" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">
+        <path d="M0 0V1.8" className="workshop-hatch" />
+      </pattern>
+      {print.shapes.map(({ role, d }, i) => (
+        <path key={i} className={`workshop-${role}`} d={d} {...(role === "section" && { fill: `url(#${hatch})` })} />
+      ))}
+    </>
+  );
+}
+
 /** The picture of a workshop drawing; `list`: id of the element with the sizes as a list. */
 export function DrawnPrint({
   print,
@@ -42,7 +57,6 @@ export function DrawnPrint({
   readonly list: string;
   readonly style?: CSSProperties;
 }) {
-  const hatch = useId();
   return (
     <svg
       role="img"
@@ -51,12 +65,7 @@ export function DrawnPrint({
       viewBox={`0 0 ${print.width} ${print.height}`}
       style={style}
     >
-      <pattern id={hatch} width="1.8" height="1.8" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">
-        <path d="M0 0V1.8" className="workshop-hatch" />
-      </pattern>
-      {print.shapes.map(({ role, d }, i) => (
-        <path key={i} className={`workshop-${role}`} d={d} {...(role === "section" && { fill: `url(#${hatch})` })} />
-      ))}
+      <PrintShapes print={print} />
       {print.texts.map((text, i) => (
         <Written key={i} text={text} />
       ))}

@@ -13,6 +13,8 @@ import type { Place } from "../../../view/camera.ts";
 /** Zoom factor of a button or key, and largest scale, pixels per millimetre. */
 const STEP = 1.25,
   MOST = 16;
+/** A mouse that moved further since its press drags the sheet, pixels. */
+export const DRAG = 6;
 /** Zoom per wheel pixel. */
 const WHEEL = 0.0025;
 
@@ -29,13 +31,18 @@ export interface SheetZoom {
 }
 
 /**
- * Zoom of a sheet in a scrolling frame: at first, and at least, `fit`, which shows all of it; a double click zooms to
- * `readable`. Two fingers and the wheel with Ctrl zoom about their place, the mouse drags; one finger and the arrow
+ * Zoom of a sheet in a scrolling frame: at first `begin`, and at least `fit`, which shows all of it; a double click
+ * zooms to `readable`. Two fingers and the wheel with Ctrl zoom about their place, the mouse drags; one finger and the arrow
  * keys scroll.
  */
-export function useSheetZoom(frame: RefObject<HTMLElement | null>, fit: number, readable: number): SheetZoom {
+export function useSheetZoom(
+  frame: RefObject<HTMLElement | null>,
+  fit: number,
+  readable: number,
+  begin = fit,
+): SheetZoom {
   const [chosen, choose] = useState<number | null>(null);
-  const scale = Math.min(MOST, Math.max(fit, chosen ?? fit));
+  const scale = Math.min(MOST, Math.max(fit, chosen ?? begin));
   /** The fixed point of the zoom, as shares of the sheet, and its position in the frame. */
   const kept = useRef<{ readonly share: Place; readonly at: Place } | null>(null);
   const boxes = (node: HTMLElement) =>
@@ -106,20 +113,27 @@ export function useSheetZoom(frame: RefObject<HTMLElement | null>, fit: number, 
     };
     node.addEventListener("touchstart", hold, { passive: false, signal });
     node.addEventListener("touchmove", hold, { passive: false, signal });
+    // The mouse drags once it has moved: until then a press belongs to what is under it.
+    let pressed: Place | null = null;
+    const isMouse = ({ pointerType, button }: PointerEvent) => pointerType === "mouse" && button === 0;
     node.addEventListener(
       "pointerdown",
-      (event) => {
-        if (event.pointerType === "mouse" && event.button === 0) node.setPointerCapture(event.pointerId);
-      },
+      (event) => void (pressed = isMouse(event) ? { x: event.clientX, y: event.clientY } : null),
       { signal },
     );
     node.addEventListener(
       "pointermove",
       (event) => {
+        if (pressed && Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) > DRAG) {
+          pressed = null;
+          node.setPointerCapture(event.pointerId);
+        }
         if (node.hasPointerCapture(event.pointerId)) node.scrollBy(-event.movementX, -event.movementY);
       },
       { signal },
     );
+    for (const end of ["pointerup", "pointercancel", "pointerleave"] as const)
+      node.addEventListener(end, () => void (pressed = null), { signal });
     return () => stop.abort();
   }, [frame]);
 

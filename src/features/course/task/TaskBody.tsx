@@ -11,12 +11,14 @@ import { useSettings } from "../../../app/base/settings/settings.ts";
 import { WorkshopDrawing } from "../drawing/WorkshopDrawing.tsx";
 import { Paragraphs } from "../Paragraphs.tsx";
 import { PredictionResult } from "./PredictionResult.tsx";
+import { useMedia } from "../../../app/base/use-media.ts";
 import { durationText } from "../../../app/base/clock-text.ts";
 import { goalText } from "./goal-words.ts";
 import { placedText } from "./mark-words.ts";
 import { TaskHelp } from "./TaskHelp.tsx";
 import { TaskOnward } from "./TaskOnward.tsx";
 import { useTaskView } from "./task-view.ts";
+import { useIsDrawn } from "./use-task-drawing.ts";
 import { taskOfWork } from "../../../app/document/work-task.ts";
 
 interface Props {
@@ -156,14 +158,14 @@ function Scored({ t }: Pick<Props, "t">) {
 export function TaskBody({ task, t, words }: Props) {
   const language = useSettings((s) => s.language);
   const veiled = useEditor((s) => taskOfWork(s)?.veiled ?? false);
-  // The texts of an instructor's task may lack the sizes, so the part is shown.
-  const isFromOutside = useEditor((s) => taskOfWork(s)?.file !== undefined);
-  const hasDrawing = task.part !== undefined && (task.kind === "drawing" || isFromOutside);
+  const isDrawn = useIsDrawn(task);
+  // Where the assignment takes the place of the work, the drawing is part of it.
+  const isAlone = useMedia("narrow");
   return (
     <>
       <section className="task-part task-ask" aria-label={t.unfold}>
         <Paragraphs text={words.ask} before={NOTHING} />
-        {hasDrawing && (
+        {isDrawn && isAlone && (
           <details className="task-drawing" open>
             <summary>{t.drawing}</summary>
             <WorkshopDrawing task={task} language={language} />
@@ -171,7 +173,7 @@ export function TaskBody({ task, t, words }: Props) {
         )}
       </section>
       <div className="task-beside">
-        <Goals task={task} t={t} hasDrawing={hasDrawing} />
+        <Goals task={task} t={t} hasDrawing={isDrawn} />
         <Scored t={t} />
         {!veiled && <PredictionResult t={t} words={words} />}
       </div>

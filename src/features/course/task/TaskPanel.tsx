@@ -11,6 +11,7 @@ import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { useEditor } from "../../../app/document/store.ts";
 import { useMedia } from "../../../app/base/use-media.ts";
 import { inScreenLanguage } from "../../../course/words.ts";
+import { DrawingPane } from "../drawing/DrawingPane.tsx";
 import { checkTask, comparePredictions, isOfWork, judgeQuietly, clearResolvedNotReady } from "./check.ts";
 import { PredictForm } from "./PredictForm.tsx";
 import { PredictionResult } from "./PredictionResult.tsx";
@@ -20,6 +21,7 @@ import { TaskBody } from "./TaskBody.tsx";
 import { PassedLine } from "./TaskOnward.tsx";
 import { TaskStatus, usePassedNow } from "./TaskStatus.tsx";
 import { useTaskPicture } from "./use-task-picture.ts";
+import { useTaskDrawing } from "./use-task-drawing.ts";
 import { useTaskView } from "./task-view.ts";
 import { taskOfWork } from "../../../app/document/work-task.ts";
 
@@ -68,6 +70,7 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
     [checked, t, texts, language, task],
   );
   const passed = usePassedNow(task);
+  const drawing = useTaskDrawing(task);
   useLiveJudgement(task);
   useTaskPicture(task, t, language, marks, say);
   /** With little room, the assignment replaces the work. */
@@ -101,6 +104,19 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
             <Icon name="check" /> {t.check}
           </button>
         )}
+        {drawing.exists && (
+          <button
+            type="button"
+            className="button task-draw"
+            aria-label={t.drawing}
+            aria-pressed={drawing.shown}
+            // A press leaves the focus in the prompt.
+            onMouseDown={(event) => event.preventDefault()}
+            onClick={drawing.toggle}
+          >
+            <Icon name="drawing" /> <span>{t.drawing}</span>
+          </button>
+        )}
         <button
           type="button"
           className="button task-unfold"
@@ -131,6 +147,11 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
         )}
       </div>
       {veiled && <PredictForm task={task} t={t} words={words} />}
+      {drawing.shown && (
+        <Suspense>
+          <DrawingPane task={task} />
+        </Suspense>
+      )}
     </section>
   );
 }

@@ -22,6 +22,8 @@ export interface TaskView {
   readonly work: string | null;
   /** The assignment is unfolded. */
   readonly open: boolean;
+  /** The workshop drawing is shown as a second picture; null: as is usual for the task. */
+  readonly drawn: boolean | null;
   readonly checking: boolean;
   readonly notReady: NotReady | null;
   readonly checked: CheckedAnswer | null;
@@ -39,6 +41,7 @@ export interface TaskView {
 const NOTHING: TaskView = {
   work: null,
   open: false,
+  drawn: null,
   checking: false,
   notReady: null,
   checked: null,

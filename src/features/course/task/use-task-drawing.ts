@@ -1,0 +1,31 @@
+import { useEffect } from "react";
+import type { Task } from "../../../course/task.ts";
+import { useChosenFinding } from "../../../app/document/chosen-finding.ts";
+import { taskOfWork } from "../../../app/document/work-task.ts";
+import { useEditor } from "../../../app/document/store.ts";
+import { useMedia } from "../../../app/base/use-media.ts";
+import { useTaskView } from "./task-view.ts";
+
+/** Whether the assignment refers to a drawing: its texts may lack the sizes. */
+export function useIsDrawn(task: Task): boolean {
+  const isFromOutside = useEditor((s) => taskOfWork(s)?.file !== undefined);
+  return task.part !== undefined && (task.kind === "drawing" || isFromOutside);
+}
+
+/** The workshop drawing as a second picture: a task from a drawing begins with it, and each result shows the lathe. */
+export function useTaskDrawing(task: Task) {
+  const veiled = useEditor((s) => taskOfWork(s)?.veiled ?? false);
+  const isUsual = useIsDrawn(task);
+  const chosen = useTaskView((v) => v.drawn);
+  const checked = useTaskView((v) => v.checked);
+  const looked = useChosenFinding((f) => f.count);
+  const isBeside = useMedia("broad");
+  // While the run is hidden, the lathe is what the questions are about.
+  const exists = task.part !== undefined && !veiled;
+  const shown = exists && (chosen ?? isUsual);
+  // The marks of a check, and a place that is looked at, are on the lathe.
+  useEffect(() => {
+    if ((checked || looked > 0) && !isBeside) useTaskView.setState({ drawn: false });
+  }, [checked, looked, isBeside]);
+  return { exists, shown, toggle: () => useTaskView.setState({ drawn: !shown }) };
+}
