@@ -157,6 +157,7 @@ function OpenLesson({ entry }: { readonly entry: LessonEntry }) {
   useEffect(() => noteLessonPage({ lesson: entry.id, number: entry.number, page: at }), [entry, at]);
   useEffect(() => {
     for (const each of main.current?.querySelectorAll(".lesson-body, .lesson-text") ?? []) each.scrollTop = 0;
+    main.current?.scrollIntoView?.({ block: "start" });
   }, [at]);
   const words = lesson && inScreenLanguage(lesson.words, language);
   if (!lesson || !words) return <MissingLesson />;
