@@ -1,7 +1,7 @@
 import { insert } from "../src/i18n/en/insert.ts";
 import { readFileSync } from "node:fs";
 import { dragFinger } from "./pages/finger.ts";
-import { expectFits } from "./pages/layout-checks.ts";
+import { expectFits, expectInView } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { pictureAt, settledBox } from "./pages/picture.ts";
 import { Turnwise } from "./pages/turnwise.ts";
@@ -169,6 +169,43 @@ test("a wrong infeed is fixed by touch: the pass in the picture, its prompt, the
   await dialog.key(3).tap();
   await dialog.key("enterLong").tap();
   await expect(passes).toHaveText("25");
+});
+
+/** A phone with the bars of its browser, a small one, one in landscape, and a notebook at 400 % zoom. */
+const LOW = ["390x664", "360x640", "844x390", "320x256"] as const;
+
+test("in a low window, field, value and ENT stay in view through the whole of a cycle, and the picture comes back", async ({
+  page,
+}) => {
+  const { dialog, start, lathe, t } = await Turnwise.open(page);
+  const values = answers(812, { Q493: "48.5", Q494: "-42" });
+  await start.beginEmpty(812);
+  for (const [i, screen] of LOW.entries()) {
+    const [width = 0, height = 0] = screen.split("x").map(Number);
+    await page.setViewportSize({ width, height });
+    // The first time the values are missing; after that they are there.
+    if (i > 0) await dialog.active.getByRole("button", { name: t.dialog.done.first, exact: true }).tap();
+    for (let entries = 0; (await dialog.keypad.count()) > 0; entries += 1) {
+      expect(entries).toBeLessThan(30);
+      const asked = (await dialog.question.textContent()) ?? "";
+      const q = Object.keys(values).find((each) => dialog.promptOf(812, each) === asked);
+      const field = (await dialog.value.count()) > 0 ? dialog.value : dialog.choice(0);
+      for (const each of [dialog.question, field, dialog.key("enterLong")])
+        await expectInView(each, `"${asked}" at ${screen}`);
+      if (i === 0 && q !== undefined) await page.keyboard.type(values[q] ?? "");
+      await dialog.key("enterLong").tap();
+      await expect(dialog.question).not.toHaveText(asked);
+    }
+    await expect(dialog.question).toHaveText(t.dialog.done.title);
+  }
+  await page.setViewportSize({ width: 390, height: 664 });
+  const strip = page.getByRole("button", { name: t.lathe.enlarge, exact: true });
+  const stage = lathe.view.getByRole("group", { name: t.lathe.title });
+  const small = (await stage.boundingBox())?.height ?? 0;
+  await strip.tap();
+  await expect.poll(async () => (await stage.boundingBox())?.height).toBeGreaterThan(2 * small);
+  await page.keyboard.press("Escape");
+  await expect(dialog.question).toBeVisible();
 });
 
 /** Phones and tablets, upright and landscape, windows of half a screen, and a notebook. */

@@ -1,4 +1,4 @@
-import type { Page } from "@playwright/test";
+import type { Locator, Page } from "@playwright/test";
 import { axeViolations } from "./axe.ts";
 import { expect } from "./test.ts";
 
@@ -17,6 +17,21 @@ const softly = expect.configure({ soft: true });
  */
 export const expectFits = (page: Page, screen: string): Promise<void> =>
   softly.poll(() => horizontalOverflow(page), { message: `width of ${screen}`, timeout: 5000 }).toBeLessThanOrEqual(0);
+
+/** An element is inside the window as a whole, and nothing covers its middle. */
+export const expectInView = (locator: Locator, what: string): Promise<void> =>
+  expect
+    .poll(
+      () =>
+        locator.evaluate((element) => {
+          const { left, top, right, bottom } = element.getBoundingClientRect();
+          const on = document.elementFromPoint((left + right) / 2, (top + bottom) / 2);
+          const free = on !== null && (element.contains(on) || on.contains(element));
+          return free && left >= 0 && top >= 0 && right <= innerWidth && bottom <= innerHeight;
+        }),
+      { message: what, timeout: 5000 },
+    )
+    .toBe(true);
 
 /** The page breaks no axe rule. */
 export const expectAccessible = async (page: Page): Promise<void> => expect(await axeViolations(page)).toEqual([]);

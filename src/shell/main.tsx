@@ -28,6 +28,7 @@ import "../app/base/styles/panels.css";
 import "../app/base/styles/start.css";
 import { guardFocus } from "../app/base/focus-guard.ts";
 import { PAGE_ACTIONS } from "../app/fields/keys/page-actions.ts";
+import "../app/base/styles/short.css";
 import "../app/base/styles/contrast.css";
 import { startOfflineLater } from "../features/offline/first.ts";
 

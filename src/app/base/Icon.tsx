@@ -16,6 +16,8 @@ const paths = {
   foldLines: "M4 4h16M4 20h16M12 6.5v4M9 8.5l3 3 3-3M12 17.5v-4M9 15.5l3-3 3 3",
   numbers: "M10 4L8 20M16 4l-2 16M4.5 9h16M3.5 15h16",
   question: "M12 3a9 9 0 1 0 0 18 9 9 0 0 0 0-18zM9.2 9.5a2.8 2.8 0 1 1 4 2.5c-.8.4-1.2.9-1.2 2M12 17v.2",
+  enlarge: "M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5",
+  reduce: "M9 4v5H4M15 4v5h5M15 20v-5h5M9 20v-5H4",
   up: "M6 15l6-6 6 6",
   down: "M6 9l6 6 6-6",
   back: "M19 12H5M11 6l-6 6 6 6",

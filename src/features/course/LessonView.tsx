@@ -76,6 +76,7 @@ function OpenLesson({ entry }: { readonly entry: LessonEntry }) {
   useEffect(() => noteLessonPage({ lesson: entry.id, number: entry.number, page: at }), [entry, at]);
   useEffect(() => {
     for (const each of main.current?.querySelectorAll(".lesson-body, .lesson-text") ?? []) each.scrollTop = 0;
+    main.current?.scrollIntoView?.({ block: "start" });
   }, [at]);
   // The link that led to the tasks is gone: the focus goes to their list, where Enter pressed again does nothing.
   const before = useRef(at);

@@ -1,6 +1,24 @@
-import type { ReactNode } from "react";
+import { useEffect, useState, type ReactNode } from "react";
+import { Icon } from "../../base/Icon.tsx";
 import { useMedia } from "../../base/use-media.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
+import { usePlace } from "../../place/place.ts";
 import { holdDrawingDock, holdHelpDock, useDrawingDock, useHelpDock } from "./help-dock.ts";
+
+/** Whether the picture is enlarged where it is a strip. A prompt or a section that opens puts it away. */
+function useEnlarged() {
+  const strip = useMedia("strip");
+  const [enlarged, enlarge] = useState(false);
+  useEffect(
+    () =>
+      usePlace.subscribe((now, before) => {
+        if (now.focus !== before.focus || now.prompt !== before.prompt || now.section !== before.section)
+          enlarge(false);
+      }),
+    [],
+  );
+  return { strip, enlarged: strip && enlarged, enlarge };
+}
 
 /**
  * Centre of a workplace; its class says whether a help picture is docked, and whether a drawing is shown. A `:has()`
@@ -9,8 +27,28 @@ import { holdDrawingDock, holdHelpDock, useDrawingDock, useHelpDock } from "./he
 export function Centre({ children }: { readonly children: ReactNode }) {
   const docked = useHelpDock((d) => d.filled);
   const drawn = useDrawingDock((d) => d.filled);
+  const t = useTexts().lathe;
+  const { strip, enlarged, enlarge } = useEnlarged();
   return (
-    <div className={`centre${docked ? " docked" : ""}${drawn ? " drawn" : ""}`}>
+    <div
+      className={`centre${docked ? " docked" : ""}${drawn ? " drawn" : ""}`}
+      data-large={enlarged}
+      onKeyDown={(event) => {
+        if (event.key === "Escape" && !event.defaultPrevented) enlarge(false);
+      }}
+    >
+      {strip && (
+        <button
+          type="button"
+          className="picture-switch"
+          aria-label={enlarged ? t.reduce : t.enlarge}
+          title={enlarged ? t.reduce : t.enlarge}
+          aria-expanded={enlarged}
+          onClick={() => enlarge(!enlarged)}
+        >
+          <Icon name={enlarged ? "reduce" : "enlarge"} />
+        </button>
+      )}
       {children}
       <div className="drawing-dock" ref={holdDrawingDock} />
     </div>

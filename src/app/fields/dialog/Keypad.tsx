@@ -1,6 +1,7 @@
 import type { RefObject } from "react";
 import { decimalSign } from "../../../i18n/number.ts";
 import { Icon } from "../../base/Icon.tsx";
+import { useMedia } from "../../base/use-media.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { fieldEntry, writeEntry } from "../keypad/field-typing.ts";
@@ -14,9 +15,10 @@ interface Props {
   readonly input: RefObject<HTMLInputElement | null>;
 }
 
-/** Rows of keys: a calculator with the keys of the control, or the keys of path words. */
+/** Rows of keys: a calculator with the keys of the control, in a short window three rows of nine, or the keys of path words. */
 const ROWS = {
   sums: "7 8 9 / ( up erase 4 5 6 * ) down noEnter 1 2 3 - Q cancel end sign 0 point + enter".split(" "),
+  flat: "7 8 9 / ( sign up erase noEnter 4 5 6 * ) point down cancel end 1 2 3 0 - + Q enter".split(" "),
   words: "7 8 9 up erase noEnter end 4 5 6 down sign point I 1 2 3 0 enter".split(" "),
 } as const;
 
@@ -38,19 +40,20 @@ export function Keypad({ session, prompt, input }: Props) {
   const writing = writingKeys(t, sign, numeric, change);
   const keys: Readonly<Record<string, PadKey>> = {
     I: { label: "I", name: approach.incremental, press: change(toggleIncremental), disabled: !prompt.increments },
-    up: { label: <Icon name="up" />, name: t.previous, press: () => step(-1) },
-    down: { label: <Icon name="down" />, name: t.next, press: () => step(1) },
+    up: { label: <Icon name="up" />, name: t.previous, press: () => step(-1), className: "command" },
+    down: { label: <Icon name="down" />, name: t.next, press: () => step(1), className: "command" },
     noEnter: {
       label: t.noEnter,
       name: t.noEnterLong,
       press: noEntry,
-      className: "small",
+      className: "small command",
       disabled: !prompt.optional && !prompt.idle,
     },
-    cancel: { label: "CE", name: t.cancel, press: cancel },
-    end: { label: t.end, name: t.endLong, press: finish },
-    enter: { label: t.enter, name: t.enterLong, press: enter, className: "primary enter" },
+    cancel: { label: "CE", name: t.cancel, press: cancel, className: "command" },
+    end: { label: t.end, name: t.endLong, press: finish, className: "command" },
+    enter: { label: t.enter, name: t.enterLong, press: enter, className: "primary command enter" },
   };
+  const flat = useMedia("flat") && session.keypad === "sums";
   const keyOf = (id: string): PadKey => keys[id] ?? writing(id);
 
   if (prompt.choices && session.keypad === "sums") {
@@ -65,8 +68,8 @@ export function Keypad({ session, prompt, input }: Props) {
     );
   }
   return (
-    <div className="keypad" role="group" aria-label={keypad}>
-      {ROWS[session.keypad].map((id) => padButton(keyOf(id)))}
+    <div className={`keypad${flat ? " flat" : ""}`} role="group" aria-label={keypad}>
+      {ROWS[flat ? "flat" : session.keypad].map((id) => padButton(keyOf(id)))}
     </div>
   );
 }

@@ -1,5 +1,6 @@
 import { Suspense, useId, useLayoutEffect, useRef, useState, type RefObject } from "react";
 import { isError, isOpen, type FindingEntry } from "../../findings/entry.ts";
+import { useMedia } from "../../base/use-media.ts";
 import { Message } from "../../base/Message.tsx";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
@@ -27,6 +28,7 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
   const t = useTexts();
   const id = useId();
   const card = useRef<HTMLElement>(null);
+  const tiny = useMedia("tiny");
   const [explained, explain] = useState<string | null>(null);
   const language = useSettings((s) => s.language);
   const { fields, opened } = session;
@@ -60,8 +62,11 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
     />
   );
   useLayoutEffect(() => {
-    card.current?.scrollIntoView?.({ block: "nearest" });
-  }, [prompt.id, opened.focus]);
+    const { current } = card;
+    // In a short window the field is pinned and its card has no box: the dialog scrolls back to its beginning.
+    if (current?.getClientRects().length) current.scrollIntoView?.({ block: "nearest" });
+    else current?.parentElement?.scrollIntoView?.({ block: "start" });
+  }, [prompt.id, opened.focus, tiny]);
 
   return (
     <section
@@ -73,24 +78,22 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
         onPromptKey(event, session);
       }}
     >
-      <header>
-        <span className="number prompt-q">{prompt.letter}</span>
-        <h2>{prompt.question}</h2>
-        <span className="soft small prompt-position">
-          {prompt.group
-            ? t.dialog.setup.position(...prompt.group.at)
-            : t.dialog.position(
-                fields.filter((f) => !f.group).indexOf(prompt) + 1,
-                fields.filter((f) => !f.group).length,
-              )}
-        </span>
-        <KeysButton place="prompts" />
-      </header>
-      {prompt.hasNoValue && <p className="bare-value number">{prompt.shown.text}</p>}
-      {prompt.choices ? (
-        <ChoiceInput session={session} prompt={prompt} choices={prompt.choices} describedBy={`${id}-about`} />
-      ) : (
-        !prompt.hasNoValue && (
+      <div className="prompt-field">
+        <header>
+          <span className="number prompt-q">{prompt.letter}</span>
+          <h2>{prompt.question}</h2>
+          <span className="soft small prompt-position">
+            {prompt.group
+              ? t.dialog.setup.position(...prompt.group.at)
+              : t.dialog.position(
+                  fields.filter((f) => !f.group).indexOf(prompt) + 1,
+                  fields.filter((f) => !f.group).length,
+                )}
+          </span>
+          <KeysButton place="prompts" />
+        </header>
+        {prompt.hasNoValue && <p className="bare-value number">{prompt.shown.text}</p>}
+        {!prompt.choices && !prompt.hasNoValue && (
           <div className="value-row">
             <ValueInput
               session={session}
@@ -112,7 +115,10 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
               </button>
             )}
           </div>
-        )
+        )}
+      </div>
+      {prompt.choices && (
+        <ChoiceInput session={session} prompt={prompt} choices={prompt.choices} describedBy={`${id}-about`} />
       )}
       <PromptSteps session={session} prompt={prompt} take={take} />
       <div className="range small soft">

@@ -28,6 +28,8 @@ export const lathe = {
   workAgain: "Berechnen",
 
   viewTools: "Ansichtswerkzeuge",
+  enlarge: "Bild vergrößern",
+  reduce: "Bild verkleinern",
   section: "Schnitt",
   sections: { title: "Ansicht", half: "Halbschnitt", full: "Vollschnitt", outside: "Außenansicht", solid: "3D" },
   xUp: "X nach oben",

@@ -28,6 +28,8 @@ export const lathe = {
 
   /* the view */
   viewTools: "View tools",
+  enlarge: "Enlarge the picture",
+  reduce: "Reduce the picture",
   section: "Section",
   sections: { title: "View", half: "Half section", full: "Full section", outside: "Outside view", solid: "3D" },
   xUp: "X up",

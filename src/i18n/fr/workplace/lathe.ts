@@ -30,6 +30,8 @@ export const lathe = {
   workAgain: "Calculer",
 
   viewTools: "Outils d’affichage",
+  enlarge: "Agrandir l’image",
+  reduce: "Réduire l’image",
   section: "Coupe",
   sections: { title: "Vue", half: "Demi-coupe", full: "Coupe complète", outside: "Vue extérieure", solid: "3D" },
   xUp: "X vers le haut",

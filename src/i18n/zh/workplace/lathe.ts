@@ -26,6 +26,8 @@ export const lathe = {
   workAgain: "计算",
 
   viewTools: "视图工具",
+  enlarge: "放大图形",
+  reduce: "缩小图形",
   section: "剖视",
   sections: { title: "视图", half: "半剖", full: "全剖", outside: "外形", solid: "3D" },
   xUp: "X 向上",
