@@ -13,7 +13,7 @@ import { isRefusedAsStated } from "./judge/refuses.ts";
 import { targetPart } from "./target-part.ts";
 import { promptsText, solutionValues } from "./prompts.ts";
 import type { Lesson } from "./lesson.ts";
-import type { Task } from "./task.ts";
+import { HINTS, type Task } from "./task.ts";
 
 /** Name of a file without its folders and its ending. */
 const stem = (file: string) => file.replace(/^.*[\\/]/, "").replace(/\.json$/, "");
@@ -26,12 +26,13 @@ function wordProblems(task: Task): string[] {
     const questions = words.questions ?? [];
     const choices = asked.map((p, i) => ({ p, offered: words.choices?.[i] ?? [] }));
     return [
+      ...(words.hints.length === HINTS ? [] : [`${language}: ${words.hints.length} hints of ${HINTS}`]),
       ...(questions.length === asked.length
         ? []
         : [`${language}: ${questions.length} questions for ${asked.length} predictions`]),
       ...choices.flatMap(({ p, offered }, i) =>
         p.ask === "choice"
-          ? offered.length > p.right && p.right >= 0 && offered.length > 1
+          ? offered.length > (p.right ?? Infinity) && (p.right ?? -1) >= 0 && offered.length > 1
             ? []
             : [`${language}: choices of prediction ${i + 1}`]
           : offered.length === 0

@@ -2,6 +2,7 @@ import { cycleByNumber } from "../cycles/index.ts";
 import { areaOf } from "../kernel/area/area.ts";
 import { taskSchema, type Task } from "./task.ts";
 import { targetPart } from "./target-part.ts";
+import { setSchema, type TaskSet } from "./task-set.ts";
 
 /*
  * Reads a task from outside, perhaps written by hand: faults are reported field by field, so that its author can fix
@@ -136,7 +137,7 @@ function contradictions({ kind, words, predict = [], start, part }: Task): reado
         const offered = choices[i]?.length ?? 0;
         if (asked.ask !== "choice") return offered === 0 ? [] : [fault([...path, "choices", i], "count", 0)];
         if (offered < 2) return [fault([...path, "choices", i], "small", 2)];
-        return asked.right >= 0 && asked.right < offered ? [] : [fault(["predict", i, "right"], "large", offered - 1)];
+        return asked.right === undefined || (asked.right >= 0 && asked.right < offered) ? [] : [fault(["predict", i, "right"], "large", offered - 1)];
       }),
     ];
   });
@@ -156,6 +157,26 @@ export function readTask(raw: unknown): ReadTask {
   if (!read.success) return { faults: read.error.issues.flatMap((told) => faultsOf(raw, told as SchemaIssue)) };
   const faults = contradictions(read.data);
   return faults.length > 0 ? { faults } : { task: read.data, left: leftOut(raw, read.data) };
+}
+
+/** A set with the paths of unknown fields that were left out; or its faults. */
+export type ReadSet =
+  { readonly set: TaskSet; readonly left: readonly string[] } | { readonly faults: readonly FieldFault[] };
+
+/** Reads a set: its own fields, and each of its tasks. Never throws on plain data. */
+export function readSet(raw: unknown): ReadSet {
+  const read = setSchema.safeParse(raw);
+  if (!read.success) return { faults: read.error.issues.flatMap((told) => faultsOf(raw, told as SchemaIssue)) };
+  const set = read.data;
+  const ids = set.tasks.map(({ id }) => id);
+  const faults = [
+    ...(Object.keys(set.words).length === 0 ? [fault(["words"], "missing")] : []),
+    ...set.tasks.flatMap((task, i) => [
+      ...(ids.indexOf(task.id) < i ? [fault(["tasks", i, "id"], "form")] : []),
+      ...contradictions(task).map((each) => ({ ...each, path: `tasks[${i}].${each.path}` })),
+    ]),
+  ];
+  return faults.length > 0 ? { faults } : { set, left: leftOut(raw, set) };
 }
 
 /** The format stated in a file; null without one. */

@@ -12,6 +12,8 @@ export const TASK_FORMAT = "turnwise-task/1";
 
 /** Most lines of a program in a task, and most entries of any other list. */
 const MOST = { lines: 2000, listed: 60 };
+/** Most hints of a task. */
+export const HINTS = 3;
 const id = z.string().check(z.regex(/^[a-z0-9][a-z0-9-]{1,60}$/));
 const lines = z.array(z.string().check(z.maxLength(200))).check(z.minLength(1), z.maxLength(MOST.lines));
 const listed = <S extends z.core.$ZodType>(schema: S) => z.array(schema).check(z.maxLength(MOST.listed));
@@ -119,10 +121,10 @@ export const prediction = z.union([
   z.object({ ask: z.enum(["diameter", "bore", "face"]), at: finite, within: z.optional(finite) }),
   /** A place on the part: residual material, contour damage, or the first rapid through material. Tolerance in mm. */
   z.object({ ask: z.enum(["residuePlace", "gougePlace", "rapidPlace"]), within: z._default(finite, 3) }),
-  /** One of `words.choices`, from 0. */
-  z.object({ ask: z.literal("choice"), right: z.int() }),
-  /** The block with the fault: any of these numbers. */
-  z.object({ ask: z.literal("block"), right: listed(z.int()).check(z.minLength(1)) }),
+  /** One of `words.choices`, from 0; absent in what learners get of an exam. */
+  z.object({ ask: z.literal("choice"), right: z.optional(z.int()) }),
+  /** The block with the fault: any of these numbers; absent as well. */
+  z.object({ ask: z.literal("block"), right: z.optional(listed(z.int()).check(z.minLength(1))) }),
 ]);
 
 /** The id of a material of the shipped cutting data. */
@@ -132,8 +134,8 @@ const taskWords = z.object({
   title: words,
   /** The assignment. An empty line begins a new paragraph. */
   ask: words,
-  /** Three stages: where to look; what is behind it; what to do. */
-  hints: z.tuple([words, words, words]),
+  /** At most three stages: where to look; what is behind it; what to do. Those of the course have all three. */
+  hints: z._default(z.array(words).check(z.maxLength(HINTS)), []),
   /** Questions before the run, one text for each of `predict`. */
   questions: z.optional(listed(words)),
   /** The options of a `choice`, one list for each of `predict` (empty for others). */

@@ -13,7 +13,7 @@ export async function openShared(): Promise<void> {
   const { hash } = location;
   if (!isShareLink(hash)) return;
   history.replaceState(null, "", location.pathname + location.search);
-  if (/^#[tr]/.test(hash)) return (await retryImport(fetchOpenTaught)).openTaughtLink(hash);
+  if (/^#[trs]\d/.test(hash)) return (await retryImport(fetchOpenTaught)).openTaughtLink(hash);
   const [{ readLink }, { showIncoming }] = await retryImport(() =>
     Promise.all([import("../app/records/link.ts"), import("../app/records/incoming.ts")]),
   );

@@ -128,7 +128,7 @@ function courseAddress([lesson, at = "1", ...more]: readonly string[]): CourseAd
 }
 
 /** Whether an address, from `#` on, is a share link: it then names no place. */
-export const isShareLink = (hash: string): boolean => /^#(?:[pw]|[htr]\d+)=/.test(hash);
+export const isShareLink = (hash: string): boolean => /^#(?:[pw]|[htrs]\d+)=/.test(hash);
 
 /** The place of an address, from `#` on; null if it names none. */
 export function parseAddress(hash: string): Address | null {

@@ -1,3 +1,4 @@
+import { mergedExams } from "../../course/exam.ts";
 import { mergedProgress } from "../../course/progress.ts";
 import { readOwn, type OwnEntry } from "../../program/edits/own-cycle.ts";
 import { mergedLibrary, writeLibrary } from "../../program/edits/own-library.ts";
@@ -11,8 +12,10 @@ import { editSettings } from "../document/edit-settings.ts";
 import { ownRecord } from "../document/own-store.ts";
 import { toolRecord, toolsOnDevice } from "../document/tool-store.ts";
 import { mergedResults, resultRecord } from "./course/collected-results.ts";
+import { examRecord } from "./course/exams.ts";
 import { formRecord, mergedForms } from "./course/kept-form.ts";
 import { progressRecord } from "./course/progress.ts";
+import { mergedSets, setRecord } from "./course/saved-sets.ts";
 import { mergedTasks, taskRecord } from "./course/saved-tasks.ts";
 import { countWork, mergedWorked, workedRecord } from "./course/working-time.ts";
 
@@ -109,6 +112,8 @@ const parts = {
   }),
   course: ofRecord(progressRecord, { group: "course", merge: mergedProgress }),
   taught: ofRecord(taskRecord, { group: "course", merge: mergedTasks }),
+  sets: ofRecord(setRecord, { group: "course", merge: mergedSets }),
+  exams: ofRecord(examRecord, { group: "course", merge: mergedExams }),
   forms: ofRecord(formRecord, { group: "course", merge: mergedForms }),
   worked: ofRecord(workedRecord, {
     group: "course",

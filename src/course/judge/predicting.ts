@@ -25,6 +25,7 @@ export interface TruePlace {
 }
 export interface TrueChoice {
   readonly kind: "choice";
+  /** −1 where the task does not say. */
   readonly right: number;
 }
 export interface TrueBlock {
@@ -89,9 +90,9 @@ export function truthOf(prediction: Prediction, task: Pick<Task, "part">, answer
       return first ? { kind: "place", place: first.place, rings: first.rings } : placeOf([]);
     }
     case "choice":
-      return { kind: "choice", right: prediction.right };
+      return { kind: "choice", right: prediction.right ?? -1 };
     case "block":
-      return { kind: "block", right: prediction.right };
+      return { kind: "block", right: prediction.right ?? [] };
   }
 }
 

@@ -1,9 +1,10 @@
-import type { LessonLanguage } from "../../i18n/languages.ts";
+import { LESSON_LANGUAGES, type LessonLanguage } from "../../i18n/languages.ts";
 import type { Answer } from "../judge/judgement.ts";
 import { promptsText } from "../prompts.ts";
 import { programOfLines } from "../task-start.ts";
-import type { Task } from "../task.ts";
-import { NUMBER_RULES, type TaskForm, type RuleDraft, type SizeDraft } from "./task-form.ts";
+import type { Task, TaskWords } from "../task.ts";
+import type { InLanguages } from "../words.ts";
+import { NUMBER_RULES, type TaskForm, type RuleDraft, type SizeDraft, type WordsDraft } from "./task-form.ts";
 import { promptsOf, proposedTask, taskOfForm, type FormFault } from "./task-from-form.ts";
 import { draftOfPrediction } from "./made-questions.ts";
 
@@ -50,12 +51,25 @@ export const sizesOfBoth = (chosen: readonly SizeDraft[], offered: readonly Size
   ];
 };
 
+/** Texts as typed; an absent hint is empty. */
+const wordsDraft = (said: TaskWords | undefined): WordsDraft => {
+  const [one = "", two = "", three = ""] = said?.hints ?? [];
+  return { title: said?.title ?? "", ask: said?.ask ?? "", hints: [one, two, three] };
+};
+
 /** The form of a task. `text` and `answer` belong to the program behind the task. */
 export function formOfTask(task: Task, text: string, answer: Answer, language: LessonLanguage): TaskForm {
   const proposed = proposedTask(answer),
     { part, rules, predict = [], words: told } = task,
     words = told[language];
   const lines = (found: readonly string[] | undefined) => found?.join("\n") ?? "";
+  const others = <T>(draft: (said: TaskWords) => T): InLanguages<T> =>
+    Object.fromEntries(
+      LESSON_LANGUAGES.flatMap((other) => {
+        const said = told[other];
+        return other === language || !said ? [] : [[other, draft(said)]];
+      }),
+    );
   const rule = (name: (typeof NUMBER_RULES)[number]): RuleDraft => {
     const value = name === "rz" ? rules.rz?.[0]?.most : rules[name];
     return value === undefined ? { ...proposed.rules[name], on: false } : { on: true, text: String(value) };
@@ -85,11 +99,16 @@ export function formOfTask(task: Task, text: string, answer: Answer, language: L
     offer: rules.tools ? "listed" : "all",
     tools: rules.tools ?? proposed.tools,
     clean: rules.clean ?? false,
-    questions: predict.map((prediction, i) =>
-      draftOfPrediction(prediction, words?.questions?.[i] ?? "", words?.choices?.[i] ?? []),
-    ),
+    questions: predict.map((prediction, i) => ({
+      ...draftOfPrediction(prediction, words?.questions?.[i] ?? "", words?.choices?.[i] ?? []),
+      translations: others((each) => ({
+        text: each.questions?.[i] ?? "",
+        choices: (each.choices?.[i] ?? []).join("\n"),
+      })),
+    })),
     ...startDraft(task, text, answer),
-    words: { title: words?.title ?? "", ask: words?.ask ?? "", hints: words?.hints ?? ["", "", ""] },
+    words: wordsDraft(words),
+    translations: others(wordsDraft),
   };
 }
 
@@ -118,13 +137,16 @@ export function editedTask(
   language: LessonLanguage,
 ): Task | readonly FormFault[] {
   const text = textOfTask(base);
-  const now = taskOfForm(made, answer, language, "edited");
-  if ("length" in now || text === null) return now;
-  const begun = taskOfForm(formOfTask(base, text, answer, language), answer, language, "edited");
-  if ("length" in begun) return { ...now, id: base.id, words: { ...base.words, ...now.words } };
-  const words = {
-    ...base.words,
-    [language]: changedOf(base.words[language] ?? {}, begun.words[language] ?? {}, now.words[language] ?? {}),
-  };
+  const first = text === null ? null : formOfTask(base, text, answer, language);
+  const now = taskOfForm({ ...made, translations: made.translations ?? first?.translations }, answer, language, "edited");
+  if ("length" in now || !first) return now;
+  const begun = taskOfForm(first, answer, language, "edited");
+  if ("length" in begun) return { ...now, id: base.id };
+  const words = Object.fromEntries(
+    LESSON_LANGUAGES.flatMap((each) => {
+      const said = now.words[each];
+      return said ? [[each, changedOf(base.words[each] ?? {}, begun.words[each] ?? {}, said)]] : [];
+    }),
+  ) as Task["words"];
   return { ...changedOf(base, begun, now), id: base.id, rules: changedOf(base.rules, begun.rules, now.rules), words };
 }

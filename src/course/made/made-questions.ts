@@ -22,7 +22,7 @@ export const hasWithin = (ask: AskedKind): boolean => ask !== "choice" && ask !=
 export const needsWithin = (ask: AskedKind): boolean => ask === "seconds" || ask === "residue" || PLACES.includes(ask);
 
 /** The choices of a question, without empty lines. */
-export const choicesOf = ({ choices }: QuestionDraft): readonly string[] =>
+export const choicesOf = ({ choices }: Pick<QuestionDraft, "choices">): readonly string[] =>
   choices
     .split(/\r?\n/)
     .map((line) => line.trim())
@@ -74,7 +74,7 @@ export const isComplete = (draft: QuestionDraft): boolean => draft.text.trim() !
 /** The draft of a task's question. */
 export function draftOfPrediction(prediction: Prediction, text: string, choices: readonly string[]): QuestionDraft {
   const { ask } = prediction;
-  const right = ask === "choice" ? String(prediction.right) : ask === "block" ? prediction.right.join(", ") : "";
+  const right = ask === "choice" ? String(prediction.right ?? "") : ask === "block" ? (prediction.right?.join(", ") ?? "") : "";
   return {
     ask,
     text,

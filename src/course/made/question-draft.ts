@@ -1,4 +1,5 @@
 import type { Prediction } from "../task.ts";
+import type { InLanguages } from "../words.ts";
 
 /** The kinds of questions, in the order of the menu. */
 export const ASKED_KINDS = [
@@ -29,4 +30,6 @@ export interface QuestionDraft {
   /** For a choice: the options, one per line. For both: the right option from 0, or the numbers of the right blocks. */
   readonly choices: string;
   readonly right: string;
+  /** Wording and choices in further languages. */
+  readonly translations?: InLanguages<Pick<QuestionDraft, "text" | "choices">> | undefined;
 }

@@ -30,6 +30,8 @@ const taskResult = z.object({
   steps: count,
   /** The last program; null where none was stored. */
   program: z.nullable(text(LONGEST)),
+  /** The answers to the questions before the run, as typed. */
+  told: z.optional(z.array(text(40)).check(z.maxLength(60))),
   /** Whether that program passes, and the rules that refuse it; null where it was not judged. */
   verdict: z.nullable(
     z.object({ passed: z.boolean(), refused: z.array(z.enum(RULES)).check(z.maxLength(RULES.length)) }),
@@ -41,8 +43,14 @@ export const resultShape = z.object({
   format: z.literal(RESULT_FORMAT),
   /** As typed; empty where no name was typed. */
   name: text(200),
+  /** The class of the learner, as typed. */
+  group: z.optional(text(200)),
   /** ms since 1970. */
   made: z.number(),
+  /** The set that the tasks belong to, and when it was due, ms since 1970. */
+  set: z.optional(z.object({ id: text(100), title: text(2000), due: z.optional(z.number()) })),
+  /** Start of the exam, ms since 1970, and what ended it. */
+  exam: z.optional(z.object({ begun: z.number(), by: z.enum(["learner", "time"]) })),
   tasks: z.array(taskResult).check(z.maxLength(500)),
 });
 export type HandedResult = z.output<typeof resultShape>;

@@ -1,5 +1,6 @@
 import { z } from "zod/mini";
 import { materialId, type Task } from "../task.ts";
+import { inLanguages, type InLanguages } from "../words.ts";
 import { FAULT_KINDS, type FaultKind } from "./faults.ts";
 import { ASKED_KINDS, type QuestionDraft } from "./question-draft.ts";
 import type { ThreadDraft } from "./made-threads.ts";
@@ -44,6 +45,8 @@ export interface WordsDraft {
 
 /** The form of a task, as typed. */
 export interface TaskForm {
+  /** The texts in further languages. Forms stored before there were any lack the field. */
+  readonly translations?: InLanguages<WordsDraft> | undefined;
   readonly kind: Task["kind"];
   /** Lines of the blank and the outlines; all empty where only the rules count. */
   readonly blank: string;
@@ -75,6 +78,7 @@ const text = z.string().check(z.maxLength(LONGEST));
 const many = <S extends z.core.$ZodType>(schema: S) => z.array(schema).check(z.maxLength(MOST));
 const rule = z.object({ on: z.boolean(), text });
 const finite = z.number();
+const wordsShape = z.object({ title: text, ask: text, hints: z.tuple([text, text, text]) });
 
 /** A form as stored. */
 export const formShape = z.object({
@@ -120,13 +124,15 @@ export const formShape = z.object({
       within: text,
       choices: text,
       right: text,
+      translations: z.optional(inLanguages(z.object({ text, choices: text }))),
     }),
   ),
   start: z.enum(["empty", "prompts", "program"]),
   prompts: z.object({ operation: z.int(), emptied: many(text) }),
   faults: many(z.enum(FAULT_KINDS)),
   program: z.nullable(text),
-  words: z.object({ title: text, ask: text, hints: z.tuple([text, text, text]) }),
+  words: wordsShape,
+  translations: z.optional(inLanguages(wordsShape)),
 });
 
 /** A proposed number with the decimal sign of a language; both signs can be read. */

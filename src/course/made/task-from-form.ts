@@ -1,3 +1,4 @@
+import { LESSON_LANGUAGES, type LessonLanguage } from "../../i18n/languages.ts";
 import { boxAround } from "../../kernel/area/box.ts";
 import { areaOf } from "../../kernel/area/area.ts";
 import { difference, intersection, union } from "../../kernel/area/clip.ts";
@@ -14,6 +15,7 @@ import { targetPart } from "../target-part.ts";
 import { withFaults } from "./faults.ts";
 import { NUMBER_RULES, type TaskForm, type RuleDraft, type WordsDraft } from "./task-form.ts";
 import { choicesOf, isComplete, predictionOf } from "./made-questions.ts";
+import type { QuestionDraft } from "./question-draft.ts";
 import { grooveFilling, threadsOf, targetThread, type ThreadDraft } from "./made-threads.ts";
 import { contourSources } from "./contour-sources.ts";
 import { outlineText } from "./outline-text.ts";
@@ -266,7 +268,7 @@ export function startProgramOfForm(made: TaskForm, answer: Answer): string | nul
 }
 
 /** Why a form is not a task yet. */
-export type FormFault = "title" | "ask" | "hints" | "part" | "shape" | "questions" | "noQuestion" | "begins";
+export type FormFault = "title" | "ask" | "part" | "shape" | "questions" | "noQuestion" | "begins";
 
 function questionFaults({ kind, questions, start }: TaskForm): readonly FormFault[] {
   if (!hasQuestions(kind)) return [];
@@ -288,15 +290,54 @@ const idOf = (title: string, mark: string): string =>
       .slice(0, 36) || "task"
   }-${mark}`;
 
+/** The texts of a form in one language, without the hints that were left empty. */
+function wordsIn({ title, ask, hints }: WordsDraft, asked: readonly Pick<QuestionDraft, "ask" | "text" | "choices">[]) {
+  return {
+    title: title.trim(),
+    ask: ask.trim(),
+    hints: hints.map((hint) => hint.trim()).filter((hint) => hint !== ""),
+    ...(asked.length > 0 && {
+      questions: asked.map(({ text }) => text.trim()),
+      choices: asked.map((each) => (each.ask === "choice" ? [...choicesOf(each)] : [])),
+    }),
+  };
+}
+
+const isTyped = ({ title, ask, hints }: WordsDraft): boolean =>
+  [title, ask, ...hints].some((each) => each.trim() !== "");
+
+/**
+ * The texts of a form in all its languages. What a translation lacks is in the first language; a translation of choices
+ * counts if it has as many.
+ */
+function wordsOfForm(
+  { words, translations = {} }: TaskForm,
+  asked: readonly QuestionDraft[],
+  language: LessonLanguage,
+): Task["words"] {
+  const others = LESSON_LANGUAGES.flatMap((other) => {
+    const draft = translations[other];
+    if (other === language || !draft || !isTyped(draft)) return [];
+    const questions = asked.map((each) => {
+      const told = each.translations?.[other];
+      const isWhole = told && choicesOf(told).length === choicesOf(each).length;
+      return { ask: each.ask, text: told?.text.trim() || each.text, choices: isWhole ? told.choices : each.choices };
+    });
+    const whole = { ...draft, title: draft.title.trim() || words.title, ask: draft.ask.trim() || words.ask };
+    return [[other, wordsIn(whole, questions)] as const];
+  });
+  return { ...Object.fromEntries(others), [language]: wordsIn(words, asked) };
+}
+
 /** The task of a form, or what is missing. `mark`: a short text of letters and digits that distinguishes this task. */
 export function taskOfForm(
   made: TaskForm,
   answer: Answer,
-  language: keyof Task["words"],
+  language: LessonLanguage,
   mark: string,
 ): Task | readonly FormFault[] {
   const {
-    words: { title, ask, hints },
+    words: { title, ask },
     kind,
   } = made;
   const foretells = kind === "predict",
@@ -306,7 +347,6 @@ export function taskOfForm(
   const faults: FormFault[] = [
     ...(title.trim() === "" ? ["title" as const] : []),
     ...(ask.trim() === "" ? ["ask" as const] : []),
-    ...(hints.some((hint) => hint.trim() === "") ? ["hints" as const] : []),
     ...(wanted && (wanted.issues.length > 0 || wanted.rings.length === 0 || areaOf(wanted.rings) === 0)
       ? ["part" as const]
       : []),
@@ -339,17 +379,7 @@ export function taskOfForm(
     kind,
     start: startOf(made, answer),
     ...(asked.length > 0 && { predict: asked.map(predictionOf) }),
-    words: {
-      [language]: {
-        title: title.trim(),
-        ask: ask.trim(),
-        hints: hints.map((hint) => hint.trim()),
-        ...(asked.length > 0 && {
-          questions: asked.map(({ text }) => text.trim()),
-          choices: asked.map((each) => (each.ask === "choice" ? choicesOf(each) : [])),
-        }),
-      },
-    },
+    words: wordsOfForm(made, asked, language),
     ...(!foretells && judged),
   });
   return read.success ? read.data : ["shape"];

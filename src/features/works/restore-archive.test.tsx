@@ -49,6 +49,8 @@ const archive: ReadArchive = {
     page: 3,
   }),
   taught: null,
+  sets: null,
+  exams: null,
   forms: null,
   worked: null,
   results: null,

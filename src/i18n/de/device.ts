@@ -74,6 +74,8 @@ export const device = {
       settings: "Die Einstellungen in der Sicherung sind nicht lesbar.",
       course: "Der Kursfortschritt in der Sicherung ist nicht lesbar.",
       taught: "Die Aufgaben des Ausbilders in der Sicherung sind nicht lesbar.",
+      sets: "Die Aufgabenreihen des Ausbilders in der Sicherung sind nicht lesbar.",
+      exams: "Die Prüfungen in der Sicherung sind nicht lesbar.",
       forms: "Die Aufgabenformulare in der Sicherung sind nicht lesbar.",
       worked: "Die Bearbeitungszeiten der Aufgaben in der Sicherung sind nicht lesbar.",
       results: "Die Ergebnisse der Lernenden in der Sicherung sind nicht lesbar.",

@@ -75,6 +75,8 @@ export const device = {
       settings: "The settings in the backup cannot be read.",
       course: "The course progress in the backup cannot be read.",
       taught: "The instructor’s exercises in the backup cannot be read.",
+      sets: "The instructor’s exercise sets in the backup cannot be read.",
+      exams: "The exams in the backup cannot be read.",
       forms: "The exercise forms in the backup cannot be read.",
       worked: "The working times of exercises in the backup cannot be read.",
       results: "The learners’ results in the backup cannot be read.",

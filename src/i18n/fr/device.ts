@@ -79,6 +79,8 @@ export const device = typeset<DeviceTexts>({
       settings: "Les réglages de la sauvegarde sont illisibles.",
       course: "L’avancement du cours de la sauvegarde est illisible.",
       taught: "Les exercices du formateur de la sauvegarde sont illisibles.",
+      sets: "Les séries d’exercices du formateur de la sauvegarde sont illisibles.",
+      exams: "Les examens de la sauvegarde sont illisibles.",
       forms: "Les formulaires d’exercices de la sauvegarde sont illisibles.",
       worked: "Les temps de travail des exercices de la sauvegarde sont illisibles.",
       results: "Les résultats des apprenants de la sauvegarde sont illisibles.",

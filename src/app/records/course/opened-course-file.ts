@@ -1,6 +1,7 @@
 import { create } from "zustand";
 import type { HandedResult } from "../../../course/made/result.ts";
 import type { Task } from "../../../course/task.ts";
+import type { TaskSet } from "../../../course/task-set.ts";
 import { collectResults, resultRecord } from "./collected-results.ts";
 import { hasResult, type LearnerFile } from "./result-rows.ts";
 import type { FieldFault } from "../../../course/read-task.ts";
@@ -14,15 +15,16 @@ export type CourseFileProblem =
   | { readonly kind: "notJson"; readonly line: number | null }
   | { readonly kind: "fields"; readonly faults: readonly FieldFault[] };
 
-/** A file without new results, and why: it is here already, holds a task, or cannot be read. */
+/** A file without new results, and why: it is here already, holds a task or a set, or cannot be read. */
 export interface FileLeftOut {
   readonly file: string;
   readonly why: { readonly kind: "twice" } | { readonly kind: "task" } | CourseFileProblem;
 }
 
-/** A task or results from outside, shown before they are used. `left`: unknown fields of a task. */
+/** A task, a set or results from outside, shown before they are used. `left`: unknown fields. */
 export type OpenedCourseFile =
   | { readonly kind: "task"; readonly task: Task; readonly left: readonly string[] }
+  | { readonly kind: "set"; readonly set: TaskSet; readonly left: readonly string[] }
   | { readonly kind: "results"; readonly leftOut: readonly FileLeftOut[] }
   | { readonly kind: "problem"; readonly file: string; readonly problem: CourseFileProblem };
 
@@ -30,6 +32,8 @@ export const useOpenedCourseFile = create<{ readonly shown: OpenedCourseFile | n
 
 export const showTask = (task: Task, left: readonly string[] = []): void =>
   useOpenedCourseFile.setState({ shown: { kind: "task", task, left } });
+export const showSet = (set: TaskSet, left: readonly string[] = []): void =>
+  useOpenedCourseFile.setState({ shown: { kind: "set", set, left } });
 export const showProblem = (file: string, problem: CourseFileProblem): void =>
   useOpenedCourseFile.setState({ shown: { kind: "problem", file, problem } });
 export const closeCourseFile = (): void => useOpenedCourseFile.setState({ shown: null });

@@ -2,6 +2,7 @@ import { LARGEST_TAUGHT, readTaught, readTaughtLink, isTaughtText, type ReadTaug
 import {
   showProblem,
   showResults,
+  showSet,
   showTask,
   type NamedResult,
 } from "../../../app/records/course/opened-course-file.ts";
@@ -13,6 +14,7 @@ export function openTaughtLink(hash: string): void {
 
 function show(file: string, read: ReadTaught): void {
   if (read.kind === "task") showTask(read.task, read.left);
+  else if (read.kind === "set") showSet(read.set, read.left);
   else if (read.kind === "result") showResults([{ file, result: read.result }]);
   else showProblem(file, read);
 }
@@ -33,7 +35,7 @@ export async function addResults(files: readonly File[]): Promise<void> {
       files.map(async (file): Promise<NamedResult> => {
         const read = await readFile(file);
         if (read.kind === "result") return { file: file.name, result: read.result };
-        return { file: file.name, why: read.kind === "task" ? { kind: "task" } : read };
+        return { file: file.name, why: read.kind === "task" || read.kind === "set" ? { kind: "task" } : read };
       }),
     ),
   );

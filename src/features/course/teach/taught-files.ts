@@ -1,5 +1,6 @@
 import { readResult, RESULT_FORMAT, type HandedResult } from "../../../course/made/result.ts";
-import { formatOf, readTask } from "../../../course/read-task.ts";
+import { formatOf, readSet, readTask } from "../../../course/read-task.ts";
+import { SET_FORMAT, type TaskSet } from "../../../course/task-set.ts";
 import type { CourseFileProblem } from "../../../app/records/course/opened-course-file.ts";
 import { TASK_FORMAT, type Task } from "../../../course/task.ts";
 import { packedForLink, unpackedFromLink } from "../../../app/records/link.ts";
@@ -7,6 +8,7 @@ import { fromOutside } from "../../../app/records/course/content.ts";
 
 /** Prefixes with versions of the links; newer ones have higher numbers. */
 const TASK_MARK = "#t1=",
+  SET_MARK = "#s1=",
   RESULT_MARK = "#r1=";
 /** Largest file of a task or of results, and longest unpacked text of a link, characters. */
 export const LARGEST_TAUGHT = 4_000_000;
@@ -14,20 +16,22 @@ export const LARGEST_TAUGHT = 4_000_000;
 /** The content, or why there is none. `left`: unknown fields. */
 export type ReadTaught =
   | { readonly kind: "task"; readonly task: Task; readonly left: readonly string[] }
+  | { readonly kind: "set"; readonly set: TaskSet; readonly left: readonly string[] }
   | { readonly kind: "result"; readonly result: HandedResult }
   | CourseFileProblem;
 
-/** Links with a task, or results. `page`: the address without the fragment. */
+/** Links with a task, a set, or results. `page`: the address without the fragment. */
 export const taskLink = (page: string, task: Task): string => page + TASK_MARK + packedForLink(task);
+export const setLink = (page: string, set: TaskSet): string => page + SET_MARK + packedForLink(set);
 export const resultLink = (page: string, result: HandedResult): string => page + RESULT_MARK + packedForLink(result);
 
-/** Task or results as a file. */
-export const taughtFile = (content: Task | HandedResult): string => `${JSON.stringify(content, null, 1)}\n`;
+/** A task, a set or results as a file. */
+export const taughtFile = (content: Task | TaskSet | HandedResult): string => `${JSON.stringify(content, null, 1)}\n`;
 
 /** A format of this product with a higher version than this page reads. */
 function isNewer(format: unknown): boolean {
   const [name, number] = typeof format === "string" ? format.split("/") : [];
-  return [TASK_FORMAT, RESULT_FORMAT].some(
+  return [TASK_FORMAT, SET_FORMAT, RESULT_FORMAT].some(
     (known) => known.split("/")[0] === name && Number(number) > Number(known.split("/")[1]),
   );
 }
@@ -53,7 +57,7 @@ function parsed(text: string): { readonly raw: unknown } | CourseFileProblem {
   }
 }
 
-/** Reads the text of a task or of results. Never throws. */
+/** Reads the text of a task, a set or results. Never throws. */
 export function readTaught(text: string): ReadTaught {
   if (text.length > LARGEST_TAUGHT) return { kind: "tooLarge" };
   const found = parsed(text);
@@ -65,18 +69,22 @@ export function readTaught(text: string): ReadTaught {
     const result = readResult(raw);
     return result ? { kind: "result", result } : { kind: "damaged" };
   }
+  if (format === SET_FORMAT) {
+    const read = readSet(raw);
+    return "set" in read ? { kind: "set", ...read } : { kind: "fields", ...read };
+  }
   if (format !== TASK_FORMAT) return { kind: "foreign" };
   const read = readTask(raw);
   return "task" in read ? { kind: "task", task: fromOutside(read.task), left: read.left } : { kind: "fields", ...read };
 }
 
-/** Whether a text that claims to be JSON contains a task, or results. */
+/** Whether a text that claims to be JSON contains a task, a set, or results. */
 export const isTaughtText = (text: string): boolean =>
-  /^\uFEFF?\s*\{/.test(text) && /"format"\s*:\s*"turnwise-(?:task|result)\//.test(text);
+  /^\uFEFF?\s*\{/.test(text) && /"format"\s*:\s*"turnwise-(?:task|set|result)\//.test(text);
 
 /** Reads the fragment of a link. Never throws, and never unpacks more than its limit. */
 export function readTaughtLink(hash: string, most = LARGEST_TAUGHT): ReadTaught {
-  const [mark, form] = /^#[tr](\d+)=/.exec(hash) ?? [];
+  const [mark, form] = /^#[trs](\d+)=/.exec(hash) ?? [];
   if (mark === undefined) return { kind: "damaged" };
   if (Number(form) > 1) return { kind: "newer" };
   try {
