@@ -106,8 +106,8 @@ const rules = z.object({
   words: z.optional(listed(z.string().check(z.maxLength(200)))),
 });
 
-/** A prediction before the run. The right answer comes from the kernel; for `choice` and `block` the task states it. */
-export const prediction = z.union([
+/** Predictions whose right answer comes from the kernel. */
+const measured = [
   /**
    * A number: passes, real infeed mm, seconds, residue mm², or a size as in `sizes`. Tolerance `within`: by default
    * passes must be exact, the others agree to two decimals.
@@ -121,10 +121,23 @@ export const prediction = z.union([
   z.object({ ask: z.enum(["diameter", "bore", "face"]), at: finite, within: z.optional(finite) }),
   /** A place on the part: residual material, contour damage, or the first rapid through material. Tolerance in mm. */
   z.object({ ask: z.enum(["residuePlace", "gougePlace", "rapidPlace"]), within: z._default(finite, 3) }),
-  /** One of `words.choices`, from 0; absent in what learners get of an exam. */
-  z.object({ ask: z.literal("choice"), right: z.optional(z.int()) }),
-  /** The block with the fault: any of these numbers; absent as well. */
-  z.object({ ask: z.literal("block"), right: z.optional(listed(z.int()).check(z.minLength(1))) }),
+] as const;
+/** The right one of `words.choices`, from 0. */
+const rightChoice = z.int();
+/** Blocks with the fault: any of these numbers is right. */
+const rightBlocks = listed(z.int()).check(z.minLength(1));
+
+/** A question about a run; for `choice` and `block` it states the right answer. */
+export const prediction = z.union([
+  ...measured,
+  z.object({ ask: z.literal("choice"), right: rightChoice }),
+  z.object({ ask: z.literal("block"), right: rightBlocks }),
+]);
+/** The same in a task: what learners get of an exam does not state the right answer. */
+const taskPrediction = z.union([
+  ...measured,
+  z.object({ ask: z.literal("choice"), right: z.optional(rightChoice) }),
+  z.object({ ask: z.literal("block"), right: z.optional(rightBlocks) }),
 ]);
 
 /** The id of a material of the shipped cutting data. */
@@ -169,7 +182,7 @@ export const taskSchema = z.object({
   material: z.optional(materialId),
   /** The drawing takes its surface marks from `rules.rz`. */
   rules: z._default(rules, {}),
-  predict: z.optional(listed(prediction)),
+  predict: z.optional(listed(taskPrediction)),
   /** What a good answer of a "drawing" needs: seconds and tools for full marks. */
   par: z.optional(z.object({ seconds: finite, tools: z.int() })),
   words: inLanguages(taskWords),
@@ -190,5 +203,5 @@ export type TaskRules = z.infer<typeof rules>;
 export type WrongAnswer = z.infer<typeof wrong>;
 export type TaskSize = z.infer<typeof size>;
 export type SizeKind = TaskSize["kind"];
-export type Prediction = z.infer<typeof prediction>;
+export type Prediction = z.infer<typeof taskPrediction>;
 export type TaskWords = z.infer<typeof taskWords>;
