@@ -30,19 +30,6 @@ export interface Bore {
   readonly away: number;
 }
 
-/** Required parameters; all others default to the value without effect. */
-export const DRILL_WORDS: ReadonlyMap<number, readonly string[]> = new Map([
-  [200, ["Q200", "Q201", "Q206", "Q202", "Q203"]],
-  [201, ["Q200", "Q201", "Q206", "Q203"]],
-  [202, ["Q200", "Q201", "Q206", "Q203"]],
-  [203, ["Q200", "Q201", "Q206", "Q202", "Q203"]],
-  [205, ["Q200", "Q201", "Q206", "Q202", "Q203"]],
-  [206, ["Q200", "Q201", "Q206", "Q203"]],
-  [207, ["Q200", "Q201", "Q239", "Q203"]],
-  [209, ["Q200", "Q201", "Q239", "Q203", "Q257"]],
-  [240, ["Q200", "Q206", "Q203"]],
-]);
-
 /** Most infeeds of one bore; more are surely a typing error. */
 const MOST_PECKS = 2000;
 

@@ -2,7 +2,7 @@ import { cycleByNumber } from "../../cycles/index.ts";
 import { isUnsimulated } from "../../cycles/unsimulated-cycles.ts";
 import type { StatementOf } from "../../nc/statement.ts";
 import type { CycleParameter } from "../../nc/words.ts";
-import { isDrilling } from "../blocks/drill-run.ts";
+import { isDrilling } from "../blocks/drill-words.ts";
 import { anyNumber, feedWord, readText, type Field } from "../values/field.ts";
 import { parameterAsTyped } from "../values/typed-value.ts";
 import { actsAtOnce, isSilent } from "../blocks/unproved-blocks.ts";
