@@ -4,6 +4,7 @@ import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { startWorkingTime } from "../../../app/records/course/working-time.ts";
 import { TaskPanel } from "./TaskPanel.tsx";
 import { viewTask } from "./task-view.ts";
+import { useShowPassed } from "./use-show-passed.ts";
 import { useTaskFile } from "./use-task-file.ts";
 import "./task.css";
 
@@ -14,6 +15,7 @@ export function TaskBar({ work }: { readonly work: string }) {
   const t = useTexts("course-task");
   const task = useTaskFile();
   useEffect(() => viewTask(work), [work]);
+  useShowPassed();
   if (task === null) return null;
   if (task !== "none") return <TaskPanel task={task} t={t} />;
   return (
