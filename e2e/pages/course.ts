@@ -32,13 +32,15 @@ export class Course {
   }
 
   /** A path through the course. */
-  path(id: keyof CoursePathTexts["paths"]): Locator {
-    return this.context.page.getByRole("radio", { name: new RegExp(`^${this.pathWords.paths[id].name}`) });
+  path(title: string): Locator {
+    return this.context.page
+      .getByRole("group", { name: this.pathWords.choose, exact: true })
+      .getByRole("radio", { name: new RegExp(`^${title}`) });
   }
 
   /** Opens a chapter of the list, or closes it. */
-  chapter(id: keyof CoursePathTexts["chapters"]): Locator {
-    return this.lessons.locator("summary").filter({ hasText: this.pathWords.chapters[id] });
+  chapter(title: string): Locator {
+    return this.lessons.locator("summary").filter({ hasText: title });
   }
 
   /** A lesson in the list, by its number. */

@@ -9,6 +9,7 @@ import { judge } from "./judge/judge.ts";
 import { truthOf } from "./judge/predicting.ts";
 import { TASK_RAPID } from "./judge/shop.ts";
 import { hasAnswerInRun } from "./made/made-questions.ts";
+import { isMadeAsLearned } from "./judge/word-rule.ts";
 import { isRefusedAsStated } from "./judge/refuses.ts";
 import { targetPart } from "./target-part.ts";
 import { promptsText, solutionValues } from "./prompts.ts";
@@ -82,6 +83,7 @@ function answerProblems(task: Task): string[] {
   const judged = judge(task, answerOf(task.solution.join("\n")));
   for (const m of judged.marks)
     if (!m.passed) out.push(`the solution is refused: ${m.rule} ${m.q ?? m.about ?? ""} ${m.value ?? ""}`);
+  if (!isMadeAsLearned(task, task.solution.join("\n"))) out.push("the solution is not made as `learnedBy` says");
   if (!task.wrong || task.wrong.length === 0) out.push("no wrong answer");
   (task.wrong ?? []).forEach((wrong, i) => {
     const { rule, at, block } = wrong;

@@ -6,7 +6,6 @@ import {
   lessonToContinue,
   missedIn,
   passedOf,
-  pathOfId,
   stateOfLesson,
   stepAfterTask,
 } from "./path.ts";
@@ -41,8 +40,6 @@ test("a path has its lessons with its exercises only; without one the course is 
     ["axes", ["a1", "a3"]],
     ["bores", ["b2"]],
   ]);
-  expect(pathOfId("hour")?.id).toBe("hour");
-  expect([pathOfId(null), pathOfId("gone")]).toEqual([null, null]);
 });
 
 test("a total counts the exercises of its lessons, not an instructor's", () => {

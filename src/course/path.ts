@@ -1,4 +1,4 @@
-import { PATHS, type CoursePath } from "./outline.ts";
+import type { CoursePath } from "./outline.ts";
 import { answerToQuestion, needsRepeat, progressOfTask, type CourseProgress } from "./progress.ts";
 
 /* Where a learner stands on the chosen path, what comes next, and what was missed. */
@@ -7,9 +7,6 @@ interface OutlinedLesson {
   readonly id: string;
   readonly tasks: readonly { readonly id: string }[];
 }
-
-/** The declared path of an id; null for the whole course, and for the id of a path that is gone. */
-export const pathOfId = (id: string | null): CoursePath | null => PATHS.find((path) => path.id === id) ?? null;
 
 /** The lessons of a path, each with only the exercises of the path. */
 export function lessonsOnPath<L extends OutlinedLesson>(lessons: readonly L[], path: CoursePath | null): readonly L[] {

@@ -186,6 +186,11 @@ export const taskSchema = z.object({
   /** What a good answer of a "drawing" needs: seconds and tools for full marks. */
   par: z.optional(z.object({ seconds: finite, tools: z.int() })),
   words: inLanguages(taskWords),
+  /**
+   * Words as in `rules.words`: only an answer with all of them shows `words.learned`, which speaks of one of several
+   * ways.
+   */
+  learnedBy: z.optional(listed(z.string().check(z.maxLength(200)))),
   /** An answer that passes, as a whole program; absent for "predict" alone. */
   solution: z.optional(lines),
   wrong: z.optional(listed(wrong)),

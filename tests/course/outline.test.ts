@@ -1,31 +1,40 @@
 import { expect, test } from "vitest";
 import { courseModules } from "../../scripts/course-index.ts";
-import { CHAPTERS, PATHS } from "../../src/course/outline.ts";
+import { outlineSchema } from "../../src/course/outline.ts";
 import { lessonsOnPath } from "../../src/course/path.ts";
+import { LESSON_LANGUAGES } from "../../src/i18n/languages.ts";
 import type { CourseIndex } from "../../src/app/records/course/content.ts";
+import file from "../../src/course/outline.json";
 
-const index = JSON.parse(
+const { lessons } = JSON.parse(
   courseModules()["virtual:course-index/en"]?.replace(/^export const index = |;$/g, "") ?? "",
 ) as CourseIndex;
+const { chapters, paths } = outlineSchema.parse(file);
 
 test("each lesson is in one chapter, in the order of the course", () =>
-  expect(CHAPTERS.flatMap(({ lessons }) => lessons)).toEqual(index.lessons.map(({ id }) => id)));
+  expect(chapters.flatMap((chapter) => chapter.lessons)).toEqual(lessons.map(({ id }) => id)));
 
-test.each(PATHS)("path $id has lessons of the course in their order, each with two of its exercises", (path) => {
-  const found = lessonsOnPath(index.lessons, path);
-  expect(found.map(({ id, tasks }) => [id, tasks.map((task) => task.id).sort()])).toEqual(
-    path.lessons.map(({ lesson, tasks }) => [lesson, [...tasks].sort()]),
+test("chapters and paths have texts in all languages of the lessons", () => {
+  for (const { words } of [...chapters, ...paths]) expect(Object.keys(words)).toEqual([...LESSON_LANGUAGES]);
+});
+
+test.each(paths)("path $id has lessons of the course in their order, each with two of its exercises", (path) => {
+  const found = lessonsOnPath(lessons, path);
+  expect(found.map(({ id, tasks }) => [id, tasks.map((task) => task.id).toSorted()])).toEqual(
+    path.lessons.map(({ lesson, tasks }) => [lesson, tasks.toSorted()]),
   );
-  expect(found.map(({ number }) => number)).toEqual(found.map(({ number }) => number).sort((a, b) => a - b));
+  expect(found.map(({ number }) => number)).toEqual(found.map(({ number }) => number).toSorted((a, b) => a - b));
   for (const { tasks } of found) expect(tasks.length).toBe(2);
 });
 
 test("three parts take an hour", () => {
-  const seconds = lessonsOnPath(index.lessons, PATHS[0]).flatMap((lesson) => [
+  const path = paths.find(({ id }) => id === "hour") ?? null;
+  const seconds = lessonsOnPath(lessons, path).flatMap((lesson) => [
     lesson.seconds,
     ...lesson.tasks.map((task) => task.seconds),
   ]);
   const minutes = seconds.reduce((a, b) => a + b, 0) / 60;
+  expect(path?.lessons.length).toBe(6);
   expect(minutes).toBeGreaterThan(45);
   expect(minutes).toBeLessThan(70);
 });

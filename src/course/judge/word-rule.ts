@@ -1,5 +1,6 @@
 import { parse } from "../../nc/parse.ts";
 import { blockNumbers } from "../../nc/program.ts";
+import type { Task } from "../task.ts";
 import type { TaskMark } from "./judgement.ts";
 
 /** A text for comparison: capital letters, single spaces, no plus signs before numbers. */
@@ -42,3 +43,7 @@ export function wordMarks(words: readonly string[], text: string): TaskMark[] {
     return { rule: "words", passed: found >= 0, about, entry, ...(found >= 0 && { block: numbers[found] ?? 0 }) };
   });
 }
+
+/** Whether an answer that passed was made in the way of which the task says what was learned. */
+export const isMadeAsLearned = ({ learnedBy = [] }: Pick<Task, "learnedBy">, text: string): boolean =>
+  wordMarks(learnedBy, text).every(({ passed }) => passed);

@@ -1,5 +1,4 @@
-import { CHAPTERS } from "../../course/outline.ts";
-import type { LessonEntry } from "../../app/records/course/content.ts";
+import { useCourseIndex, type LessonEntry } from "../../app/records/course/content.ts";
 import { LessonRow } from "./LessonRow.tsx";
 import { PassedBar } from "./PassedBar.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
@@ -26,15 +25,15 @@ export function LessonList({ lessons, next }: Props) {
 export function ChapterList({ lessons, next }: Props) {
   const t = useTexts("course-path");
   const studyTime = useStudyTime();
-  return CHAPTERS.map(({ id, lessons: ids }) => {
-    const listed: readonly string[] = ids;
+  const { chapters } = useCourseIndex();
+  return chapters.map(({ id, title, lessons: listed }) => {
     const own = lessons.filter((lesson) => listed.includes(lesson.id));
     const [first, last] = [own[0], own.at(-1)];
     if (!first || !last) return null;
     return (
       <details key={id} className="chapter" open={own.some((lesson) => lesson.id === (next ?? lessons[0])?.id)}>
         <summary>
-          <h2>{t.chapters[id]}</h2>
+          <h2>{title}</h2>
           <span className="chapter-facts small">
             <span>{t.range(String(first.number), String(last.number))}</span>
             <span>{studyTime(secondsOfLessons(own))}</span>

@@ -1,6 +1,6 @@
 import { useId } from "react";
-import { PATHS } from "../../course/outline.ts";
 import { lessonsOnPath } from "../../course/path.ts";
+import { useCourseIndex } from "../../app/records/course/content.ts";
 import { choosePath } from "../../app/records/course/progress.ts";
 import { PassedBar } from "./PassedBar.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
@@ -10,13 +10,14 @@ import { secondsOfLessons, useStudyTime, type ChosenPath } from "./use-course-pa
 export function PathChoice({ chosen }: { readonly chosen: ChosenPath }) {
   const t = useTexts("course-path");
   const studyTime = useStudyTime();
+  const { paths } = useCourseIndex();
   const name = useId();
   return (
     <fieldset className="path-choice">
       <legend className="unseen">{t.choose}</legend>
-      {[null, ...PATHS].map((path) => {
+      {[null, ...paths].map((path) => {
         const lessons = lessonsOnPath(chosen.all, path);
-        const { name: title, about } = t.paths[path?.id ?? "whole"];
+        const { title, about } = path ?? t.whole;
         const tasks = lessons.reduce((sum, lesson) => sum + lesson.tasks.length, 0);
         return (
           <label key={path?.id ?? "whole"} className="path-card">

@@ -1,6 +1,5 @@
 import { useMemo } from "react";
-import { PATHS, type PathId } from "../../course/outline.ts";
-import { lessonsOnPath, pathOfId } from "../../course/path.ts";
+import { lessonsOnPath } from "../../course/path.ts";
 import { shownStudyTime } from "../../course/study-time.ts";
 import { useCourseIndex, type LessonEntry } from "../../app/records/course/content.ts";
 import { useLearning } from "../../app/records/course/progress.ts";
@@ -8,22 +7,19 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /** The lessons of the chosen path, each with its exercises on it; `all`: the whole course. */
 export interface ChosenPath {
-  readonly id: PathId | null;
+  /** Null: the whole course. */
+  readonly id: string | null;
   readonly lessons: readonly LessonEntry[];
   readonly all: readonly LessonEntry[];
 }
 
 export function useCoursePath(): ChosenPath {
-  const { lessons: all } = useCourseIndex();
+  const { lessons: all, paths } = useCourseIndex();
   const chosen = useLearning((s) => s.list.path);
-  return useMemo(
-    () => ({
-      id: PATHS.find(({ id }) => id === chosen)?.id ?? null,
-      lessons: lessonsOnPath(all, pathOfId(chosen)),
-      all,
-    }),
-    [all, chosen],
-  );
+  return useMemo(() => {
+    const path = paths.find(({ id }) => id === chosen) ?? null;
+    return { id: path?.id ?? null, lessons: lessonsOnPath(all, path), all };
+  }, [all, paths, chosen]);
 }
 
 /** The path on which a lesson lies: the chosen one, or the whole course. */

@@ -2,25 +2,14 @@ import type { CoursePathTexts } from "../en/course-path.ts";
 
 export const coursePath = {
   choose: "Weg durch den Kurs",
-  paths: {
-    whole: { name: "Ganzer Kurs", about: "Vom ersten Absatz bis zum fertigen Teil, in fünf Kapiteln" },
-    hour: { name: "Drei Teile in einer Stunde", about: "Die Handbuchbeispiele zu 812, 820 und 852" },
-  },
+  whole: { title: "Ganzer Kurs", about: "Vom ersten Absatz bis zum fertigen Teil" },
   size: (lessons, exercises, time) => `${lessons} Lektionen · ${exercises} Aufgaben · ${time}`,
-  chapters: {
-    basics: "Grundlagen",
-    shoulders: "Absätze: Zyklus 812",
-    contours: "Konturen und Einstiche: Zyklen 820 und 852",
-    features: "Richtungen, Nuten, Gewinde, Bohrungen",
-    programs: "Ganze Programme",
-  },
   range: (from, to) => `Lektionen ${from} bis ${to}`,
   lessonStates: { new: "nicht begonnen", begun: "begonnen", done: "fertig" },
   time: (hours, minutes) =>
     `etwa ${[hours > 0 && `${hours} h`, minutes > 0 && `${minutes} min`].filter(Boolean).join(" ")}`,
   beginTask: (title) => `Aufgabe beginnen: ${title}`,
   more: "Weitere Aufgaben dieser Lektion",
-  finished: "Alle Aufgaben auf diesem Weg sind gelöst.",
   review: {
     title: (n) => `Wiederholen (${n})`,
     lead: "Aufgaben, die mit Hilfe gelöst wurden, und falsch beantwortete Fragen.",

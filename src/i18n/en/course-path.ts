@@ -6,25 +6,14 @@ import type { Shape } from "../shape.ts";
  */
 export const coursePath = {
   choose: "Path through the course",
-  paths: {
-    whole: { name: "Whole course", about: "From the first shoulder to a complete part, in five chapters" },
-    hour: { name: "Three parts in an hour", about: "The manual’s examples of 812, 820 and 852" },
-  },
+  whole: { title: "Whole course", about: "From the first shoulder to a complete part" },
   size: (lessons: string, exercises: string, time: string) => `${lessons} lessons · ${exercises} exercises · ${time}`,
-  chapters: {
-    basics: "Fundamentals",
-    shoulders: "Shoulders: cycle 812",
-    contours: "Contours and recesses: cycles 820 and 852",
-    features: "Directions, grooves, threads, bores",
-    programs: "Complete programs",
-  },
   range: (from: string, to: string) => `Lessons ${from} to ${to}`,
   lessonStates: { new: "not started", begun: "in progress", done: "done" },
   time: (hours: number, minutes: number) =>
     `about ${[hours > 0 && `${hours} h`, minutes > 0 && `${minutes} min`].filter(Boolean).join(" ")}`,
   beginTask: (title: string) => `Start exercise: ${title}`,
   more: "More exercises of this lesson",
-  finished: "All exercises of this path are passed.",
   review: {
     title: (n: string) => `Review (${n})`,
     lead: "Exercises passed with help, and questions answered wrongly.",

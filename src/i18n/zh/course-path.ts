@@ -2,25 +2,14 @@ import type { CoursePathTexts } from "../en/course-path.ts";
 
 export const coursePath = {
   choose: "学习路线",
-  paths: {
-    whole: { name: "完整课程", about: "从第一个台阶到完整零件，共五章" },
-    hour: { name: "一小时三个零件", about: "手册中 812、820 和 852 的示例" },
-  },
+  whole: { title: "完整课程", about: "从第一个台阶到完整零件" },
   size: (lessons, exercises, time) => `${lessons} 课 · ${exercises} 个练习 · ${time}`,
-  chapters: {
-    basics: "基础",
-    shoulders: "台阶：循环 812",
-    contours: "轮廓与凹槽：循环 820 和 852",
-    features: "方向、切槽、螺纹、内孔",
-    programs: "完整程序",
-  },
   range: (from, to) => `第 ${from} 至 ${to} 课`,
   lessonStates: { new: "未开始", begun: "进行中", done: "已完成" },
   time: (hours, minutes) =>
     `约 ${[hours > 0 && `${hours} 小时`, minutes > 0 && `${minutes} 分钟`].filter(Boolean).join(" ")}`,
   beginTask: (title) => `开始练习：${title}`,
   more: "本课的其他练习",
-  finished: "此路线的练习已全部通过。",
   review: {
     title: (n) => `复习（${n}）`,
     lead: "借助提示通过的练习，以及答错的问题。",
@@ -30,7 +19,7 @@ export const coursePath = {
   made: {
     skip: "跳到结尾",
     again: "再播放一次",
-    handIn: "交作业",
+    handIn: "提交结果",
     nextLesson: (n, title) => `下一步：第 ${n} 课，${title}`,
     review: (n) => `下一步：复习（${n}）`,
   },

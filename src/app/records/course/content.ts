@@ -1,5 +1,6 @@
 import { courseIndexOf } from "virtual:course-index";
 import { lessonSchema, type Lesson } from "../../../course/lesson.ts";
+import type { CoursePath } from "../../../course/outline.ts";
 import { taskSchema, type Task } from "../../../course/task.ts";
 import { retryImport } from "../../base/parts.ts";
 import { byLanguage } from "../../base/settings/loaded-texts.ts";
@@ -28,8 +29,10 @@ export interface LessonEntry {
   readonly tasks: readonly TaskEntry[];
 }
 
-/** Index of all lessons, without their content. */
+/** Index of the course: its chapters and paths by the ids of their lessons, and all lessons without their content. */
 export interface CourseIndex {
+  readonly chapters: readonly { readonly id: string; readonly title: string; readonly lessons: readonly string[] }[];
+  readonly paths: readonly (CoursePath & { readonly title: string; readonly about: string })[];
   readonly lessons: readonly LessonEntry[];
 }
 

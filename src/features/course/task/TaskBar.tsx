@@ -7,6 +7,7 @@ import { useEditor } from "../../../app/document/store.ts";
 import { inScreenLanguage } from "../../../course/words.ts";
 import { TaskPanel } from "./TaskPanel.tsx";
 import { viewTask } from "./task-view.ts";
+import { useShowPassed } from "./use-show-passed.ts";
 import { useTaskFile } from "./use-task-file.ts";
 import "./task.css";
 
@@ -23,6 +24,7 @@ export function TaskBar({ work }: { readonly work: string }) {
   useEffect(() => {
     document.title = `${title} · Turnwise`;
   }, [title]);
+  useShowPassed();
   if (task === null) return null;
   if (task !== "none") return <TaskPanel task={task} t={t} />;
   return (

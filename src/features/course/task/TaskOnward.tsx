@@ -1,93 +1,142 @@
+import { Suspense, useMemo, useState } from "react";
+import { isMadeAsLearned } from "../../../course/judge/word-rule.ts";
+import { missedIn, stepAfterTask } from "../../../course/path.ts";
 import type { Task, TaskWords } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
-import { fetchTask, useCourseIndex, type LessonEntry, type TaskEntry } from "../../../app/records/course/content.ts";
+import { lazyPart } from "../../../app/base/parts.ts";
+import { playback } from "../../../app/calculation/playback.ts";
+import { usePlayback } from "../../../app/pictures/lathe/use-playback.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { courseHref } from "../../../app/place/course-links.ts";
-import { useTaskProgress } from "../../../app/records/course/progress.ts";
-import { resumeOrStartTask, startTask } from "./begin.ts";
+import { useLearning, useTaskProgress } from "../../../app/records/course/progress.ts";
+import { beginTaskOfCourse } from "../begin-task.ts";
+import { PassedBar } from "../PassedBar.tsx";
+import { lessonsAround, useCoursePath } from "../use-course-path.ts";
+import { startTask } from "./begin.ts";
+import { playMade } from "./play-made.ts";
 import { useTaskView } from "./task-view.ts";
 
-interface LessonAndNextTask {
-  readonly lesson: LessonEntry | null;
-  readonly next: TaskEntry | null;
-}
+const HandInDialog = lazyPart(async () => ({ default: (await import("../teach/HandInDialog.tsx")).HandInDialog }));
 
-/** The lesson of a task, and the next task: in its lesson, or the first of a later one. */
-export function lessonAndNextTask(lessons: readonly LessonEntry[], id: string): LessonAndNextTask {
-  const all = lessons.flatMap((lesson) => lesson.tasks.map((task) => ({ lesson, task })));
-  const index = all.findIndex(({ task }) => task.id === id);
-  return { lesson: all[index]?.lesson ?? null, next: index < 0 ? null : (all[index + 1]?.task ?? null) };
-}
-
-/** Begins a task of the course. */
-async function begin(id: string): Promise<void> {
-  const task = await fetchTask(id);
-  if (task) await resumeOrStartTask(task);
-}
-
-/** Starts the next task; nothing if there is none. */
-function NextTask({ next, t }: { readonly next: TaskEntry | null; readonly t: CourseTaskTexts }) {
-  return (
-    next && (
-      <button type="button" className="button primary task-next" onClick={() => void begin(next.id)}>
-        <span>{t.nextTask(next.title)}</span>
-      </button>
-    )
-  );
-}
-
-/** Below the line of a passed task while the assignment is folded: what you learned, and the next task. */
-export function PassedLine({
-  task,
-  t,
-  words,
-}: {
+interface Props {
   readonly task: Task;
   readonly t: CourseTaskTexts;
   readonly words: TaskWords;
-}) {
-  const { lessons } = useCourseIndex();
-  return (
-    <div className="task-now task-ways">
-      <NextTask next={lessonAndNextTask(lessons, task.id).next} t={t} />
-      {words.learned !== undefined && (
-        <button type="button" className="button" onClick={() => useTaskView.setState({ open: true })}>
-          <Icon name="down" /> {t.learned}
+}
+
+/** The lesson of a task of the course, and the lessons of the path on which it lies; null for an instructor's task. */
+function useLessonOfTask(id: string) {
+  const path = useCoursePath();
+  const lesson = path.all.find(({ tasks }) => tasks.some((task) => task.id === id));
+  if (!lesson) return null;
+  const around = lessonsAround(path, lesson.id);
+  const isOnPath = around.some(({ tasks }) => tasks.some((task) => task.id === id));
+  return { lesson, lessons: isOnPath ? around : path.all };
+}
+
+/** The next step in the course, as one button; an instructor's task is handed in. */
+function NextStep({ task, t }: Omit<Props, "words">) {
+  const texts = useTexts("course-path").made;
+  const { all } = useCoursePath();
+  const of = useLessonOfTask(task.id);
+  const { list } = useLearning();
+  const [hands, handIn] = useState(false);
+  if (!of) {
+    return (
+      <>
+        <button type="button" className="button primary" aria-haspopup="dialog" onClick={() => handIn(true)}>
+          <Icon name="share" /> {texts.handIn}
         </button>
-      )}
+        {hands && (
+          <Suspense>
+            <HandInDialog done={() => handIn(false)} />
+          </Suspense>
+        )}
+      </>
+    );
+  }
+  const step = stepAfterTask(of.lessons, list, task.id);
+  if (step?.kind === "task") {
+    const { id, title } = step.task;
+    return (
+      <button type="button" className="button primary task-next" onClick={() => void beginTaskOfCourse(id)}>
+        <span>{t.nextTask(title)}</span>
+      </button>
+    );
+  }
+  const missed = step ? 0 : missedIn(all, list).length;
+  return (
+    <a className="button primary task-next" href={courseHref(step?.lesson.id ?? null)}>
+      {step
+        ? texts.nextLesson(String(step.lesson.number), step.lesson.title)
+        : missed > 0
+          ? texts.review(String(missed))
+          : t.toCourse}
+    </a>
+  );
+}
+
+/** Plays what was made from its start, or skips to the end. */
+function PlayMade() {
+  const t = useTexts("course-path").made;
+  const playing = usePlayback(playback, (s) => s.get().playing);
+  return (
+    <button type="button" className="button" onClick={() => (playing ? playback.dispatch({ do: "last" }) : playMade())}>
+      <Icon name={playing ? "fold" : "play"} /> {playing ? t.skip : t.again}
+    </button>
+  );
+}
+
+/** What was learned, if the task was passed in the way of which it speaks. */
+function Learned({ task, t, words }: Props) {
+  const checked = useTaskView((v) => v.checked);
+  const { learnedBy } = task;
+  const isSo = useMemo(
+    () => learnedBy === undefined || (checked?.passed === true && isMadeAsLearned({ learnedBy }, checked.answer.text)),
+    [learnedBy, checked],
+  );
+  if (!isSo || words.learned === undefined) return null;
+  return (
+    <div className="task-learned">
+      <h3>
+        <Icon name="check" /> {t.learned}
+      </h3>
+      <p>{words.learned}</p>
     </div>
   );
 }
 
-/** After passing: what you learned, the next task, and the link to the lesson. */
-export function TaskOnward({
-  task,
-  t,
-  words,
-}: {
-  readonly task: Task;
-  readonly t: CourseTaskTexts;
-  readonly words: TaskWords;
-}) {
-  const { lessons } = useCourseIndex();
+/** Below the line of a passed task while the assignment is folded: what was learned, and the way on. */
+export function PassedLine({ task, t, words }: Props) {
+  const of = useLessonOfTask(task.id);
+  const score = useTaskView((v) => v.checked?.judgement.score?.total);
+  return (
+    <div className="task-now task-made">
+      {score !== undefined && <b>{t.score.of(String(score))}</b>}
+      <Learned task={task} t={t} words={words} />
+      <div className="task-ways">
+        <NextStep task={task} t={t} />
+        <PlayMade />
+        {of && <PassedBar lessons={of.lessons} />}
+      </div>
+    </div>
+  );
+}
+
+/** In the assignment: what was learned and the way on after passing, and the link to the lesson. */
+export function TaskOnward({ task, t, words }: Props) {
   const { passed } = useTaskProgress(task.id);
-  const { lesson, next } = lessonAndNextTask(lessons, task.id);
+  const of = useLessonOfTask(task.id);
   return (
     <section className="task-part task-onward">
-      {passed && words.learned !== undefined && (
-        <div className="task-learned">
-          <h3>
-            <Icon name="check" /> {t.learned}
-          </h3>
-          <p>{words.learned}</p>
-        </div>
-      )}
+      {passed && <Learned task={task} t={t} words={words} />}
       <div className="task-ways">
-        {passed && <NextTask next={next} t={t} />}
-        <a className="button" href={courseHref(lesson?.id ?? null, "tasks")}>
-          {lesson ? t.toLesson : t.toCourse}
+        {passed && <NextStep task={task} t={t} />}
+        <a className="button" href={courseHref(of?.lesson.id ?? null, "tasks")}>
+          {of ? t.toLesson : t.toCourse}
         </a>
-        <button type="button" className="button" onClick={() => startTask(task, !lesson)}>
+        <button type="button" className="button" onClick={() => startTask(task, !of)}>
           {t.startOver}
         </button>
       </div>

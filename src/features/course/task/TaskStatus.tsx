@@ -1,4 +1,5 @@
 import { goalsOf, isMet } from "../../../course/goals.ts";
+import { stateOfTask } from "../../../course/progress.ts";
 import type { Task } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
@@ -65,7 +66,9 @@ export function usePassedNow({ kind }: Task): boolean {
 export function TaskStatus({ task, t }: { readonly task: Task; readonly t: CourseTaskTexts }) {
   const language = useSettings((s) => s.language);
   const { checking, notReady, checked, stale, comparedAnswers } = useTaskView();
-  const { passed, tries } = useTaskProgress(task.id);
+  const progress = useTaskProgress(task.id);
+  const { tries } = progress;
+  const state = stateOfTask(progress);
   const rights = (comparedAnswers ?? []).map(({ right }) => right);
   const isPassed = usePassedNow(task);
   const say = () => {
@@ -74,7 +77,7 @@ export function TaskStatus({ task, t }: { readonly task: Task; readonly t: Cours
     if (isPassed) {
       return (
         <span className="task-passed">
-          <Icon name="check" /> {passed ? t.passedFor[passed.way] : t.passed}
+          <Icon name="check" /> {state === "new" || state === "tried" ? t.passed : t.passedFor[state]}
         </span>
       );
     }
