@@ -1,4 +1,5 @@
 import { z } from "zod/mini";
+import { prediction } from "./task.ts";
 import { inLanguages, words } from "./words.ts";
 
 /*
@@ -10,6 +11,18 @@ const lines = z.array(z.string().check(z.maxLength(200))).check(z.minLength(1), 
 
 /** From a smaller number to a greater one. */
 const span = z.tuple([z.number(), z.number()]);
+
+const question = z.object({
+  /** Its own name within the lesson: answers are stored by it, so it stays when pages move. */
+  id: z.string().check(z.regex(/^[a-z0-9-]+$/)),
+  /** As in a task: numbers and places have their right answer from a run; a choice and a block state it. */
+  asks: prediction,
+  /**
+   * Lines that replace those of the program which begin with the same block number or parameter, for a question about
+   * other values than the page shows. The picture shows them after the right answer.
+   */
+  with: z.optional(z.array(z.string().check(z.maxLength(200))).check(z.minLength(1))),
+});
 
 const page = z.object({
   /** The program of the animation; absent: that of the previous page. */
@@ -24,6 +37,16 @@ const page = z.object({
   frame: z.optional(z.object({ x: span, z: span })),
   /** What the picture shows in addition to path and stock. */
   shows: z.optional(z.enum(["residue", "roughness", "depth", "speed"])),
+  /** A question about the page. It blocks nothing. */
+  question: z.optional(question),
+});
+
+const questionWords = z.object({
+  ask: words,
+  /** The answers of a choice. */
+  choices: z.optional(z.array(words).check(z.minLength(2), z.maxLength(4))),
+  /** The reason, one for each choice; otherwise for the right answer and for a wrong one. */
+  why: z.array(words).check(z.minLength(2), z.maxLength(4)),
 });
 
 const lessonWords = z.object({
@@ -32,6 +55,8 @@ const lessonWords = z.object({
   aim: words,
   /** One text for each page: a paragraph or two. */
   pages: z.array(words).check(z.minLength(1), z.maxLength(8)),
+  /** One question for each page; null for a page without. */
+  questions: z.array(z.nullable(questionWords)).check(z.maxLength(8)),
 });
 
 export const lessonSchema = z.object({
@@ -50,3 +75,5 @@ export const lessonSchema = z.object({
 });
 
 export type Lesson = z.infer<typeof lessonSchema>;
+export type PageQuestion = z.infer<typeof question>;
+export type PageQuestionWords = z.infer<typeof questionWords>;

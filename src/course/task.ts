@@ -105,7 +105,7 @@ const rules = z.object({
 });
 
 /** A prediction before the run. The right answer comes from the kernel; for `choice` and `block` the task states it. */
-const prediction = z.union([
+export const prediction = z.union([
   /**
    * A number: passes, real infeed mm, seconds, residue mm², or a size as in `sizes`. Tolerance `within`: by default
    * passes must be exact, the others agree to two decimals.

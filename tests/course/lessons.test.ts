@@ -169,6 +169,7 @@ test("a lesson number in a text refers to the right lesson", () => {
     expect([language, told.toSorted()]).toEqual([
       language,
       [
+        "build-812: speed",
         "build-820: contour",
         "build-820: direction",
         "build-820: valleys",

@@ -5,7 +5,7 @@ import { boundsOf, common, grownBounds, joined, mirrored } from "../../view/boun
 import type { Bounds } from "../../view/camera.ts";
 import { datumAt, datumIndex } from "../../view/datum.ts";
 import { sceneOf } from "../../view/scene.ts";
-import type { Ring } from "../../kernel/geometry/point.ts";
+import type { Pt, Ring } from "../../kernel/geometry/point.ts";
 import { diameter, toRadius } from "../../kernel/units.ts";
 import type { Outcome } from "../../app/calculation/outcome.ts";
 import { useLongerThan } from "../../app/calculation/use-longer-than.ts";
@@ -31,6 +31,7 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { LessonBar } from "./LessonBar.tsx";
 import { LessonFacts } from "./LessonFacts.tsx";
 import { useLessonPlaces } from "./use-lesson-places.ts";
+import { usePress, usePressedPlace } from "./use-pressed-place.ts";
 import type { LessonPageOf } from "./lesson-pages.ts";
 import { useLessonLoad } from "./use-lesson-load.ts";
 import { usePlaybackRange } from "./use-playback-range.ts";
@@ -77,6 +78,12 @@ function frameOf({ blank, steps }: Run, { first, last }: StepRange, whole: Bound
   return common(whole, grownBounds(both, AIR * Math.max(both.right - both.left, both.high - both.low)));
 }
 
+/** A question for a place on the part: what is asked for is not marked. */
+interface AskedPlace {
+  readonly press: (place: Pt) => void;
+  readonly pressed: Pt | null;
+}
+
 /** The lathe of a page: playback of its program, with the marks and colours of the page. */
 export function LessonPicture({
   outcome,
@@ -85,6 +92,7 @@ export function LessonPicture({
   waits,
   failed,
   slid,
+  asked,
 }: {
   readonly outcome: Outcome;
   readonly page: LessonPageOf;
@@ -95,6 +103,8 @@ export function LessonPicture({
   readonly failed: boolean;
   /** A slider of this page was moved: its picture follows. */
   readonly slid: boolean;
+  /** The question asks for a place: a press answers it. */
+  readonly asked: AskedPlace | null;
 }) {
   const t = useTexts("course");
   const texts = useTexts();
@@ -148,7 +158,10 @@ export function LessonPicture({
     else viewport.fit();
   };
   // With a colour map, residual material is marked only on request: the mark would cover the colours.
-  const seen = places.filter((each) => each === chosen || each.kind === "finding" || (ended && told === null));
+  const marked = places.filter((each) => each === chosen || each.kind === "finding" || (ended && told === null));
+  const pressed = usePressedPlace(asked?.pressed ?? null);
+  const seen = asked ? pressed : marked;
+  const { begin, end } = usePress(viewport, asked?.press ?? null);
   const starts = useMemo(() => operationsPlayed(run.operations, played).map(({ start }) => start), [run, played]);
   const leads = useMemo(() => run.approaches.filter((a) => a.plane === "ZX"), [run]);
   const drawn = section === "full" ? "full" : "half";
@@ -156,14 +169,20 @@ export function LessonPicture({
     <CountedIn value={run.program.unit}>
       <section className="lesson-picture" aria-label={t.picture.name}>
         <div className="lesson-lathe">
-          <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}${ended ? " ended" : ""}`}>
+          <div
+            ref={stage}
+            className={`lathe-stage${dimmed ? " dimmed" : ""}${ended ? " ended" : ""}`}
+            data-asked={asked ? true : undefined}
+            onPointerDown={begin}
+            onClick={end}
+          >
             <Picture
               viewport={viewport}
               scene={scene}
               moving={moving}
               waiting={null}
               gouges={simulation.findings.flatMap(({ rings }) => rings)}
-              residual={ended ? simulation.proof.residual.map(({ ring }) => ring) : NOTHING}
+              residual={ended && !asked ? simulation.proof.residual.map(({ ring }) => ring) : NOTHING}
               section={drawn}
               name={texts.lathe.pictures[drawn](state)}
               path={passes.stretches}

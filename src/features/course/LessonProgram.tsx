@@ -14,6 +14,7 @@ export function LessonProgram({
   playback,
   open,
   onOpen,
+  onPress,
 }: {
   readonly lines: readonly string[];
   /** Its run; null while pending. */
@@ -22,6 +23,8 @@ export function LessonProgram({
   /** Kept from page to page. */
   readonly open: boolean;
   readonly onOpen: (open: boolean) => void;
+  /** A question asks for a block: pressing one answers it, by its number. */
+  readonly onPress: ((block: number) => void) | null;
 }) {
   const t = useTexts("course").picture;
   const blocks = useMemo(() => blocksOfLines(lines), [lines]);
@@ -46,11 +49,19 @@ export function LessonProgram({
     >
       <summary>{t.program}</summary>
       <pre ref={list} className="number" role="group" tabIndex={0} aria-label={t.program}>
-        {blocks.map((block, i) => (
-          <span key={i} className="lesson-block" data-running={i === running ? true : undefined}>
-            {block}
-          </span>
-        ))}
+        {blocks.map((block, i) => {
+          const shown = { className: "lesson-block", "data-running": i === running ? true : undefined };
+          const number = onPress && /^\s*(\d+)/.exec(block)?.[1];
+          return onPress && number ? (
+            <button key={i} type="button" {...shown} onClick={() => onPress(Number(number))}>
+              {block.trimEnd()}
+            </button>
+          ) : (
+            <span key={i} {...shown}>
+              {block}
+            </span>
+          );
+        })}
       </pre>
       <button type="button" className="button" onClick={() => openLessonExample(lines)}>
         <Icon name="rename" /> {t.openProgram}

@@ -1,27 +1,19 @@
-import { Suspense, use, useEffect, useRef, useState } from "react";
-import { parameterValueIn, withParameterValue } from "../../course/playback-range.ts";
-import { programOfLines } from "../../course/task-start.ts";
+import { Suspense, use, useEffect, useRef } from "react";
 import type { Lesson } from "../../course/lesson.ts";
 import type { LessonPage } from "../../course/progress.ts";
 import { goToEntrance } from "../../app/document/go-home.ts";
 import { coursePage, usePlace } from "../../app/place/place.ts";
-import { clock } from "../../app/base/clock.ts";
 import { Icon } from "../../app/base/Icon.tsx";
-import { createPlaybackStore } from "../../app/calculation/playback-store.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { markFulfilled } from "../../app/base/settings/loaded-texts.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { inScreenLanguage } from "../../course/words.ts";
 import { fetchLesson, type LessonEntry } from "../../app/records/course/content.ts";
 import { courseHref } from "../../app/place/course-links.ts";
-import { LessonPicture } from "./LessonPicture.tsx";
-import { LessonProgram } from "./LessonProgram.tsx";
-import { LessonSlide } from "./LessonSlide.tsx";
+import { PageOfLesson } from "./PageOfLesson.tsx";
 import { LessonTasks } from "./LessonTasks.tsx";
-import { pagesOf, type LessonPageOf } from "./lesson-pages.ts";
-import { Paragraphs } from "./Paragraphs.tsx";
+import { pagesOf } from "./lesson-pages.ts";
 import { noteLessonPage } from "../../app/records/course/progress.ts";
-import { useLessonRun } from "./use-lesson-run.ts";
 import { usePageTurning } from "./use-page-turning.ts";
 
 const pendingLessons = new Map<string, Promise<Lesson | null>>();
@@ -32,71 +24,6 @@ function useLesson(id: string): Lesson | null {
   pendingLessons.set(id, made);
   markFulfilled(made);
   return use(made);
-}
-
-/** A page: its text next to the lathe, and its slider. */
-function PageOfLesson({
-  page,
-  text,
-  before,
-  name,
-}: {
-  readonly page: LessonPageOf;
-  readonly text: string;
-  /** Texts of the pages before it. */
-  readonly before: readonly string[];
-  readonly name: string;
-}) {
-  const t = useTexts("course").picture;
-  const { slide, program } = page;
-  const [playback] = useState(() => createPlaybackStore(clock));
-  const [read, setRead] = useState(false);
-  const [slid, setSlid] = useState<{ readonly key: string; readonly value: number } | null>(null);
-  const first = slide ? (parameterValueIn(program, slide.q) ?? slide.from) : 0;
-  const value = slid?.key === page.key ? slid.value : first;
-  const lines = slide ? withParameterValue(program, slide.q, value) : program;
-  const { outcome, isPending, failed } = useLessonRun(programOfLines(lines));
-  return (
-    <>
-      <div className="lesson-side">
-        {outcome && (
-          <LessonPicture
-            outcome={outcome}
-            page={page}
-            playback={playback}
-            waits={isPending}
-            failed={failed}
-            slid={slid?.key === page.key}
-          />
-        )}
-        {!outcome && (
-          <p className="lesson-waits soft" role="status">
-            {failed ? t.failed : t.working}
-          </p>
-        )}
-      </div>
-      <div className="lesson-text">
-        <section className="lesson-words" aria-label={name} aria-live="polite" aria-atomic="true">
-          <Paragraphs text={text} before={before} />
-        </section>
-        {slide && (
-          <LessonSlide
-            slide={slide}
-            value={value}
-            lines={lines}
-            onSlide={(next) => setSlid({ key: page.key, value: next })}
-          />
-        )}
-        <LessonProgram
-          lines={lines}
-          playback={playback}
-          open={read}
-          onOpen={setRead}
-          run={isPending || !outcome ? null : outcome.run}
-        />
-      </div>
-    </>
-  );
 }
 
 /** The links to each page and to the tasks. */
@@ -175,8 +102,10 @@ function OpenLesson({ entry }: { readonly entry: LessonEntry }) {
       <div className="lesson-body" data-tasks={!page}>
         {page && typeof at === "number" ? (
           <PageOfLesson
+            lesson={entry.id}
             page={page}
             text={words.pages[at - 1] ?? ""}
+            questionWords={words.questions[at - 1] ?? null}
             before={words.pages.slice(0, at - 1)}
             name={t.pageOf(String(at), String(entry.pages))}
           />

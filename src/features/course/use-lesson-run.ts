@@ -14,6 +14,13 @@ function cacheRun(text: string, outcome: Outcome): void {
   if (cachedRuns.size > MOST_KEPT && oldest !== undefined) cachedRuns.delete(oldest);
 }
 
+/** The run of a program, of the cached ones if it is among them. */
+export async function runOfLesson(text: string): Promise<Outcome> {
+  const outcome = cachedRuns.get(text) ?? (await runWithShippedTools(text));
+  cacheRun(text, outcome);
+  return outcome;
+}
+
 /** The results of a lesson's programs. */
 export interface LessonRun {
   /** The newest result. While a slider moves, the previous one until the next is ready. */
@@ -33,9 +40,7 @@ function latestOnlyRunner(take: (text: string, outcome: Outcome | null) => void)
       const text: string = waiting;
       waiting = null;
       try {
-        const outcome = await runWithShippedTools(text);
-        cacheRun(text, outcome);
-        take(text, outcome);
+        take(text, await runOfLesson(text));
       } catch {
         take(text, null);
       }

@@ -55,6 +55,21 @@ export const course = {
     openProgram: "Dieses Programm im Editor öffnen",
   },
 
+  question: {
+    name: "Frage",
+    check: "Prüfen",
+    checking: "Wird geprüft …",
+    right: "Richtig.",
+    wrong: "Noch nicht.",
+    half: "Das ist die Hälfte: ein Radius?",
+    twice: "Das ist das Doppelte: ein Durchmesser?",
+    shown: "Das Bild zeigt jetzt diesen Fall.",
+    failed: "Die Antwort konnte nicht geprüft werden. Versuchen Sie es noch einmal.",
+    lacks: "Geben Sie eine Zahl ein.",
+    answered: "Beantwortet",
+    yours: "Ihre Antwort",
+  },
+
   restart: "Kurs neu beginnen",
   cancel: "Abbrechen",
   restarted: "Der Kurs wurde neu begonnen. Rückgängig stellt Ihren Lernstand wieder her.",

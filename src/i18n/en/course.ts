@@ -58,6 +58,21 @@ export const course = {
     openProgram: "Open this program in the editor",
   },
 
+  question: {
+    name: "Question",
+    check: "Check",
+    checking: "Checking …",
+    right: "Correct.",
+    wrong: "Not yet.",
+    half: "That is half of it: a radius?",
+    twice: "That is twice as much: a diameter?",
+    shown: "The picture now shows this case.",
+    failed: "The answer could not be checked. Try again.",
+    lacks: "Type a number.",
+    answered: "Answered",
+    yours: "Your answer",
+  },
+
   restart: "Restart course",
   cancel: "Cancel",
   restarted: "The course was restarted. Undo restores your progress.",

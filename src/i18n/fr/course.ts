@@ -55,6 +55,21 @@ export const course = {
     openProgram: "Ouvrir ce programme dans l’éditeur",
   },
 
+  question: {
+    name: "Question",
+    check: "Vérifier",
+    checking: "Vérification …",
+    right: "Exact.",
+    wrong: "Pas encore.",
+    half: "C’est la moitié : un rayon ?",
+    twice: "C’est le double : un diamètre ?",
+    shown: "L’image montre maintenant ce cas.",
+    failed: "La réponse n’a pas pu être vérifiée. Réessayez.",
+    lacks: "Saisissez un nombre.",
+    answered: "Répondu",
+    yours: "Votre réponse",
+  },
+
   restart: "Recommencer le cours",
   cancel: "Annuler",
   restarted: "Le cours a été recommencé. Annuler rétablit votre progression.",

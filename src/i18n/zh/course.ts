@@ -52,6 +52,21 @@ export const course = {
     openProgram: "在编辑器中打开此程序",
   },
 
+  question: {
+    name: "问题",
+    check: "检查",
+    checking: "正在检查…",
+    right: "正确。",
+    wrong: "还不对。",
+    half: "这正好是一半：是不是半径？",
+    twice: "这正好是两倍：是不是直径？",
+    shown: "图中现在显示的就是这种情况。",
+    failed: "无法检查答案，请再试一次。",
+    lacks: "请输入一个数。",
+    answered: "已答对",
+    yours: "您的答案",
+  },
+
   restart: "重新开始课程",
   cancel: "取消",
   restarted: "课程已重新开始。撤销可恢复原来的进度。",
