@@ -21,6 +21,12 @@ test("the course by keyboard: a lesson to its end, a slider moved, example and t
   const count = (await course.pages.getByRole("link").count()) - 1;
   expect(count).toBeGreaterThan(2);
   await expect(course.previous).toHaveCount(0);
+  await course.answer("6 mm").press("Enter");
+  await expect(course.reason).toContainText(words.question.wrong);
+  await course.answer("3 mm").press("Enter");
+  await expect(course.reason).toContainText(words.question.right);
+  await expect(course.answer("3 mm")).toBeFocused();
+  await expectFineInBothThemes(page, "a page with an answered question");
   const said = new Set<string>();
   for (let at = 1; at <= count; at++) {
     await expect(course.page(at)).toHaveAttribute("aria-current", "page");
@@ -37,6 +43,19 @@ test("the course by keyboard: a lesson to its end, a slider moved, example and t
   await expect(course.page("tasks")).toHaveAttribute("aria-current", "page");
   await page.goForward();
   await expect(course.page(count)).toHaveAttribute("aria-current", "page");
+
+  await page.goto("./#/course/axes/4");
+  await course.block("11 L Z-25 F0.2").press("Enter");
+  await expect(course.reason).toContainText(words.question.right);
+  await page.goto("./#/course/first-shoulder/3");
+  const passesOfQuestion = course.question.getByRole("textbox");
+  await passesOfQuestion.fill("5");
+  await passesOfQuestion.press("Enter");
+  await expect(course.reason).toContainText(words.question.wrong);
+  await passesOfQuestion.fill("6");
+  await passesOfQuestion.press("Enter");
+  await expect(course.reason).toContainText(words.question.shown);
+  await expect(course.fact(t.page.effect.passes)).toHaveText("6");
 
   await page.goto(".?clock=manual#/course/first-shoulder/2");
   const passes = course.fact(t.page.effect.passes);

@@ -107,6 +107,26 @@ export class Course {
     return this.context.page.locator(".lesson-block[data-running]");
   }
 
+  /** The question of the open page. */
+  get question(): Locator {
+    return this.context.page.getByRole("region", { name: this.words.question.name, exact: true });
+  }
+
+  /** An answer of a choice. */
+  answer(text: string): Locator {
+    return this.question.getByRole("group").getByRole("button", { name: text, exact: true });
+  }
+
+  /** The result of the last answer, with its reason. */
+  get reason(): Locator {
+    return this.question.getByRole("status");
+  }
+
+  /** A block of the printed program, while the question asks for one. */
+  block(text: string): Locator {
+    return this.context.page.getByRole("button", { name: text, exact: true });
+  }
+
   get next(): Locator {
     return this.context.page.getByRole("link", { name: this.words.next, exact: true });
   }
