@@ -112,6 +112,33 @@ describe.each(named)("%s", (name, raw) => {
   });
 });
 
+/** Times that a page states, with the value and the block that they are for. */
+const TIMES: readonly (readonly [lesson: string, page: number, block: number, value: string, time: string])[] = [
+  ["recess-turning", 3, 9, "", "54.6 s"],
+  ["recess-turning", 3, 9, "Q507=1", "1 min 6 s"],
+  ["build-852", 4, 9, "", "1 min 5 s"],
+  ["valleys", 3, 11, "", "59.4 s"],
+  ["valleys", 3, 11, "Q488=0", "50.3 s"],
+  ["recessing", 2, 9, "", "1 min 30 s"],
+  ["recessing", 3, 9, "Q562=1", "1 min 25 s"],
+  ["cutting-data", 2, 11, "", "71 s"],
+  ["from-a-drawing", 3, 11, "", "45 s"],
+  ["from-a-drawing", 3, 27, "", "43 s"],
+  ["from-a-drawing", 3, 36, "", "36 s"],
+];
+
+test.each(TIMES)("the time on page %s %i is that of the run: block %i %s %s", (id, page, block, value, time) => {
+  const lesson = named.map(([, raw]) => lessonSchema.parse(raw)).find((each) => each.id === id);
+  if (!lesson) throw new Error("missing");
+  expect(lesson.words.en?.pages[page - 1]).toContain(time);
+  const [q = "", of = ""] = value.split("=");
+  const program = programs(lesson)[page - 1] ?? [];
+  const { steps } = ran(value === "" ? program : withParameterValue(program, q, Number(of)));
+  const seconds = steps.reduce((sum, step) => sum + (step.block === block ? step.seconds : 0), 0);
+  const [, minutes = "0", rest = ""] = /^(?:(\d+) min )?([\d.]+) s$/.exec(time) ?? [];
+  expect(seconds).toBeCloseTo(60 * Number(minutes) + Number(rest), rest.includes(".") ? 1 : 0);
+});
+
 /** Lessons in the order of the course. */
 const inOrder = named.map(([, raw]) => lessonSchema.parse(raw)).toSorted((a, b) => a.number - b.number);
 

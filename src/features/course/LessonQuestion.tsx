@@ -1,4 +1,4 @@
-import { Suspense, useEffect, useEffectEvent, useId, useState } from "react";
+import { Suspense, useEffect, useEffectEvent, useId, useRef, useState } from "react";
 import type { PageQuestion, PageQuestionWords } from "../../course/lesson.ts";
 import { answerKindOf } from "../../course/predicted-answers.ts";
 import { Icon } from "../../app/base/Icon.tsx";
@@ -113,8 +113,13 @@ function Reason({
   const t = useTexts("course").question;
   const judged = given?.judged;
   const isJudged = judged !== null && typeof judged === "object";
+  const place = useRef<HTMLDivElement>(null);
+  // On a small screen the reason would appear below the fold.
+  useEffect(() => {
+    if (judged) place.current?.scrollIntoView({ block: "nearest" });
+  }, [judged]);
   return (
-    <div className="lesson-reason" role="status" data-right={isJudged ? judged.right : undefined}>
+    <div ref={place} className="lesson-reason" role="status" data-right={isJudged ? judged.right : undefined}>
       {given && judged === null && t.checking}
       {judged === "failed" && t.failed}
       {judged === "unreadable" && t.lacks}
