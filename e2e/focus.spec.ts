@@ -108,5 +108,38 @@ test("an exercise keeps the keyboard from the prediction to the check", async ({
   await expect(dialog.value).toBeFocused();
   await press(task.fold);
   await press(task.check);
-  await expect(task.check).toBeFocused();
+  await expect(task.status.getByRole("button")).toBeFocused();
+  await page.keyboard.press("Enter");
+  await expect(dialog.value).toBeFocused();
+});
+
+test("blocks, tools, own cycles and lessons keep the keyboard", async ({ page }) => {
+  const { course, editor, effect, own, start, t, tools } = await Turnwise.open(page);
+  const form = page.getByRole("form").locator(":focus");
+  await start.beginWithExample(812);
+  await effect.proved();
+  const last = page.getByRole("button", { name: t.lathe.last, exact: true });
+  await press(last);
+  await expect(last).toBeFocused();
+  await page.goto("./#/");
+  await editor.openExample("flange");
+  await editor.show("structure");
+  await press(editor.operation(3));
+  for (const name of ["duplicate", "down", "remove"] as const) await press(editor.operationTool(name));
+  await editor.line("M136").click();
+  await editor.show("block");
+  for (const kind of ["L", "label"] as const) {
+    await press(editor.tool("insertLong"));
+    await expectFocus(page);
+    await press(
+      page.getByRole("group", { name: t.editor.palette }).getByRole("button", { name: t.editor.kinds[kind] }).first(),
+    );
+    await expect(form).toBeVisible();
+  }
+  await page.goto("./#/tools");
+  for (const each of [tools.add, tools.duplicate, tools.remove]) await press(each);
+  await page.goto("./#/own");
+  await press(own.add);
+  await page.goto("./#/course/first-shoulder");
+  for (let i = 0; i < 7; i += 1) if (await course.next.isVisible()) await press(course.next);
 });

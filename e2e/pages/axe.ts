@@ -1,6 +1,12 @@
 import AxeBuilder from "@axe-core/playwright";
 import type { Page } from "@playwright/test";
 
+/** Rules about colours: only these differ between light and dark, and while something calculates. */
+export const COLOUR_RULES = ["color-contrast", "link-in-text-block"];
+
+/** Whether axe has looked at the page since it was loaded. */
+export const hasAxe = (page: Page): Promise<boolean> => page.evaluate(() => "axe" in window);
+
 /** Waits for finite animations and transitions: halfway through, colours are neither. */
 const animationsFinished = (page: Page): Promise<void> =>
   page.evaluate(async () => {
@@ -12,15 +18,17 @@ const animationsFinished = (page: Page): Promise<void> =>
     await Promise.allSettled(ending.map(({ finished }) => finished));
   });
 
-/** The axe rules that the page breaks, out of all or some, with the elements that break them. */
-export async function axeViolations(page: Page, rules?: string[]): Promise<readonly string[]> {
+/** The axe rules that the page breaks, out of all, only some, or all but some, with the elements that break them. */
+export async function axeViolations(
+  page: Page,
+  { only, but = [] }: { readonly only?: string[]; readonly but?: string[] } = {},
+): Promise<readonly string[]> {
   await animationsFinished(page);
   // Injected once, and reporting violations only, axe takes a fifth of the time.
-  const isThere = await page.evaluate(() => "axe" in window);
-  const axe = new AxeBuilder(isThere ? { page, axeSource: "0;" } : { page })
+  const axe = new AxeBuilder((await hasAxe(page)) ? { page, axeSource: "0;" } : { page })
     .setLegacyMode()
     .options({ resultTypes: ["violations"] });
-  const { violations } = await (rules ? axe.withRules(rules) : axe).analyze();
+  const { violations } = await (only ? axe.withRules(only) : axe.disableRules(but)).analyze();
   return violations.map(
     (v) =>
       `${v.id}: ${v.nodes

@@ -1,9 +1,6 @@
 import type { Locator, Page } from "@playwright/test";
-import { axeViolations } from "./axe.ts";
+import { axeViolations, COLOUR_RULES } from "./axe.ts";
 import { expect } from "./test.ts";
-
-/** Rules about colours: only these can differ between light and dark. */
-const COLOUR_RULES = ["color-contrast", "link-in-text-block"];
 
 /** Horizontal overflow of the page, px. */
 const horizontalOverflow = (page: Page): Promise<number> =>
@@ -48,7 +45,7 @@ export async function expectAccessibleAndFits(page: Page): Promise<void> {
  */
 export async function expectFineInBothThemes(page: Page, screen: string): Promise<void> {
   await page.emulateMedia({ colorScheme: "dark" });
-  expect.soft(await axeViolations(page, COLOUR_RULES), `colours of ${screen} in the dark`).toEqual([]);
+  expect.soft(await axeViolations(page, { only: COLOUR_RULES }), `colours of ${screen} in the dark`).toEqual([]);
   await page.emulateMedia({ colorScheme: "light" });
   expect.soft(await axeViolations(page), `axe on ${screen}`).toEqual([]);
   await expectFits(page, screen);

@@ -1,4 +1,4 @@
-import { useId, useLayoutEffect, useRef, useState, type KeyboardEvent } from "react";
+import { useId, useLayoutEffect, useRef, useState, type KeyboardEvent, type ReactNode } from "react";
 import { Icon, type IconName } from "./Icon.tsx";
 import "./menu.css";
 
@@ -9,7 +9,24 @@ export interface MenuItem {
   readonly hint?: string;
   /** Opens a dialog. */
   readonly opens?: "dialog";
+  /** Its shortcut. */
+  readonly shortcut?: string;
   readonly go: () => void;
+}
+
+/** An item that leads to an address. */
+export interface MenuLink extends Pick<MenuItem, "name" | "icon" | "hint"> {
+  readonly href: string;
+}
+
+interface Props {
+  readonly name: string;
+  readonly groups: readonly (readonly (MenuItem | MenuLink)[])[];
+  /** What the button shows instead of its name and an arrow. */
+  readonly label?: ReactNode;
+  /** Tooltip of the button. */
+  readonly hint?: string;
+  readonly className?: string;
 }
 
 /** Space between button and list, CSS pixels. */
@@ -45,8 +62,34 @@ export function itemByKey(key: string, at: number, names: readonly string[]): nu
   }
 }
 
-/** A button with a menu of actions, in groups. */
-export function Menu({ name, groups }: { readonly name: string; readonly groups: readonly (readonly MenuItem[])[] }) {
+function Item({ item, close }: { readonly item: MenuItem | MenuLink; readonly close: () => void }) {
+  const own = { role: "menuitem", className: "menu-item", tabIndex: -1, title: item.hint };
+  const content = (
+    <>
+      {item.icon && <Icon name={item.icon} />}
+      <span>{item.name}</span>
+      {"shortcut" in item && <kbd>{item.shortcut}</kbd>}
+    </>
+  );
+  if ("href" in item)
+    return (
+      <a {...own} href={item.href} onClick={close}>
+        {content}
+      </a>
+    );
+  const act = () => {
+    close();
+    item.go();
+  };
+  return (
+    <button {...own} type="button" aria-haspopup={item.opens} onClick={act}>
+      {content}
+    </button>
+  );
+}
+
+/** A button with a menu of actions and links, in groups. */
+export function Menu({ name, groups, label, hint, className = "button menu-button" }: Props) {
   const id = useId();
   const [open, setOpen] = useState(false);
   const button = useRef<HTMLButtonElement>(null),
@@ -86,7 +129,9 @@ export function Menu({ name, groups }: { readonly name: string; readonly groups:
       <button
         ref={button}
         type="button"
-        className="button menu-button"
+        className={className}
+        aria-label={label === undefined ? undefined : name}
+        title={hint}
         aria-haspopup="menu"
         aria-expanded={open}
         aria-controls={open ? id : undefined}
@@ -98,7 +143,11 @@ export function Menu({ name, groups }: { readonly name: string; readonly groups:
           setOpen(true);
         }}
       >
-        {name} <Icon name="down" />
+        {label ?? (
+          <>
+            {name} <Icon name="down" />
+          </>
+        )}
       </button>
       {open && (
         <div
@@ -118,22 +167,7 @@ export function Menu({ name, groups }: { readonly name: string; readonly groups:
             .map((group, i) => (
               <div key={i} role="group" className="menu-group">
                 {group.map((item) => (
-                  <button
-                    key={item.name}
-                    type="button"
-                    role="menuitem"
-                    className="menu-item"
-                    tabIndex={-1}
-                    title={item.hint}
-                    aria-haspopup={item.opens}
-                    onClick={() => {
-                      close();
-                      item.go();
-                    }}
-                  >
-                    {item.icon && <Icon name={item.icon} />}
-                    <span>{item.name}</span>
-                  </button>
+                  <Item key={item.name} item={item} close={close} />
                 ))}
               </div>
             ))}

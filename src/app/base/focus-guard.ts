@@ -94,6 +94,12 @@ const MOST_FRAMES = 120;
 /** Whether the focus is being moved to a part of the page that is not shown yet. */
 const moving = { isPending: false };
 
+/** The element that has the focus only because another one was lost; null once the operator acts. */
+const placed: { element: Element | null } = { element: null };
+
+/** Whether the focus is where the operator has put it; otherwise a part that opens late may still take it. */
+export const isFocusChosen = (): boolean => placed.element === null || placed.element !== document.activeElement;
+
 /**
  * Moves the focus into a part of the page as soon as it is shown. `ask` lets the part place it on one of its elements;
  * otherwise it gets the first one. The next key or press has its way.
@@ -146,7 +152,9 @@ export function guardFocus(): void {
     const behind = past.filter((each) => !wasInDialog(each));
     for (const each of behind) {
       const target = placeOf(each);
-      if (target && target !== document.body) return target.focus({ preventScroll: true });
+      if (!target || target === document.body) continue;
+      placed.element = target;
+      return target.focus({ preventScroll: true });
     }
   };
   const wait = (frame: number) => {
@@ -167,8 +175,12 @@ export function guardFocus(): void {
         if (!isLost(target) && document.activeElement === document.body) past = [];
       });
   });
-  document.addEventListener("pointerdown", ({ pointerType }) => (byTouch = pointerType === "touch"), true);
-  document.addEventListener("keydown", () => (byTouch = false), true);
+  const act = (isTouch: boolean) => {
+    byTouch = isTouch;
+    placed.element = null;
+  };
+  document.addEventListener("pointerdown", ({ pointerType }) => act(pointerType === "touch"), true);
+  document.addEventListener("keydown", () => act(false), true);
   for (const act of ["keyup", "click"] as const) document.addEventListener(act, look);
   new MutationObserver(look).observe(document.body, {
     childList: true,

@@ -3,7 +3,7 @@ import { create } from "zustand";
 import type { Site } from "../../cycles/shape-request.ts";
 import type { LessonPage } from "../../course/progress.ts";
 import type { Ring, Segment } from "../../kernel/geometry/point.ts";
-import { focusPart } from "../base/focus-guard.ts";
+import { focusPart, isFocusChosen } from "../base/focus-guard.ts";
 import { thirdColumn } from "../base/use-media.ts";
 
 const JOB_SECTIONS = ["prompts", "setup", "contour", "findings", "program"] as const;
@@ -212,7 +212,8 @@ export const openOwn = (row: string | null, fields = false): void =>
 export const KEEPS_KEYBOARD = "data-keeps-keyboard";
 
 /** False while the operator types in such an area: a field that opens must not take the focus. */
-export const mayTakeKeyboard = (): boolean => !document.activeElement?.closest(`[${KEEPS_KEYBOARD}]`);
+export const mayTakeKeyboard = (): boolean =>
+  !isFocusChosen() || !document.activeElement?.closest(`[${KEEPS_KEYBOARD}]`);
 
 /** Lets the next field that opens take the focus, also out of such an area. */
 export function releaseKeyboard(): void {
