@@ -4,8 +4,11 @@ import { dirname, join } from "node:path";
 import { promisify } from "node:util";
 import { root } from "./packages.mjs";
 
-/** A file with all its imports as the text of one module for Node. */
-async function oneModule(entry, { minify = false, plugins = [], external = [] } = {}) {
+/** A file with all its imports as modules for Node, the first of them its own; `output`: how they are split. */
+async function modulesOf(
+  entry,
+  { minify = false, plugins = [], external = [], output = { codeSplitting: false } } = {},
+) {
   const { build } = await import("vite");
   const { version } = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
   const made = await build({
@@ -21,10 +24,15 @@ async function oneModule(entry, { minify = false, plugins = [], external = [] } 
       write: false,
       target: "node20",
       minify,
-      rolldownOptions: { output: { codeSplitting: false } },
+      rolldownOptions: { output },
     },
   });
-  const chunks = made.output.filter((file) => file.type === "chunk");
+  return made.output.filter((file) => file.type === "chunk").sort((a, b) => Number(b.isEntry) - Number(a.isEntry));
+}
+
+/** The same as the text of one module. */
+async function oneModule(entry, how) {
+  const chunks = await modulesOf(entry, how);
   if (chunks.length !== 1) throw new Error(`${entry} became ${chunks.length} files`);
   return chunks[0].code;
 }
@@ -87,15 +95,31 @@ async function pageTypes() {
   return types;
 }
 
+const PAGES_FILE = "playwright.mjs";
+const LANGUAGE = /\/e2e\/pages\/languages\/(\w+)\.ts$/;
+
 /**
- * The page objects of the journeys as one module that needs Playwright alone, and its types.
+ * The page objects of the journeys as a module that needs Playwright alone, its types, and one file for each language
+ * besides English, which it fetches when that language is opened.
  *
- * @returns {Promise<{ code: string, types: string }>}
+ * @returns {Promise<{ code: string, types: string, languages: Readonly<Record<string, string>> }>}
  */
 export async function pageObjects() {
-  const [code, types] = await Promise.all([
-    oneModule("e2e/pages/index.ts", { plugins: [promptIds], external: ["@playwright/test"] }),
+  const [[main, ...others], types] = await Promise.all([
+    modulesOf("e2e/pages/index.ts", {
+      plugins: [promptIds],
+      external: ["@playwright/test"],
+      output: {
+        entryFileNames: PAGES_FILE,
+        chunkFileNames: ({ facadeModuleId }) =>
+          PAGES_FILE.replace(".", `-${LANGUAGE.exec(facadeModuleId ?? "")?.[1] ?? "shared"}.`),
+      },
+    }),
     pageTypes(),
   ]);
-  return { code, types };
+  return {
+    code: main.code,
+    types,
+    languages: Object.fromEntries(others.map(({ fileName, code }) => [fileName, code])),
+  };
 }
