@@ -95,8 +95,47 @@ async function pageTypes() {
   return types;
 }
 
+const READ_WORDS = "/e2e/pages/read-words.ts";
+const WORDS = "page-words:";
+/** The language that the page objects have without another file. */
+const BUILT_IN = "en";
+
+/** Replaces the reading of texts with a module for each language. */
+const wordFiles = {
+  name: "word-files",
+  resolveId: (id) => (id.startsWith(WORDS) ? id : undefined),
+  async load(id) {
+    if (!id.startsWith(WORDS) && !id.endsWith(READ_WORDS)) return undefined;
+    const { runnerImport } = await import("vite");
+    const imported = async (path) =>
+      (await runnerImport(join(root, path), { configFile: false, logLevel: "error" })).module;
+    if (id.startsWith(WORDS)) {
+      const { filesOf } = await imported(READ_WORDS);
+      const files = filesOf(id.slice(WORDS.length)).map(([name, path]) => [
+        name,
+        join(root, dirname(READ_WORDS), path),
+      ]);
+      // By name: a namespace object would need a runtime file that the languages share.
+      const nameIn = (path) => /^export const (\w+)/m.exec(readFileSync(path, "utf8"))?.[1];
+      const imports = files.map(
+        ([, path], i) => `import { ${nameIn(path)} as part${i} } from ${JSON.stringify(path)};`,
+      );
+      const parts = files.map(([name], i) => `${JSON.stringify(name)}: part${i}`);
+      return `${imports.join("\n")}\nexport const parts = { ${parts.join(", ")} };`;
+    }
+    const { LANGUAGES } = await imported("src/i18n/languages.ts");
+    const loaders = LANGUAGES.filter((language) => language !== BUILT_IN).map(
+      (language) => `${language}: () => import("${WORDS}${language}")`,
+    );
+    return [
+      `import { parts as ${BUILT_IN} } from "${WORDS}${BUILT_IN}";`,
+      `const loaders = { ${BUILT_IN}: async () => ({ parts: ${BUILT_IN} }), ${loaders.join(", ")} };`,
+      "export const readWords = async (language) => (await loaders[language]()).parts;",
+    ].join("\n");
+  },
+};
+
 const PAGES_FILE = "playwright.mjs";
-const LANGUAGE = /\/e2e\/pages\/languages\/(\w+)\.ts$/;
 
 /**
  * The page objects of the journeys as a module that needs Playwright alone, its types, and one file for each language
@@ -107,12 +146,12 @@ const LANGUAGE = /\/e2e\/pages\/languages\/(\w+)\.ts$/;
 export async function pageObjects() {
   const [[main, ...others], types] = await Promise.all([
     modulesOf("e2e/pages/index.ts", {
-      plugins: [promptIds],
+      plugins: [promptIds, wordFiles],
       external: ["@playwright/test"],
       output: {
         entryFileNames: PAGES_FILE,
         chunkFileNames: ({ facadeModuleId }) =>
-          PAGES_FILE.replace(".", `-${LANGUAGE.exec(facadeModuleId ?? "")?.[1] ?? "shared"}.`),
+          PAGES_FILE.replace(".", `-${facadeModuleId?.split(WORDS)[1] ?? "shared"}.`),
       },
     }),
     pageTypes(),

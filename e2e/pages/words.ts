@@ -1,24 +1,14 @@
 import type { Language } from "../../src/i18n/languages.ts";
 import type { PartTexts } from "../../src/i18n/parts.ts";
-import { parts as english } from "./languages/en.ts";
+import { readWords, type Name, type Parts } from "./read-words.ts";
 
-/** The text parts that page objects use. */
-type Name = keyof typeof english;
-type Parts = { readonly [N in Name]: PartTexts<N> };
-
-/** Each language besides English is a file of its own in the build. */
-const LOADERS: Readonly<Record<Exclude<Language, "en">, () => Promise<{ readonly parts: Parts }>>> = {
-  de: () => import("./languages/de.ts"),
-  fr: () => import("./languages/fr.ts"),
-  zh: () => import("./languages/zh.ts"),
-};
-
-const loaded = new Map<Language, Parts>([["en", english]]);
+const loaded = new Map<Language, Parts>();
 
 /** Loads the texts of a language once. */
 export async function loadWords(language: Language): Promise<void> {
-  if (language !== "en" && !loaded.has(language)) loaded.set(language, (await LOADERS[language]()).parts);
+  if (!loaded.has(language)) loaded.set(language, await readWords(language));
 }
+await loadWords("en");
 
 /** The page texts of a language that is loaded. */
 export function words<N extends Name>(language: Language, name: N): PartTexts<N> {
