@@ -4,7 +4,7 @@ import { join } from "node:path";
 import react from "@vitejs/plugin-react";
 import { runnerImport, type Plugin } from "vite";
 import { configDefaults, defineConfig } from "vitest/config";
-import { bundle, pageObjects } from "./scripts/bundle.mjs";
+import { bundle, pageObjects, type PageObjects } from "./scripts/bundle.mjs";
 import { LongestFirst } from "./scripts/longest-first.ts";
 import { offline } from "./scripts/offline.ts";
 import { contentPolicy } from "./scripts/serve.mjs";
@@ -103,9 +103,9 @@ const gallery: Plugin = {
   },
 };
 
-let making: Promise<[string, { readonly code: string; readonly types: string }]> | null = null;
+let making: Promise<[string, PageObjects]> | null = null;
 
-/** What tests and scripts of a shop take from the site, each in one file; the page never asks for it. */
+/** What tests and scripts of a shop take from the site; the page never asks for it. */
 const besides: Plugin = {
   name: "besides",
   apply: (_, { command, isSsrBuild }) => command === "build" && !isSsrBuild,
@@ -116,9 +116,10 @@ const besides: Plugin = {
   },
   async generateBundle() {
     if (!making) return;
-    const [verify, { code, types }] = await making;
+    const [verify, { code, types, languages }] = await making;
     this.emitFile({ type: "asset", fileName: "verify.mjs", source: `#!/usr/bin/env node\n${verify}` });
     this.emitFile({ type: "asset", fileName: "playwright.mjs", source: code });
+    for (const [fileName, source] of Object.entries(languages)) this.emitFile({ type: "asset", fileName, source });
     this.emitFile({ type: "asset", fileName: "playwright.d.mts", source: types });
   },
   writeBundle({ dir = "dist" }) {

@@ -6,6 +6,7 @@ import { Turnwise } from "../e2e/pages/turnwise.ts";
 import { serveBuilt, startBrowser } from "./browser-bench/bench-page.ts";
 import { seek } from "./browser-bench/measure-work.ts";
 import { built } from "./built.ts";
+import { SCREENSHOTS } from "./web-manifest.ts";
 
 const FOLDER = "docs/pictures";
 const SCREEN = { width: 1440, height: 900 };
@@ -14,7 +15,11 @@ const ANIMATION = { width: 1280, height: 800 };
 const HELD = { heldClock: "2026-11-27T09:00", seed: 8 };
 
 /** The page for a new visitor. */
-async function visit(browser: Browser, address: string, viewport: typeof SCREEN): Promise<Turnwise> {
+async function visit(
+  browser: Browser,
+  address: string,
+  viewport: { readonly width: number; readonly height: number },
+): Promise<Turnwise> {
   const context = await browser.newContext({ baseURL: address, viewport, locale: "en-US", serviceWorkers: "block" });
   return Turnwise.open(await context.newPage(), HELD);
 }
@@ -68,6 +73,15 @@ const STILLS: Readonly<Record<string, (turnwise: Turnwise) => Promise<void>>> = 
     await moveTo(0.999, turnwise);
   },
 };
+
+/** Pictures for the manifest: a cycle on the lathe. */
+const INSTALLED = "public/screenshots";
+async function installed(turnwise: Turnwise): Promise<void> {
+  const { start, effect } = turnwise;
+  await start.beginWithExample(812);
+  await effect.proved();
+  await moveTo(0.42, turnwise);
+}
 
 /** A frame of an animation, with its duration, ms. */
 interface Frame {
@@ -132,9 +146,9 @@ async function pixels(page: Page, png: Buffer): Promise<Uint8ClampedArray<ArrayB
   return new Uint8ClampedArray(Buffer.from(decoded, "base64"));
 }
 
-/** `npm run pictures -- NAME …`: takes the pictures of the documents from the built page, all or those named. */
+/** `npm run pictures -- NAME …`: takes the pictures of the documents and of the manifest from the built page, all or those named. */
 export async function main(names: readonly string[]): Promise<number> {
-  const known = [...Object.keys(STILLS), "turnwise"];
+  const known = [...Object.keys(STILLS), ...Object.keys(SCREENSHOTS), "turnwise"];
   const strange = names.find((name) => !known.includes(name));
   if (strange !== undefined) throw new Error(`${strange} is none of: ${known.join(", ")}`);
   const isWanted = (name: string) => names.length === 0 || names.includes(name);
@@ -148,6 +162,15 @@ export async function main(names: readonly string[]): Promise<number> {
       await show(turnwise);
       await turnwise.page.screenshot({ path: `${FOLDER}/${name}.png`, caret: "hide" });
       console.log(`${FOLDER}/${name}.png`);
+      await turnwise.page.context().close();
+    }
+    for (const [form, size] of Object.entries(SCREENSHOTS)) {
+      if (!isWanted(form)) continue;
+      const turnwise = await visit(browser, server.address, size);
+      await installed(turnwise);
+      mkdirSync(INSTALLED, { recursive: true });
+      await turnwise.page.screenshot({ path: `${INSTALLED}/${form}.jpg`, type: "jpeg", quality: 82, caret: "hide" });
+      console.log(`${INSTALLED}/${form}.jpg`);
       await turnwise.page.context().close();
     }
     if (isWanted("turnwise")) {

@@ -54,6 +54,7 @@ export const types = {
   ".css": "text/css; charset=utf-8",
   ".svg": "image/svg+xml",
   ".png": "image/png",
+  ".jpg": "image/jpeg",
   ".woff2": "font/woff2",
   ".webmanifest": "application/manifest+json",
   ".json": "application/json",

@@ -16,9 +16,23 @@ const icon = (name: string, size: number, purpose: "any" | "maskable") => ({
   purpose,
 });
 
+/** Pictures for the browser's install dialog, taken by `npm run pictures -- wide narrow`; no part of the page itself. */
+export const SCREENSHOTS = {
+  wide: { width: 1280, height: 800 },
+  narrow: { width: 390, height: 844 },
+} as const;
+type Form = keyof typeof SCREENSHOTS;
+
 /** The manifest for home screens; every address in it is relative, so that the site can be in any folder. */
 export function webManifest(language: Language): object {
-  const t = texts(language).page;
+  const { page: t, helpMenu } = texts(language);
+  const screenshot = (form: Form) => ({
+    src: `screenshots/${form}.jpg`,
+    sizes: `${SCREENSHOTS[form].width}x${SCREENSHOTS[form].height}`,
+    type: "image/jpeg",
+    form_factor: form,
+    label: t.promise,
+  });
   const way = (name: string, address: string) => ({ name, url: `./#/${address}`, icons: [icon("icon", 192, "any")] });
   return {
     id: "./",
@@ -40,7 +54,13 @@ export function webManifest(language: Language): object {
       icon("maskable", 192, "maskable"),
       icon("maskable", 512, "maskable"),
     ],
-    shortcuts: [way(t.newProgram, "new"), way(t.start.which, "which"), way(t.tools.title, "tools")],
+    shortcuts: [
+      way(t.newProgram, "new"),
+      way(t.start.which, "which"),
+      way(helpMenu.course, "course"),
+      way(t.tools.title, "tools"),
+    ],
+    screenshots: [screenshot("wide"), screenshot("narrow")],
   };
 }
 

@@ -5,6 +5,7 @@ import { join } from "node:path";
 import { afterEach, beforeEach, expect, test } from "vitest";
 import { isKept, keptFiles } from "../scripts/offline.ts";
 import { webManifest } from "../scripts/web-manifest.ts";
+import { parseAddress } from "../src/app/place/address.ts";
 import { LANGUAGES } from "../src/i18n/languages.ts";
 import { projectFile, projectPath } from "./sources.ts";
 
@@ -65,9 +66,18 @@ function pngSize(src: string): readonly [number, number] {
   return [png.readUInt32BE(16), png.readUInt32BE(20)];
 }
 
+/** The same in the frame header of a JPEG. */
+function jpegSize(src: string): readonly [number, number] {
+  const jpeg = readFileSync(projectPath(`public/${src}`));
+  let at = 2;
+  while (!(jpeg[at + 1] === 0xc0 || jpeg[at + 1] === 0xc2)) at += 2 + jpeg.readUInt16BE(at + 2);
+  return [jpeg.readUInt16BE(at + 7), jpeg.readUInt16BE(at + 5)];
+}
+
 interface Manifest {
   readonly [name: string]: unknown;
   readonly icons: readonly { readonly src: string; readonly sizes: string }[];
+  readonly screenshots: readonly { readonly src: string; readonly sizes: string; readonly form_factor: string }[];
   readonly shortcuts: readonly { readonly name: string; readonly url: string }[];
 }
 
@@ -89,7 +99,19 @@ test.each(LANGUAGES)(
       const width = Number(/^(\d+)x\1$/.exec(sizes)?.[1]);
       expect(pngSize(src)).toEqual([width, width]);
     }
-    expect(new Set(manifest.shortcuts.map(({ name }) => name)).size).toBe(3);
+    expect(new Set(manifest.shortcuts.map(({ name }) => name)).size).toBe(4);
+    // The first is no place but a request: the shell opens its dialog.
+    expect(manifest.shortcuts[0]?.url).toBe("./#/new");
+    expect(manifest.shortcuts.slice(1).map(({ url }) => parseAddress(url.replace("./", "")))).toEqual([
+      expect.objectContaining({ page: "start" }),
+      expect.objectContaining({ page: "course", lesson: null }),
+      expect.objectContaining({ page: "tools" }),
+    ]);
+    expect(manifest.screenshots.map(({ form_factor: form }) => form)).toEqual(["wide", "narrow"]);
+    for (const { src, sizes } of manifest.screenshots) {
+      expect(jpegSize(src).join("x")).toBe(sizes);
+      expect(isKept(src)).toBe(false);
+    }
   },
 );
 

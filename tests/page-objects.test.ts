@@ -14,6 +14,7 @@ beforeAll(async () => {
   folder = mkdtempSync(join(tmpdir(), "shop-"));
   made = await pageObjects();
   writeFileSync(join(folder, "playwright.mjs"), made.code);
+  for (const [name, code] of Object.entries(made.languages)) writeFileSync(join(folder, name), code);
   writeFileSync(join(folder, "playwright.d.mts"), made.types);
   symlinkSync(resolve("node_modules"), join(folder, "node_modules"));
 });
@@ -52,8 +53,12 @@ test("a shoulder", async ({ page }) => {
   ${line}
 });`;
 
+const guide = readFileSync("docs/automation.md", "utf8");
+/** The examples that are printed there, and their journeys. */
+const printed = [...guide.matchAll(/^```ts\n(import [^]*?)^```$/gm)].map(([, text = ""]) => text);
+const journeys = readFileSync("e2e/documented.spec.ts", "utf8");
 /** The documented page objects, as tests name them. */
-const documented = [...readFileSync("docs/automation.md", "utf8").matchAll(/^\| `(\w+)` \|/gm)].map(([, name]) => name);
+const documented = [...guide.matchAll(/^\| `(\w+)` \|/gm)].map(([, name]) => name);
 
 describe("the page objects as a module", () => {
   test("import Playwright and nothing else, and carry no catalogue", () => {
@@ -88,8 +93,21 @@ describe("the page objects as a module", () => {
     for (const declared of made.types.matchAll(/((?:\/\*\*(?:(?!\*\/)[^])*\*\/)?)\s*export declare class (\w+)/g))
       expect(declared[1], declared[2]).not.toBe("");
   });
+  test("the printed examples are journeys that run, and type-check as they are printed", () => {
+    expect(printed).toHaveLength(2);
+    for (const example of printed) expect(journeys).toContain(example.slice(example.indexOf("test(")).trim());
+    expect(complaints(printed.map((text) => text.replace("./turnwise/", "./"))).join("")).toBe("");
+  });
+  test("fetch a language when it is asked for, and name it when it is missing", async () => {
+    // A module of its own: other tests load languages into theirs.
+    const { Turnwise } = (await import(`${join(folder, "playwright.mjs")}?fresh`)) as typeof Pages;
+    expect(Object.keys(made.languages)).toEqual(["playwright-de.mjs", "playwright-fr.mjs", "playwright-zh.mjs"]);
+    expect(made.code).not.toContain("Schruppen");
+    expect(() => Turnwise.at({} as never, "fr")).toThrow('Turnwise.load("fr")');
+  });
   test("ask in the words of each language", async () => {
     const { Turnwise } = (await import(join(folder, "playwright.mjs"))) as typeof Pages;
+    for (const language of ["de", "fr", "zh"] as const) await Turnwise.load(language);
     const asked = (["en", "de", "fr", "zh"] as const).map((language) =>
       Turnwise.at({} as never, language).dialog.promptOf(812, "Q463"),
     );

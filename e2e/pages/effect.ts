@@ -29,6 +29,11 @@ export class Effect {
     return this.strip.locator("div").filter({ has: name }).getByRole("definition");
   }
 
+  /** The words of the verdicts, for `toContainText` on `cell("proof")`. */
+  get verdicts() {
+    return this.context.t.findings.verdict;
+  }
+
   /** Waits until the current program is verified. */
   async proved(): Promise<void> {
     await expect(this.cell("proof")).toHaveText(provedIn(this.context.t));

@@ -1,4 +1,5 @@
 import type { Locator } from "@playwright/test";
+import type { CourseDrawingTexts } from "../../src/i18n/en/course-drawing.ts";
 import type { CourseTaskTexts } from "../../src/i18n/en/course-task.ts";
 import type { Context } from "./context.ts";
 import { words } from "./words.ts";
@@ -6,7 +7,9 @@ import { words } from "./words.ts";
 /** The panel of a course task above its work: assignment, goals, check and result. */
 export class TaskPanel {
   readonly words: CourseTaskTexts;
+  private readonly drawn: CourseDrawingTexts;
   constructor(private readonly context: Context) {
+    this.drawn = words(context.language, "course-drawing");
     this.words = words(context.language, "course-task");
   }
 
@@ -20,6 +23,12 @@ export class TaskPanel {
   /** The status of the task, in one line. */
   get status(): Locator {
     return this.panel.getByRole("status");
+  }
+
+  /** The texts of the status, for `toHaveText`. A count of tries or open goals is given. */
+  get states() {
+    const { passed, passedFor, failed, stale, tries, checking } = this.words;
+    return { passed, passedFor, failed, stale, tries, checking };
   }
 
   private button(name: string): Locator {
@@ -89,6 +98,32 @@ export class TaskPanel {
 
   get solution(): Locator {
     return this.button(this.words.showSolution);
+  }
+
+  /** The button that starts the next task; only after passing. */
+  get next(): Locator {
+    return this.panel.getByRole("button", { name: new RegExp(`^${this.words.nextTask("").trim()}`) });
+  }
+
+  /** What was learned; only after passing, in the unfolded assignment. */
+  get learned(): Locator {
+    return this.panel.locator(".task-learned");
+  }
+
+  /** Shows the workshop drawing in place of the lathe, or the lathe again. */
+  get draw(): Locator {
+    return this.button(this.words.drawing);
+  }
+
+  /** The drawing beside the work. */
+  get drawing(): Locator {
+    const [before = "", after = ""] = this.drawn.drawingOf("\n").split("\n");
+    return this.context.page.getByRole("region", { name: new RegExp(`^${before}.*${after}$`) });
+  }
+
+  /** A size on the drawing, by the first characters of its text: its name says what makes it in the program. */
+  size(characters: string): Locator {
+    return this.drawing.getByRole("button", { name: characters });
   }
 
   get toLesson(): Locator {

@@ -1,5 +1,10 @@
 import { expect, test as plain, type Page } from "@playwright/test";
+import { LANGUAGES } from "../../src/i18n/languages.ts";
 import { axeViolations, COLOUR_RULES, hasAxe } from "./axe.ts";
+import { loadWords } from "./words.ts";
+
+// Journeys change between languages and name controls in any of them.
+await Promise.all(LANGUAGES.map(loadWords));
 
 /** CPU slowdown of the page: `THROTTLE=4 npm run e2e` is like a small tablet. */
 const rate = Number(process.env["THROTTLE"] ?? 1);

@@ -1,4 +1,4 @@
-import type { Locator, Page } from "@playwright/test";
+import { expect, type Browser, type Locator, type Page } from "@playwright/test";
 import type { TableTexts, Texts } from "../../src/i18n/index.ts";
 import type { Language } from "../../src/i18n/languages.ts";
 import { ClampingPage } from "./clamping.ts";
@@ -22,7 +22,8 @@ import { Start } from "./start.ts";
 import { Teaching } from "./teaching.ts";
 import { TaskPanel } from "./task.ts";
 import { ToolTable } from "./tools.ts";
-import { words } from "./words.ts";
+import { TYPING } from "../../src/app/base/waits.ts";
+import { loadWords, words } from "./words.ts";
 import { WorksList } from "./works.ts";
 
 export interface Options {
@@ -33,6 +34,25 @@ export interface Options {
   /** Seed of all random values in a fresh context: names of works, addresses, ids in files. */
   readonly seed?: number;
   readonly theme?: "light" | "dark";
+  /** Size of the window. */
+  readonly viewport?: { readonly width: number; readonly height: number };
+  /** A device with a touch screen: needs `open(browser, …)`, since a page cannot get one later. */
+  readonly touch?: boolean;
+}
+
+/** The strip is quiet if nothing is calculated and nothing changes for this long: longer than any pause in typing, ms. */
+const QUIET = TYPING.longRest + TYPING.rest;
+
+/** A page for the options: of the given browser in a context of its own, or the given one. */
+async function pageFor(on: Page | Browser, { viewport, touch = false }: Options): Promise<Page> {
+  if ("newContext" in on) {
+    const context = await on.newContext({ ...(viewport && { viewport }), hasTouch: touch });
+    return context.newPage();
+  }
+  if (touch)
+    throw new Error("A page without a touch screen cannot get one: use Turnwise.open(browser, { touch: true }).");
+  if (viewport) await on.setViewportSize(viewport);
+  return on;
 }
 
 /** The whole page by role and accessible name, in any of its languages. Names come from the page's own texts. */
@@ -89,11 +109,13 @@ export class Turnwise {
     this.task = new TaskPanel(context);
   }
 
-  /** Opens the page as a first-time visitor of this language would see it. */
-  static async open(
-    page: Page,
-    { language = "en", heldClock = false, seed, theme = "light" }: Options = {},
-  ): Promise<Turnwise> {
+  /**
+   * Opens the page as a first-time visitor of this language would see it: in the page of the test, or in a page of its
+   * own in a browser, which `turnwise.page.context().close()` closes.
+   */
+  static async open(on: Page | Browser, options: Options = {}): Promise<Turnwise> {
+    const { language = "en", heldClock = false, seed, theme = "light" } = options;
+    const [page] = await Promise.all([pageFor(on, options), loadWords(language)]);
     await page.emulateMedia({ colorScheme: theme });
     const search = new URLSearchParams();
     if (heldClock !== false) search.set("clock", heldClock === true ? "manual" : heldClock);
@@ -104,7 +126,12 @@ export class Turnwise {
     return turnwise;
   }
 
-  /** The page as it is now, in a language it already shows. */
+  /** Loads the texts of a language, for `at`; `open` does so itself. */
+  static load(language: Language): Promise<void> {
+    return loadWords(language);
+  }
+
+  /** The page as it is now, in a language it already shows and whose texts are loaded. */
   static at(page: Page, language: Language = "en"): Turnwise {
     return new Turnwise(page, language);
   }
@@ -116,6 +143,25 @@ export class Turnwise {
     });
     await this.page.getByRole("tablist").first().waitFor();
     if (await tab.count()) await tab.click();
+  }
+
+  /**
+   * Waits until what the strip shows below the work belongs to its present values, with or without findings: nothing is
+   * being calculated, and nothing is still to come after a pause in typing.
+   */
+  async calculated(): Promise<void> {
+    const strip = this.page
+      .getByRole("region", { name: this.t.page.effect.title, exact: true })
+      .or(this.page.getByRole("region", { name: this.t.editor.total, exact: true }));
+    const rested = async () => {
+      await expect(strip).toHaveAttribute("aria-busy", "false");
+      return strip.textContent();
+    };
+    await expect(async () => {
+      const before = await rested();
+      await this.page.waitForTimeout(QUIET);
+      expect(await rested()).toBe(before);
+    }).toPass();
   }
 
   /** Undo or redo in the header; its name goes on with what it changes. */

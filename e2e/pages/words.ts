@@ -1,37 +1,18 @@
-import { LANGUAGES, type Language } from "../../src/i18n/languages.ts";
-import type { PartName, PartTexts } from "../../src/i18n/parts.ts";
+import type { Language } from "../../src/i18n/languages.ts";
+import type { PartTexts } from "../../src/i18n/parts.ts";
+import { readWords, type Name, type Parts } from "./read-words.ts";
 
-/** The text parts that page objects use. */
-const NAMES = [
-  "clamping",
-  "compare",
-  "course",
-  "course-path",
-  "course-task",
-  "course-teach",
-  "device",
-  "handed",
-  "machine",
-  "sheet",
-  "tables",
-  "tool-codes",
-  "tool-files",
-  "workplace",
-] as const satisfies readonly PartName[];
-type Name = (typeof NAMES)[number];
+const loaded = new Map<Language, Parts>();
 
-/** Loaded up front: Playwright runs these files without Vite's transformation of the page's loader. */
-const read = new Map(
-  await Promise.all(
-    LANGUAGES.flatMap((language) =>
-      NAMES.map(async (name) => {
-        const file = (await import(`../../src/i18n/${language}/${name}.ts`)) as Readonly<Record<string, unknown>>;
-        return [`${language}/${name}`, Object.values(file)[0]] as const;
-      }),
-    ),
-  ),
-);
+/** Loads the texts of a language once. */
+export async function loadWords(language: Language): Promise<void> {
+  if (!loaded.has(language)) loaded.set(language, await readWords(language));
+}
+await loadWords("en");
 
-/** The page texts of a language. */
-export const words = <N extends Name>(language: Language, name: N): PartTexts<N> =>
-  read.get(`${language}/${name}`) as PartTexts<N>;
+/** The page texts of a language that is loaded. */
+export function words<N extends Name>(language: Language, name: N): PartTexts<N> {
+  const parts = loaded.get(language);
+  if (!parts) throw new Error(`The texts of "${language}" are not loaded: await Turnwise.load("${language}") first.`);
+  return parts[name];
+}

@@ -1,5 +1,10 @@
 import { create } from "zustand";
 
+/** The browser's offer to install the page, as Chromium makes it. */
+export interface InstallOffer extends Event {
+  readonly prompt: () => Promise<unknown>;
+}
+
 /** State of the page's copy on this device, and of a newer version. */
 export interface Version {
   /** Whether the whole page is stored for use offline; `failed` retries when the network is back. */
@@ -10,6 +15,8 @@ export interface Version {
   readonly later: boolean;
   /** When the server was last asked for a newer version, ms of the clock. */
   readonly lookedAt: number;
+  /** Held back until somebody presses Install; null where the browser has none, or the page is installed. */
+  readonly install: InstallOffer | null;
   /** Result of that check. */
   readonly looked: "no" | "looking" | "coming" | "newest" | "unreachable" | "unfinished";
 }
@@ -23,4 +30,5 @@ export const useVersion = create<Version>(() => ({
   later: false,
   looked: "no",
   lookedAt: 0,
+  install: null,
 }));

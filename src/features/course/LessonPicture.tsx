@@ -19,7 +19,9 @@ import { useMaterial } from "../../app/pictures/lathe/use-material.ts";
 import { stretchesOf } from "../../app/pictures/lathe/use-paths.ts";
 import { usePlayback } from "../../app/pictures/lathe/use-playback.ts";
 import { createViewport } from "../../app/pictures/lathe/viewport.ts";
-import { useViewportSize } from "../../app/pictures/lathe/use-viewport-size.ts";
+import { useStage } from "../../app/pictures/lathe/use-stage.ts";
+import { ZoomKeys } from "../../app/pictures/lathe/ViewBar.tsx";
+import { lookByKey } from "../../app/pictures/lathe/keys.ts";
 import { LoadLines } from "../../app/pictures/load/LoadLines.tsx";
 import { LoadMark } from "../../app/pictures/load/LoadMark.tsx";
 import type { LoadQuantity } from "../../app/pictures/load/use-load.ts";
@@ -45,6 +47,7 @@ const TurnPoints = lazyPart(async () => ({
 /** Shorter waits show no text, ms. */
 const SOON = 300;
 
+const LOOK = { tap: () => undefined, hover: () => undefined };
 const EVERY = () => true;
 const NOTHING: readonly Ring[] = [];
 
@@ -125,7 +128,8 @@ export function LessonPicture({
     page: opened,
     at: still && page.begins === "play" ? "start" : page.begins,
   });
-  const stage = useViewportSize(viewport);
+  // A press in the picture does nothing: its marks are buttons.
+  const stage = useStage(viewport, LOOK);
   const told: LoadQuantity | null = page.shows === undefined || page.shows === "residue" ? null : page.shows;
   useLessonLoad(outcome, told);
   useEffect(() => playback.setStill(still), [playback, still]);
@@ -175,6 +179,14 @@ export function LessonPicture({
             data-asked={asked ? true : undefined}
             onPointerDown={begin}
             onClick={end}
+            tabIndex={0}
+            role="group"
+            aria-label={t.picture.name}
+            data-keys="picture"
+            onKeyDown={(event) => {
+              const isHere = event.target === event.currentTarget && !event.ctrlKey && !event.metaKey && !event.altKey;
+              if (isHere && lookByKey(event.key, event.shiftKey, viewport)) event.preventDefault();
+            }}
           >
             <Picture
               viewport={viewport}
@@ -210,6 +222,9 @@ export function LessonPicture({
               <PlaceLines seeing={sectionProjection(viewport)} places={seen} />
             </Picture>
             <PlaceButtons seeing={sectionProjection(viewport)} places={seen} chosen={chosen} choose={choose} />
+            <div className="lesson-zoom">
+              <ZoomKeys viewport={viewport} />
+            </div>
             <p className="lesson-checking small" role="status">
               {failed ? t.picture.failed : isLong && texts.lathe.checking}
             </p>

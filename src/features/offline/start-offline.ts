@@ -1,5 +1,14 @@
 import { scheduleIdle } from "../../app/base/idle.ts";
-import { canKeep } from "../../app/base/version.ts";
+import { canKeep, useVersion, type InstallOffer } from "../../app/base/version.ts";
+
+/** Keeps the browser's offer to install for the settings, instead of a banner over the work. */
+function holdInstallOffer(): void {
+  addEventListener("beforeinstallprompt", (event) => {
+    event.preventDefault();
+    useVersion.setState({ install: event as InstallOffer });
+  });
+  addEventListener("appinstalled", () => useVersion.setState({ install: null }));
+}
 
 /**
  * Stores the page on the device when the browser is idle, so that the first visit never waits. From the start, the page
@@ -7,6 +16,7 @@ import { canKeep } from "../../app/base/version.ts";
  */
 export function scheduleOfflineStart(): void {
   if (!canKeep) return;
+  holdInstallOffer();
   const script = document.querySelector<HTMLScriptElement>("script[type=module][src]")?.src ?? "";
   void navigator.locks
     ?.request(`turnwise page ${script}`, { mode: "shared" }, () => new Promise<void>(() => undefined))

@@ -1,6 +1,11 @@
 import type { OfflineTexts } from "../en/offline.ts";
 
 export const offline = {
+  install: {
+    install: "Installieren",
+    why: "Installiert hat Turnwise ein eigenes Fenster und ein Symbol auf diesem Gerät.",
+    byHand: "Installieren: Teilen, dann „Zum Home-Bildschirm“.",
+  },
   ready: "Eine neuere Version von Turnwise ist bereit.",
   updateNow: "Jetzt aktualisieren",
   later: "Später",

@@ -1,6 +1,11 @@
 import type { Shape } from "../shape.ts";
 
 export const offline = {
+  install: {
+    install: "Install",
+    why: "Installed, Turnwise has a window of its own and an icon on this device.",
+    byHand: "To install: Share, then Add to Home Screen.",
+  },
   ready: "A newer version of Turnwise is ready.",
   updateNow: "Update now",
   later: "Later",

@@ -2,6 +2,11 @@ import type { OfflineTexts } from "../en/offline.ts";
 import { typeset } from "./typography/typeset.ts";
 
 export const offline: OfflineTexts = typeset({
+  install: {
+    install: "Installer",
+    why: "Une fois installé, Turnwise a sa propre fenêtre et une icône sur cet appareil.",
+    byHand: "Pour installer : Partager, puis « Sur l’écran d’accueil ».",
+  },
   ready: "Une version plus récente de Turnwise est prête.",
   updateNow: "Mettre à jour",
   later: "Plus tard",

@@ -1,6 +1,11 @@
 import type { OfflineTexts } from "../en/offline.ts";
 
 export const offline = {
+  install: {
+    install: "安装",
+    why: "安装后，Turnwise 有独立窗口，并在本设备上显示图标。",
+    byHand: "安装方法：点“共享”，再点“添加到主屏幕”。",
+  },
   ready: "Turnwise 有新版本可用。",
   updateNow: "立即更新",
   later: "稍后",

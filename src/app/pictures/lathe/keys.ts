@@ -29,15 +29,22 @@ const takes = ({ element, key }: Typed) =>
   element === "textarea" ||
   ((element === "button" || element === "summary") && (key === " " || key === "Enter"));
 
+/** Pans and zooms with a key in a picture; true if it did something. */
+export function lookByKey(key: string, shift: boolean, viewport: Viewport): boolean {
+  const pan = PANS[key];
+  if (shift && pan) viewport.look(panned(viewport.get(), pan[0], pan[1]));
+  else if (key === "+" || key === "=") viewport.zoom(ZOOM);
+  else if (key === "-") viewport.zoom(1 / ZOOM);
+  else if (key === "0") viewport.fit();
+  else return false;
+  return true;
+}
+
 /** Handles a key; true if it did something. Ruler keys go first, then playback and zoom. */
 export function pressKey(typed: Typed, playback: PlaybackStore, viewport: Viewport, measuring: Measuring): boolean {
-  const { key, shift } = typed,
-    pan = PANS[key];
+  const { key, shift } = typed;
   if (takes(typed)) return false;
-  if (shift && pan && typed.picture) {
-    viewport.look(panned(viewport.get(), pan[0], pan[1]));
-    return true;
-  }
+  if (shift && typed.picture && PANS[key]) return lookByKey(key, shift, viewport);
   if ((typed.picture || key === "Escape" || (key.length === 1 && typed.element !== "input")) && measuring.key(key))
     return true;
   switch (key) {
@@ -56,17 +63,7 @@ export function pressKey(typed: Typed, playback: PlaybackStore, viewport: Viewpo
     case "End":
       playback.dispatch({ do: "last" });
       return true;
-    case "+":
-    case "=":
-      viewport.zoom(ZOOM);
-      return true;
-    case "-":
-      viewport.zoom(1 / ZOOM);
-      return true;
-    case "0":
-      viewport.fit();
-      return true;
     default:
-      return false;
+      return lookByKey(key, false, viewport);
   }
 }
