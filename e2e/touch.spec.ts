@@ -185,6 +185,7 @@ test("in a low window, field, value and ENT stay in view through the whole of a 
     await page.setViewportSize({ width, height });
     // The first time the values are missing; after that they are there.
     if (i > 0) await dialog.active.getByRole("button", { name: t.dialog.done.first, exact: true }).tap();
+    await dialog.key("enterLong").waitFor();
     for (let entries = 0; (await dialog.keypad.count()) > 0; entries += 1) {
       expect(entries).toBeLessThan(30);
       const asked = (await dialog.question.textContent()) ?? "";
@@ -199,11 +200,10 @@ test("in a low window, field, value and ENT stay in view through the whole of a 
     await expect(dialog.question).toHaveText(t.dialog.done.title);
   }
   await page.setViewportSize({ width: 390, height: 664 });
-  const strip = page.getByRole("button", { name: t.lathe.enlarge, exact: true });
   const stage = lathe.view.getByRole("group", { name: t.lathe.title });
-  const small = (await stage.boundingBox())?.height ?? 0;
-  await strip.tap();
-  await expect.poll(async () => (await stage.boundingBox())?.height).toBeGreaterThan(2 * small);
+  const strip = await settledBox(stage);
+  await page.touchscreen.tap(strip.x + strip.width / 2, strip.y + strip.height / 2);
+  await expect.poll(async () => (await stage.boundingBox())?.height).toBeGreaterThan(2 * strip.height);
   await page.keyboard.press("Escape");
   await expect(dialog.question).toBeVisible();
 });
