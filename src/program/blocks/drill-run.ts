@@ -7,6 +7,7 @@ import type { Tool } from "../../kernel/plan/tool.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { feed as feedNumber, perSide, toDiameter, diameter, type Feed } from "../../kernel/units.ts";
 import { isUnlikely } from "../state/block-feed.ts";
+import { drillQuantity } from "./drill-quantity.ts";
 import { drillPath, DRILL_WORDS, holeBefore, type Bore, type DrillFeed, type DrillMove, type Q } from "./drill-path.ts";
 import { programIssue } from "../state/issue.ts";
 import type { Machine } from "../state/machine.ts";
@@ -19,35 +20,8 @@ import { requireSpindle } from "./spindle-start.ts";
 const ON_AXIS = 0.001;
 /** This feed value means rapid. */
 const AS_RAPID = 99_999;
-const LENGTHS: ReadonlySet<string> = new Set([
-  "Q200",
-  "Q201",
-  "Q202",
-  "Q203",
-  "Q204",
-  "Q205",
-  "Q212",
-  "Q239",
-  "Q256",
-  "Q257",
-  "Q258",
-  "Q259",
-  "Q344",
-  "Q379",
-]);
-
 /** Whether a cycle drills on the axis while turning. */
 export const isDrilling = (cycle: number): boolean => DRILL_WORDS.has(cycle);
-
-const FEEDS: ReadonlySet<string> = new Set(["Q206", "Q208", "Q253"]);
-
-/** Whether a parameter of a drilling cycle is a length or a feed; undefined where it is neither. */
-export function drillQuantity(cycle: number, q: string): { readonly kind: "length" | "feed" } | undefined {
-  if (!isDrilling(cycle)) return undefined;
-  if (FEEDS.has(q)) return { kind: "feed" };
-  // The retraction of a tap counts in pitches.
-  return LENGTHS.has(q) && !(q === "Q256" && cycle === 209) ? { kind: "length" } : undefined;
-}
 
 /**
  * Runs a drilling cycle on the axis of the turning spindle. False where the cycle is not simulated: off the axis,

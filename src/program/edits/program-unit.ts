@@ -5,7 +5,7 @@ import { INCH } from "../../kernel/units.ts";
 import type { Program } from "../../nc/program.ts";
 import type { Statement } from "../../nc/statement.ts";
 import type { CycleParameter, FeedWord, Value, Words } from "../../nc/words.ts";
-import { drillQuantity } from "../blocks/drill-run.ts";
+import { drillQuantity } from "../blocks/drill-quantity.ts";
 import { valueInProgram } from "../blocks/cycle-values.ts";
 import type { Draft } from "../job/read-draft.ts";
 import { anyNumber, readText, roundedTo } from "../values/field.ts";
