@@ -63,6 +63,9 @@ function Facts({ cycle, q, param }: Props) {
       {(isRecalled(cycle) || param.evidence !== "A") && (
         <p className="soft small">{isRecalled(cycle) ? dialog.recalled : dialog.evidence.parameter}</p>
       )}
+      {!isRecalled(cycle) && param.evidence === "A" && param.rangeEvidence !== "A" && !param.choices && (
+        <p className="soft small">{dialog.evidence.range}</p>
+      )}
     </section>
   );
 }

@@ -1,7 +1,7 @@
 import { pointLength } from "../../kernel/cutter/drill.ts";
 import { radius, toDiameter } from "../../kernel/units.ts";
 import { formatNumber } from "../../i18n/number.ts";
-import { drillOf } from "../../program/blocks/tool-call.ts";
+import { drillOf } from "../../program/tools/drill-of.ts";
 import type { MillTool } from "../../program/tools/tool-entry.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";

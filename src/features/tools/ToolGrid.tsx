@@ -15,7 +15,7 @@ import { Icon } from "../../app/base/Icon.tsx";
 import { InsertDrawing } from "../../app/pictures/lathe/InsertDrawing.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
-import { drillOf } from "../../program/blocks/tool-call.ts";
+import { drillOf } from "../../program/tools/drill-of.ts";
 import { openToolRow, type ToolKind } from "../../app/place/place.ts";
 import { useToolName } from "../../app/document/tool-name.ts";
 

@@ -33,6 +33,8 @@ export const insert: InsertTexts = {
     },
     sizes: { size: "Fase", z: "Rückseite in Z" },
     noTool: "Die Werkzeugtabelle hat kein Werkzeug dafür.",
+    drills: "Bohrer und Gewindebohrer",
+    standard: "Die Werkzeugtabelle hat keines. Das gewählte Standardwerkzeug wird in sie eingetragen.",
     tools: "Werkzeugtabelle öffnen",
   },
 };

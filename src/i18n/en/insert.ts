@@ -34,6 +34,8 @@ export const insert = {
     },
     sizes: { size: "Chamfer", z: "Rear face in Z" },
     noTool: "The tool table has no tool for this.",
+    drills: "Drills and taps",
+    standard: "The tool table has none. The chosen standard tool is added to it.",
     tools: "Open the tool table",
   },
 };

@@ -33,6 +33,8 @@ export const insert: InsertTexts = {
     },
     sizes: { size: "Chanfrein", z: "Face arrière en Z" },
     noTool: "Le tableau d’outils n’a pas d’outil pour cela.",
+    drills: "Forets et tarauds",
+    standard: "Le tableau d’outils n’en a pas. L’outil standard choisi y est ajouté.",
     tools: "Ouvrir le tableau d’outils",
   },
 };

@@ -33,6 +33,8 @@ export const insert: InsertTexts = {
     },
     sizes: { size: "倒角", z: "后端面 Z" },
     noTool: "刀具表中没有适用的刀具。",
+    drills: "钻头和丝锥",
+    standard: "刀具表中没有此类刀具。所选标准刀具将添加到表中。",
     tools: "打开刀具表",
   },
 };

@@ -1,11 +1,12 @@
 import type { Tool } from "../../kernel/plan/tool.ts";
-import { degrees, length } from "../../kernel/units.ts";
+import { length } from "../../kernel/units.ts";
 import type { Statement, StatementOf } from "../../nc/statement.ts";
 import type { Parameter } from "../../nc/words.ts";
 import { breaksRule } from "../state/control-rule.ts";
 import { programIssue } from "../state/issue.ts";
 import type { Machine } from "../state/machine.ts";
 import type { Modal } from "../state/modal.ts";
+import { drillOf } from "../tools/drill-of.ts";
 import type { Mill } from "../tools/plane-types.ts";
 import { noTool } from "../state/preconditions.ts";
 
@@ -148,22 +149,6 @@ const MOVES: ReadonlySet<Statement["kind"]> = new Set([
 function drillIn(mills: readonly Mill[], wanted: number | string): Tool | undefined {
   const row = find(mills, wanted);
   return row && (drillOf(row) ?? undefined);
-}
-
-/** A drill of the milling table as a tool for turning on the axis; null for a mill. An empty cell may be 0. */
-export function drillOf(row: Mill): Tool | null {
-  if (!row.TYPE || !(row.R + (row.DR ?? 0) > 0)) return null;
-  return {
-    T: row.T,
-    NAME: row.NAME,
-    TYPE: row.TYPE,
-    TO: 8,
-    RS: length(0),
-    R: length(row.R + (row.DR ?? 0)),
-    ...(row.TYPE !== "TAP" && row["T-ANGLE"] && { "T-ANGLE": degrees(row["T-ANGLE"]) }),
-    ...(row.LCUTS && { CUTLENGTH: length(row.LCUTS) }),
-    ...(row.PITCH && { PITCH: length(row.PITCH) }),
-  };
 }
 
 /** Row numbers differ by tenths; a calculated number may deviate by this much. */

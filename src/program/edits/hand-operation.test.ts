@@ -13,15 +13,16 @@ import { surfacesOf } from "../job/stock-surface.ts";
 import { run } from "../run/run.ts";
 import { shippedTools } from "../tools/shipped-tools.ts";
 import { withHandOperation } from "./added-operation.ts";
-import { canDo, handCut, type HandWork } from "./hand-operation.ts";
+import { canDo, handCut, speedOnAxis, type HandWork } from "./hand-operation.ts";
 
 const drill: Tool = {
   ...toolOf(1),
   T: 31,
   NAME: "DRILL",
   TYPE: "DRILL",
-  TO: 9,
-  RS: length(5),
+  TO: 8,
+  RS: length(0),
+  R: length(5),
   "P-ANGLE": degrees(118),
   CUTLENGTH: length(80),
 };
@@ -89,6 +90,11 @@ describe("an operation without a cycle", () => {
     const typed = run(parse(text.replace("Q201= ;", "Q201=-20 ;")), shop);
     expect(typed.issues.filter(({ issue }) => issue.severity === "error")).toEqual([]);
     expect(Math.min(...typed.steps.map(({ move }) => move.to.z))).toBeCloseTo(-20, 3);
+  });
+
+  test("a drill turns at the speed of its diameter", () => {
+    expect(speedOnAxis("drill", drill)).toBe(1910);
+    expect(speedOnAxis("tap", tap)).toBe(380);
   });
 
   test("only tools that can do it are offered", () => {

@@ -172,6 +172,6 @@ const ON_AXIS = { drill: 60, tap: 12 };
 
 /** Speed of a tool on the axis, rpm: it cuts at its own diameter. */
 export function speedOnAxis(work: "drill" | "tap", tool: Tool): number {
-  const across = Math.max(1, toDiameter(radius(noseRadius(tool))));
+  const across = Math.max(1, toDiameter(radius(tool.R ?? 0)));
   return Math.max(10, Math.round((100 * ON_AXIS[work]) / (Math.PI * across)) * 10);
 }

@@ -8,7 +8,7 @@ import { checkTool } from "./check-tool.ts";
 import { soundHead } from "./holder-cells.ts";
 import { readTools } from "./read-tools.ts";
 import { shippedTools } from "./shipped-tools.ts";
-import { drillOf } from "../blocks/tool-call.ts";
+import { drillOf } from "./drill-of.ts";
 import { entryOf, readEntry, type MillTool, type ToolEntry } from "./tool-entry.ts";
 import { freeNumber, mergedTools, newId, readList, sameList, shippedList } from "./tool-list.ts";
 import { readTableJson, readToolFile, writeTableJson } from "./tool-table-json.ts";

@@ -63,7 +63,15 @@ test.each([
   ["with its flank in the relief", caseText("thread-flank-at-shoulder"), { endThread: "Z-26.5" }],
   ["on the shaft", caseText("thread-end-no-run-out"), { runOut: "Q474 2", endThread: "Z-24" }],
   ["at a shoulder", toShoulder("-30"), { endThread: "Z-26", relief: "Z-26" }],
-  ["at a shoulder, in inches", inInches(toShoulder("-30")), { endThread: "Z-1.0236", relief: "Z-1.0236" }],
 ])("a thread that ends %s has cures, and each leaves no overrun", (_, text, expected) => {
   expect(cures(text)).toEqual(expected);
+});
+
+test("in an inch program a cure has inches, and leaves no overrun", () => {
+  const text = inInches(toShoulder("-30"));
+  const found = overrunIn(text);
+  const repairs = found ? repairsOf(parse(text), found, "en", NC_OUTPUTS.manual) : [];
+  const relief = repairs.find(({ trial, text: value }) => trial === "relief" && value === "Z-1.0236");
+  expect(relief && overrunIn(print(relief.next()))).toBeUndefined();
+  expect(relief?.open).toBeGreaterThan(0);
 });

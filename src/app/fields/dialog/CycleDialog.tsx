@@ -1,9 +1,7 @@
 import { Suspense, useEffect } from "react";
-import { isRecalled } from "../../../cycles/params.ts";
 import type { ThreadSize } from "../../../cycles/thread-sizes.ts";
 import { setPrompts } from "../../document/edits.ts";
 import { useOpenCall } from "../../place/open-call.ts";
-import { Icon } from "../../base/Icon.tsx";
 import { CycleInWork } from "../../calculation/issue-text.ts";
 import { lazyPart } from "../../base/parts.ts";
 import type { JobReading } from "../../document/reading.ts";
@@ -13,6 +11,7 @@ import { useEditor } from "../../document/store.ts";
 import { DialogDone } from "./DialogDone.tsx";
 import { PromptDialog } from "./PromptDialog.tsx";
 import { useCycleSession, type PromptedBlock } from "./use-cycle-session.tsx";
+import { Unverified } from "./Unverified.tsx";
 
 const ThreadSizes = lazyPart(async () => ({ default: (await import("./ThreadSizes.tsx")).ThreadSizes }));
 
@@ -43,11 +42,7 @@ export function CycleDialog({
   };
   const head = (
     <>
-      {session.fields.length > 0 && isRecalled(read.cycle) && (
-        <p className="small soft recalled-list" title={t.recalled}>
-          <Icon name="info" /> {t.recalled}
-        </p>
-      )}
+      {session.fields.length > 0 && <Unverified cycle={read.cycle} />}
       {thread && (
         <Suspense fallback={null}>
           <ThreadSizes line={line} take={(size) => void fill(size)} />

@@ -1,4 +1,4 @@
-import { Suspense, useId, useLayoutEffect, useRef, useState, type RefObject } from "react";
+import { Suspense, useId, useLayoutEffect, useRef, type RefObject } from "react";
 import { isError, isOpen, type FindingEntry } from "../../findings/entry.ts";
 import { useMedia } from "../../base/use-media.ts";
 import { Message } from "../../base/Message.tsx";
@@ -29,7 +29,6 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
   const id = useId();
   const card = useRef<HTMLElement>(null);
   const tiny = useMedia("tiny");
-  const [explained, explain] = useState<string | null>(null);
   const language = useSettings((s) => s.language);
   const { fields, opened } = session;
   const own = session.findings.filter((p) => p.at === prompt.id);
@@ -134,16 +133,6 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
           {prompt.notes.map((note) => (
             <span key={note}>{note}</span>
           ))}
-          {prompt.doubt !== null && (
-            <button
-              type="button"
-              className="evidence"
-              aria-expanded={explained === prompt.id}
-              onClick={() => explain(explained === prompt.id ? null : prompt.id)}
-            >
-              {t.dialog.evidence.mark}
-            </button>
-          )}
         </p>
         {prompt.page && (
           <Suspense>
@@ -175,7 +164,6 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
           ]}
           {waits && <Message tone="info">{t.approach.parameter}</Message>}
         </div>
-        {prompt.doubt !== null && explained === prompt.id && <p className="evidence-text small">{prompt.doubt}</p>}
         <p className="explanation">{prompt.about}</p>
       </div>
     </section>

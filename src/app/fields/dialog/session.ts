@@ -21,8 +21,6 @@ export interface Prompt {
   readonly range: string | null;
   /** Notes besides the range: optional, incremental. */
   readonly notes: readonly string[];
-  /** Why its description is not certain. */
-  readonly doubt: string | null;
   /** Printed values with their meanings, where only these may be taken. */
   readonly choices: readonly { readonly value: string; readonly meaning: string }[] | null;
   readonly optional: boolean;
@@ -72,7 +70,6 @@ export const promptOf = (
   unit: "",
   range: null,
   notes: [],
-  doubt: null,
   choices: null,
   optional,
   idle: false,

@@ -1,5 +1,5 @@
 import { hasNoEffect } from "../../../cycles/effect.ts";
-import { isRecalled, type Param } from "../../../cycles/params.ts";
+import type { Param } from "../../../cycles/params.ts";
 import type { ParamTextId } from "../../../cycles/index.ts";
 import { formatNumber } from "../../../i18n/number.ts";
 import { decimalsInInches, valueInProgram } from "../../../program/blocks/cycle-values.ts";
@@ -62,7 +62,7 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
   const findings = block?.problems ?? all;
   const tools = useToolList();
   const context = suggestionContext(read);
-  const { units, evidence } = t.dialog;
+  const { units } = t.dialog;
   const unitText = (param: Param): string => {
     const unit = units[unitOf(param, job.perRevolution)];
     return inches ? unit.replace("mm", "inch") : unit;
@@ -77,11 +77,6 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
     const written = field ? writeValue(language, param, field, inches ? (mm) => inProgram(param, mm) : null) : null;
     const bare = written === null || field?.written === "auto";
     return { text: written ?? draft[q] ?? "", unit: bare ? "" : unitText(param), soft: false };
-  };
-  const doubtOf = (param: Param): string | null => {
-    if (isRecalled(cycle)) return null;
-    if (param.evidence !== "A") return evidence.parameter;
-    return param.rangeEvidence !== "A" && !param.choices ? evidence.range : null;
   };
   const asked = ([q, param]: readonly [string, Param]): Prompt => {
     const { prompt, label, explanation, ...words } = t.params[param.text as ParamTextId];
@@ -105,7 +100,6 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
             ? [t.dialog.withoutEffect(`${param.condition.q} = ${String(reading.partial[param.condition.q])}`)]
             : []),
         ],
-        doubt: doubtOf(param),
         choices: param.choices?.map((n) => ({ value: String(n), meaning: meanings[n] ?? "" })) ?? null,
         idle,
         auto: param.kind === "feed",

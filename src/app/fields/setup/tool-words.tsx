@@ -1,3 +1,5 @@
+import { isDrill } from "../../../kernel/cutter/drill.ts";
+import { radius, toDiameter } from "../../../kernel/units.ts";
 import { formatNumber } from "../../../i18n/number.ts";
 import type { Tool } from "../../../kernel/plan/tool.ts";
 import type { ToolFit } from "../../../program/tools/which-tool.ts";
@@ -13,6 +15,14 @@ export function useToolDetails(): (tool: Tool) => string {
   return (tool) => {
     const setting = tool["T-ANGLE"];
     const point = tool["P-ANGLE"];
+    if (isDrill(tool))
+      return [
+        t.types[tool.TYPE],
+        `⌀${number(toDiameter(radius(tool.R ?? 0)))}`,
+        tool.CUTLENGTH !== undefined && t.cutLength(number(tool.CUTLENGTH)),
+      ]
+        .filter((part) => part !== false)
+        .join(" · ");
     return [
       t.types[tool.TYPE],
       tool.CUTWIDTH !== undefined && t.width(number(tool.CUTWIDTH)),

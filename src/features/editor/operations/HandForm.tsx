@@ -2,6 +2,7 @@ import { useEffect, useMemo, useRef, useState } from "react";
 import { catalogue } from "../../../cycles/index.ts";
 import type { Site } from "../../../cycles/shape-request.ts";
 import type { InsertTexts } from "../../../i18n/en/insert.ts";
+import type { Tool } from "../../../kernel/plan/tool.ts";
 import { length } from "../../../kernel/units.ts";
 import type { Statement } from "../../../nc/statement.ts";
 import {
@@ -28,6 +29,7 @@ import { useToolList } from "../../../app/document/work-tools.ts";
 import { showTools } from "../../../app/place/place.ts";
 import { AskedNumber, isUsable } from "./AskedNumber.tsx";
 import { SpindleFields, isSpindleUsable } from "./PlaceFields.tsx";
+import { addStandardDrill, useDrills } from "./drills.ts";
 import { StockPlace } from "./StockPlace.tsx";
 import { TitleField } from "./TitleField.tsx";
 import { ToolChoice } from "./ToolChoice.tsx";
@@ -69,7 +71,13 @@ export function HandForm({ words, work, site, before, onBack, onInsert }: Props)
   );
   const surface = picked ?? (work === "chamfer" ? (surfaces[0] ?? null) : longestOf(surfaces));
   const needed = { isInside: surface?.site === "inside", depth: surface ? wallOf(stock, surface) : 0 };
-  const tools = useToolList().filter((tool) => canDo(work, tool, needed));
+  const turning = useToolList();
+  const drills = useDrills();
+  const onAxis = isOnAxis(work);
+  const able = (among: readonly Tool[]) => among.filter((tool) => canDo(work, tool, needed));
+  const ofTable = able(onAxis ? drills.own : turning);
+  const isStandard = onAxis && ofTable.length === 0;
+  const tools = isStandard ? able(drills.standard) : ofTable;
   const tool = tools.find(({ T }) => T === taken) ?? tools[0];
   const asked = sizesOf(work);
   const last = operations.findLast(({ spindle: of }) => of?.kind === "surface")?.spindle;
@@ -92,6 +100,7 @@ export function HandForm({ words, work, site, before, onBack, onInsert }: Props)
     if (!usable || !base || !surface) return;
     const value = (s: HandSize) => length(readText(anyNumber, typedInMillimetres(typed[s], inches)).value ?? 0);
     const { start, cut } = handCut(work, { stock, surface, tool, sizes: { size: value("size"), z: value("z") } });
+    if (isStandard) addStandardDrill(tool.T);
     onInsert({ ...base, tool: tool.T, spindle: turns, start, blank: cylinderAround(stock) }, cut, title);
   };
   useEffect(
@@ -135,8 +144,15 @@ export function HandForm({ words, work, site, before, onBack, onInsert }: Props)
           ))}
           {turns && <SpindleFields spindle={turns} onSpindle={setSpindle} />}
         </div>
+        {isStandard && <Message tone="info">{words.hand.standard}</Message>}
         {tools.length > 0 ? (
-          <ToolChoice fits={null} among={tools} taken={tool ? String(tool.T) : null} onTake={take} />
+          <ToolChoice
+            fits={null}
+            among={tools}
+            taken={tool ? String(tool.T) : null}
+            {...(onAxis && { heading: words.hand.drills })}
+            onTake={take}
+          />
         ) : (
           <>
             <Message tone="warning">{words.hand.noTool}</Message>

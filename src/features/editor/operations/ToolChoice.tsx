@@ -16,12 +16,14 @@ interface Props {
   readonly onTake: (tool: number) => void;
   /** Only these tools; absent: all of the table. */
   readonly among?: readonly Tool[];
+  /** Heading of the list where suitability is unknown; absent: turning tools. */
+  readonly heading?: string;
   /** Folds the unsuitable tools under this heading; absent: they are listed. */
   readonly folded?: (tools: number) => string;
 }
 
 /** All tools as buttons, drawn and named: suitable ones first, the others with the residual material they leave. */
-export function ToolChoice({ fits, taken, onTake, among, folded }: Props) {
+export function ToolChoice({ fits, taken, onTake, among, heading, folded }: Props) {
   const t = useTexts();
   const all = useToolList();
   const tools = among ?? all;
@@ -66,7 +68,7 @@ export function ToolChoice({ fits, taken, onTake, among, folded }: Props) {
           {list(t.operations.others, others)}
         </details>
       ) : (
-        list(able.length > 0 ? t.operations.others : t.setup.tool.list, others)
+        list(able.length > 0 ? t.operations.others : (heading ?? t.setup.tool.list), others)
       )}
     </div>
   );

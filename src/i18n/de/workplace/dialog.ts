@@ -42,6 +42,7 @@ export const dialog = {
   },
   recalled: "Nicht am Handbuch geprüft; an der Steuerung vergleichen.",
   evidence: {
+    partly: "Einige Eingabebereiche ungeprüft",
     mark: "ungeprüft",
     range: "Bereich nicht am Handbuch geprüft; die Steuerung kann einen anderen zulassen.",
     parameter: "Nicht am Handbuch geprüft; an der Steuerung vergleichen.",

@@ -42,6 +42,7 @@ export const dialog = {
   },
   recalled: "Not verified against a manual; check on your control.",
   evidence: {
+    partly: "Some ranges are unverified",
     mark: "unverified",
     range: "Range not verified against a manual; your control may allow another.",
     parameter: "Not verified against a manual; check on your control.",

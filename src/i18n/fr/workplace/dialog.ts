@@ -43,6 +43,7 @@ export const dialog = {
   },
   recalled: "Non vérifié dans un manuel ; à comparer sur la commande.",
   evidence: {
+    partly: "Certaines plages non vérifiées",
     mark: "non vérifié",
     range: "Plage non vérifiée dans un manuel ; la commande peut en admettre une autre.",
     parameter: "Non vérifié dans un manuel ; à comparer sur la commande.",

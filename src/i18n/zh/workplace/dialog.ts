@@ -41,6 +41,7 @@ export const dialog = {
   },
   recalled: "未与手册核对，请在数控系统上核对。",
   evidence: {
+    partly: "部分输入范围未经验证",
     mark: "未核对",
     range: "范围未与手册核对；数控系统可能允许其他范围。",
     parameter: "未与手册核对，请在数控系统上核对。",

@@ -1,0 +1,41 @@
+import { useMemo } from "react";
+import type { Tool } from "../../../kernel/plan/tool.ts";
+import { drillOf } from "../../../program/tools/drill-of.ts";
+import type { ShopTools } from "../../../program/tools/read-tools.ts";
+import { standardDrills } from "../../../program/tools/standard-drills.ts";
+import { newId, readList, type ToolList } from "../../../program/tools/tool-list.ts";
+import { bundleOf, setBundle, useEditor } from "../../../app/document/store.ts";
+import { editTools, toolsOnDevice, useTools } from "../../../app/document/tool-store.ts";
+import { onlyBundle } from "../../../app/document/work.ts";
+import { listInUse } from "../../../app/document/work-tools.ts";
+
+/** Drills and taps of a table, as tools on the axis. */
+const drillsIn = ({ mills = [] }: ShopTools): readonly Tool[] => mills.flatMap((row) => drillOf(row) ?? []);
+
+/** Drills and taps of the open work; a standard one has its row, which is added when it is called. */
+export interface Drills {
+  readonly own: readonly Tool[];
+  readonly standard: readonly Tool[];
+}
+
+/** The drills of the open work's table, and standard ones with free numbers; follows the work and the table. */
+export function useDrills(): Drills {
+  const shop = useTools((s) => s.list);
+  const own = useEditor((s) => bundleOf(s).tools);
+  return useMemo(() => {
+    const list = own ?? shop;
+    const rows = standardDrills(list).map((cells, i) => ({ id: `standard ${i}`, cells }));
+    return { own: drillsIn(toolsOnDevice(list).table), standard: drillsIn(readList(rows).table) };
+  }, [own, shop]);
+}
+
+/** Adds a standard drill to the table of the open work. */
+export function addStandardDrill(T: number): void {
+  const list = listInUse();
+  const cells = standardDrills(list).find((row) => Number(row.T) === T);
+  if (!cells) return;
+  const next: ToolList = [...list, { id: newId(list), cells }];
+  const bundle = onlyBundle(bundleOf(useEditor.getState()));
+  if (bundle.tools) setBundle({ ...bundle, tools: next });
+  else editTools(() => next);
+}
