@@ -3,7 +3,15 @@ import { describe, expect, test } from "vitest";
 import { answerOf } from "../../src/course/judge/answer.ts";
 import { judge } from "../../src/course/judge/judge.ts";
 import type { Slip } from "../../src/course/judge/judgement.ts";
-import { BY_DIMENSIONS, everySlip, findSlip, wantedSizes, withSlip } from "../../src/course/judge/slips.ts";
+import {
+  BY_DIMENSIONS,
+  everySlip,
+  findSlip,
+  hasSlip,
+  wantedSizes,
+  withoutSlip,
+  withSlip,
+} from "../../src/course/judge/slips.ts";
 import { programOfLines } from "../../src/course/task-start.ts";
 import { taskSchema, type Task } from "../../src/course/task.ts";
 
@@ -96,6 +104,16 @@ test("what the slip causes is not reported beside it; a slip that the task itsel
   const fault = taskOf("l20-diameter-as-radius");
   const text = "program" in fault.start ? programOfLines(fault.start.program) : "";
   const unmended = answerOf(text);
-  expect(await findSlip(fault, unmended, judge(fault, unmended), runOf, text)).toBeNull();
-  expect((await findSlip(fault, unmended, judge(fault, unmended), runOf))?.slip.kind).toBe("radius");
+  const slip = (await findSlip(fault, unmended, judge(fault, unmended), runOf))?.slip;
+  expect(slip?.kind).toBe("radius");
+  expect(slip && hasSlip(text, slip)).toBe(true);
+  expect(slip && hasSlip(programOfLines(fault.solution ?? []), slip)).toBe(false);
+});
+
+test("a refused tool that no slip explains is to blame itself", async () => {
+  const fault = taskOf("l02-wrong-row");
+  const unmended = answerOf("program" in fault.start ? programOfLines(fault.start.program) : "");
+  const judgement = judge(fault, unmended);
+  expect(await findSlip(fault, unmended, judgement, runOf)).toBeNull();
+  expect(withoutSlip(judgement).marks[0]).toMatchObject({ issue: { code: "toolUnfit" }, isByTool: true });
 });

@@ -85,6 +85,8 @@ export interface TaskMark {
   readonly depth?: number;
   /** The parameter that shapes the contour at the place, or the block of a programmed contour. */
   readonly shapedBy?: { readonly q: string } | { readonly block: number };
+  /** The tool is to blame: no slip in the dimensions explains why it is refused. */
+  readonly isByTool?: boolean;
   /** The slip that explains the fault. */
   readonly slip?: Slip;
 }

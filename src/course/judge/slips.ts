@@ -23,11 +23,11 @@ interface SlipTrial {
 }
 
 /** Most runs for one check. */
-const MOST_RUNS = 16;
+const MOST_RUNS = 24;
 /** A slip explains a fault if undoing it leaves at most this share of the wrong area. */
 const LEFT_OVER = 0.25;
 /** The order in which slips are tried: first those whose values are sizes of the part. */
-const LIKELY = { single: 0, exchanged: 1, reversed: 2, either: 3, start: 4, no: 5 } as const;
+const LIKELY = { exact: 0, exchanged: 1, reversed: 2, near: 3, either: 4, start: 5, no: 6 } as const;
 /** A value may be this far from the corner of the part that it makes, mm: roundings, chamfers, tapers lie between. */
 const BESIDE = 2;
 /** Rules that a dimension can break; the others concern feeds, tools and times. */
@@ -162,7 +162,7 @@ function slipTrials(task: Task, text: string): readonly SlipTrial[] {
     const fits = changes.every(({ literal, to }) => isWanted(literal, to) || isWanted(literal, literal.value));
     if (kind === "reversed") return LIKELY.reversed;
     if (kind === "exchanged") return improves || fits ? LIKELY.exchanged : LIKELY.no;
-    if (improves) return LIKELY.single;
+    if (improves) return changes.every(({ literal, to }) => off(literal, to) < SAME) ? LIKELY.exact : LIKELY.near;
     if (fits) return LIKELY.either;
     // Positions off the part are start points: one in the steel may have a wrong sign.
     const isStart = changes.every(({ literal }) => literal.kind === "z" && literal.value < 0);
@@ -201,21 +201,17 @@ export interface FoundSlip {
 
 /**
  * The slip that explains a failed check: without it the run makes the part, or at least most of what was wrong is gone.
- * `given`: values that the task itself sets are not reported; null reports all.
  */
 export async function findSlip(
   task: Task,
   { text }: Answer,
   judgement: TaskJudgement,
   runOf: (text: string) => Promise<Answer | null>,
-  given: string | null = null,
 ): Promise<FoundSlip | null> {
   const before = wrongness(judgement);
   if (!before.any) return null;
-  const own = given === null ? null : new Set(slipTrials(task, given).map(({ slip }) => keyOf(slip)));
-  const trials = slipTrials(task, text).filter(({ slip }) => own?.has(keyOf(slip)) !== true);
   let best: (FoundSlip & { readonly area: number }) | null = null;
-  for (const trial of trials.slice(0, MOST_RUNS)) {
+  for (const trial of slipTrials(task, text).slice(0, MOST_RUNS)) {
     const answer = await runOf(trial.text);
     if (!answer) continue;
     const without = judge(task, answer),
@@ -227,7 +223,20 @@ export async function findSlip(
   return best && { slip: best.slip, without: best.without };
 }
 
+/** Whether a program contains the values of a slip: a task that asks for it is not to give it away. */
+export const hasSlip = (text: string, slip: Slip): boolean =>
+  everySlip(text).some((each) => keyOf(each.slip) === keyOf(slip));
+
 const keyOf = ({ kind, values }: Slip): string => JSON.stringify([kind, values.map(({ q, value }) => [q, value])]);
+
+/**
+ * The judgement of an answer that no slip explains: where a tool is refused, its dimensions are not to blame, so the
+ * tool is.
+ */
+export const withoutSlip = (judgement: TaskJudgement): TaskJudgement => ({
+  ...judgement,
+  marks: judgement.marks.map((mark) => (mark.issue?.code === "toolUnfit" ? { ...mark, isByTool: true } : mark)),
+});
 
 /**
  * The judgement with the slip as its first mark, at the place of the gravest one. Errors that the program without the

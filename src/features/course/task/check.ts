@@ -1,6 +1,6 @@
 import { judge } from "../../../course/judge/judge.ts";
 import type { Answer, TaskJudgement } from "../../../course/judge/judgement.ts";
-import { findSlip, withSlip } from "../../../course/judge/slips.ts";
+import { findSlip, hasSlip, withoutSlip, withSlip } from "../../../course/judge/slips.ts";
 import type { Task } from "../../../course/task.ts";
 import { areAllRight } from "../../../course/predicted-answers.ts";
 import { asProgram, presentProgram } from "../../../app/fields/compare/sides.ts";
@@ -81,9 +81,10 @@ async function withSlipNamed(task: Task, answer: Answer, judgement: TaskJudgemen
   if (!program) return judgement;
   const end = stopwatch() + SEARCHING;
   const runOf = (text: string) => (stopwatch() < end ? outcomeOfOther({ ...program, text }) : Promise.resolve(null));
+  const found = await findSlip(task, answer, judgement, runOf);
+  if (!found) return withoutSlip(judgement);
   const isAsked = task.kind === "fault" && !areFixesShown(progressOfTask(progressRecord.now(), task.id));
-  const found = await findSlip(task, answer, judgement, runOf, isAsked ? asProgram(workOfTask(task)).text : null);
-  return found ? withSlip(judgement, found) : judgement;
+  return isAsked && hasSlip(asProgram(workOfTask(task)).text, found.slip) ? judgement : withSlip(judgement, found);
 }
 
 /** Waits for a paint, so that a long check shows its progress text. */

@@ -88,7 +88,7 @@ function what(mark: TaskMark, { t, texts, language, task, answer }: MarkWording)
     case "errors":
     case "clean": {
       const cycle = mark.operation === undefined ? null : (answer.run.operations[mark.operation]?.cycle ?? null);
-      const way = mark.issue && wrongSideOf(mark.issue);
+      const way = mark.issue && !mark.isByTool && wrongSideOf(mark.issue);
       if (way) return wrong.wrongSide[way];
       if (!mark.issue) return wrong.gouge;
       const said = issueText(texts, language, mark.issue, cycle).replace(/[.。]$/, "");
