@@ -82,12 +82,27 @@ export interface DrawnGoal {
   readonly marks: readonly TaskMark[];
 }
 
+const isDrawn = ({ kind }: TaskGoal): boolean => kind === "size" || kind === "rz";
+
+/** The goals as the list counts them: with a drawing, its sizes and surfaces are one goal. */
+export function countGoals(
+  goals: readonly TaskGoal[],
+  hasDrawing: boolean,
+  met: (goal: TaskGoal) => boolean,
+): { readonly open: number; readonly all: number } {
+  const drawn = goals.filter(isDrawn);
+  const isGathered = hasDrawing && drawn.length > 1;
+  const rows = isGathered
+    ? [...goals.filter((goal) => !isDrawn(goal)).map((goal) => [goal]), drawn]
+    : goals.map((g) => [g]);
+  return { open: rows.filter((row) => !row.every(met)).length, all: rows.length };
+}
+
 /** Splits the goals into those before the drawing, those in the drawing (unmet ones first) and those after it. */
 export function groupGoals(
   goals: readonly TaskGoal[],
   judgement: TaskJudgement | null,
 ): { readonly before: readonly TaskGoal[]; readonly drawn: readonly DrawnGoal[]; readonly after: readonly TaskGoal[] } {
-  const isDrawn = ({ kind }: TaskGoal) => kind === "size" || kind === "rz";
   const first = goals.findIndex(isDrawn);
   if (first < 0) return { before: goals, drawn: [], after: [] };
   const drawn = goals.filter(isDrawn).map((goal) => ({ goal, marks: marksOn(goal, judgement) }));

@@ -1,6 +1,7 @@
 import { at, type Pt } from "../kernel/geometry/point.ts";
 import { axial, diameter, toRadius } from "../kernel/units.ts";
 import type { Answer } from "./judge/judgement.ts";
+import { decidingBlock } from "./judge/deciding-block.ts";
 import { isRight, truthOf, type PredictedAnswer, type Truth } from "./judge/predicting.ts";
 import type { Prediction, Task } from "./task.ts";
 
@@ -34,16 +35,30 @@ export interface ComparedAnswer {
   readonly predicted: PredictedAnswer | null;
   readonly truth: Truth;
   readonly right: boolean;
+  /** The block that decides the answer; null where none alone does. */
+  readonly block: number | null;
+  /** Answered correctly before the numbers of the program were changed. */
+  readonly isKept: boolean;
 }
 
-/** Compares a learner's predictions, as typed, with the run of the program in question. */
+/** Whether every question of a task is answered correctly. */
+export const areAllRight = ({ predict = [] }: Task, answers: readonly ComparedAnswer[] | null): boolean =>
+  predict.every((_, i) => answers?.[i]?.right === true);
+
+/**
+ * Compares a learner's predictions, as typed, with the run of the program in question. `asked`: the questions that were
+ * asked again; the others are answered.
+ */
 export const comparePredictedAnswers = (
   task: Task,
   texts: readonly string[],
   answer: Answer,
+  asked?: readonly number[],
 ): readonly ComparedAnswer[] =>
   (task.predict ?? []).map((prediction, i) => {
     const predicted = parsePredictedAnswer(prediction, texts[i] ?? "");
     const truth = truthOf(prediction, task, answer);
-    return { prediction, predicted, truth, right: predicted !== null && isRight(prediction, truth, predicted) };
+    const isKept = asked?.includes(i) === false;
+    const right = isKept || (predicted !== null && isRight(prediction, truth, predicted));
+    return { prediction, predicted, truth, right, block: decidingBlock(prediction, answer), isKept };
   });

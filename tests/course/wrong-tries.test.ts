@@ -45,10 +45,10 @@ test("every place with material left names the call that should have cut it; all
     line.startsWith("Material left"),
   );
   expect(places).toHaveLength(1);
-  expect(places[0]).toMatch(/^Material left, up to 0\.2\d mm thick at ⌀48\.\d+, Z-0\.\d+: block 9$/);
+  expect(places[0]).toMatch(/^Material left, up to 0\.2\d mm thick at ⌀48\.\d+, Z-0\.\d+: block 9, shaped by Q493 /);
   expect(
     markTexts(shoulder, "Q494=-27.4", "Q494=+27.4").filter(
-      (line) => line.startsWith("Material left") && !line.endsWith("block 9"),
+      (line) => line.startsWith("Material left") && !line.includes(": block 9"),
     ),
   ).toEqual([]);
 });

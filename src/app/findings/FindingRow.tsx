@@ -8,6 +8,7 @@ import type { FindingEntry } from "./entry.ts";
 import type { FindingsHost } from "./host.ts";
 import { useToolOffers, useTriedFixes } from "./offers.ts";
 import { isLeftByTool, ResidueTools } from "./ResidueTools.tsx";
+import { useFixesHeldBack } from "./task-result.ts";
 
 /** One finding: a row that leads to its place, with the most certain fix as a button and the others folded away. */
 export function FindingRow({
@@ -30,6 +31,7 @@ export function FindingRow({
   const target = host.targetOf(entry);
   const where = entry.inFile ? placeInFile(t, entry.inFile) : block === null ? null : t.findings.inBlock(String(block));
   const [tried, tools] = [useTriedFixes(entry, host, all), useToolOffers(entry, host)];
+  const isHeldBack = useFixesHeldBack();
   const [first, ...others] = [...tools, ...host.fixesOf(entry), ...tried];
 
   useEffect(() => {
@@ -85,25 +87,27 @@ export function FindingRow({
           {issueText(t, lengths, issue, host.cycleOf(entry))}
           {entry.thickness !== null && ` ${lengths.words(t.findings.residue.thick(lengths.number(entry.thickness)))}`}
         </p>
-        <div className="finding-ways">
-          {first && (
-            <button type="button" className="button small mend" onClick={first.apply}>
-              {first.name}
-            </button>
-          )}
-          <ResidueTools entry={entry} host={host} isOpen={isOpen} />
-          {(others.length > 0 || isLeftByTool(entry)) && (
-            <button type="button" className="button small" aria-expanded={isOpen} onClick={() => open(!isOpen)}>
-              {t.findings.otherFixes}
-            </button>
-          )}
-          {isOpen &&
-            others.map(({ name, apply }) => (
-              <button key={name} type="button" className="button small mend" onClick={apply}>
-                {name}
+        {!isHeldBack && (
+          <div className="finding-ways">
+            {first && (
+              <button type="button" className="button small mend" onClick={first.apply}>
+                {first.name}
               </button>
-            ))}
-        </div>
+            )}
+            <ResidueTools entry={entry} host={host} isOpen={isOpen} />
+            {(others.length > 0 || isLeftByTool(entry)) && (
+              <button type="button" className="button small" aria-expanded={isOpen} onClick={() => open(!isOpen)}>
+                {t.findings.otherFixes}
+              </button>
+            )}
+            {isOpen &&
+              others.map(({ name, apply }) => (
+                <button key={name} type="button" className="button small mend" onClick={apply}>
+                  {name}
+                </button>
+              ))}
+          </div>
+        )}
       </div>
     </li>
   );

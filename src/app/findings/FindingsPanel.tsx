@@ -4,6 +4,8 @@ import { useTexts } from "../base/settings/use-texts.ts";
 import { useChosenFinding } from "../document/chosen-finding.ts";
 import type { FindingsHost } from "./host.ts";
 import { FindingRow } from "./FindingRow.tsx";
+import { useTaskResult } from "./task-result.ts";
+import { TaskRows } from "./TaskRows.tsx";
 import { useListed, useVerdict } from "./use-findings.ts";
 import { VerdictText } from "./VerdictText.tsx";
 
@@ -19,6 +21,7 @@ export function FindingsPanel({ host }: { readonly host: FindingsHost }) {
   const entries = useListed();
   const verdict = useVerdict();
   const chosen = useChosenFinding((c) => c.id);
+  const task = useTaskResult((s) => s.result);
   const top = useRef<HTMLParagraphElement>(null);
   const hasFocus = useRef(false);
   // The button of a fix disappears with its finding: the keyboard then goes on at the top of the list.
@@ -46,8 +49,11 @@ export function FindingsPanel({ host }: { readonly host: FindingsHost }) {
           </button>
         </p>
       )}
+      {task && <TaskRows task={task} chosen={chosen} />}
       {entries.length === 0 ? (
-        verdict.open === 0 && verdict.state !== "none" && <p className="no-findings soft">{t.none}</p>
+        !task?.rows.length &&
+        verdict.open === 0 &&
+        verdict.state !== "none" && <p className="no-findings soft">{t.none}</p>
       ) : (
         <ul aria-label={t.list}>
           {entries.slice(0, MOST).map((entry) => (

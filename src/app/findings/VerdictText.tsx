@@ -2,6 +2,7 @@ import { Icon, type IconName } from "../base/Icon.tsx";
 import { useLengths } from "../calculation/lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { toneOf, type ShownVerdict } from "./verdict.ts";
+import { useTaskResult } from "./task-result.ts";
 import { verdictReasons, verdictTitle } from "./verdict-words.ts";
 import "./findings.css";
 
@@ -22,7 +23,10 @@ const MOST = 4;
 export function VerdictText({ verdict, reasons = 0 }: { readonly verdict: ShownVerdict; readonly reasons?: number }) {
   const t = useTexts().findings.verdict;
   const lengths = useLengths();
-  const tone = toneOf(verdict);
+  const task = useTaskResult((s) => s.result);
+  // Against its own contour a wrong part is verified, too: beside a failed check that is no good news.
+  const isOwn = task !== null && task.against !== null && verdict.state === "proved";
+  const tone = isOwn && toneOf(verdict) === "good" && task.rows.length > 0 ? "plain" : toneOf(verdict);
   const icon = icons[tone];
   const all = reasons > 0 ? verdictReasons(t, verdict).slice(0, Math.min(MOST, reasons)) : [];
   return (
@@ -30,6 +34,7 @@ export function VerdictText({ verdict, reasons = 0 }: { readonly verdict: ShownV
       {icon && <Icon name={icon} />}
       <span>
         <span className="verdict-title">{verdictTitle(t, lengths, verdict)}</span>
+        {isOwn && <span className="verdict-reason">{task.against}</span>}
         {all.map((reason) => (
           <span key={reason} className="verdict-reason">
             {reason}

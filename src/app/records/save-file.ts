@@ -95,6 +95,13 @@ const task = z.object({
   file: z.optional(z.unknown()),
   veiled: z.optional(z.boolean()),
   told: z.optional(z.array(text).check(z.maxLength(60))),
+  varied: z.optional(
+    z.object({
+      lines: z.array(text).check(z.maxLength(2000)),
+      named: z.array(z.tuple([text, text])).check(z.maxLength(60)),
+    }),
+  ),
+  asked: z.optional(z.array(z.int()).check(z.maxLength(60))),
 });
 const ofTask = { task: z.optional(task) };
 const output = z.custom<NcOutput>(isNcOutput);

@@ -68,18 +68,23 @@ function nearestCall({ run }: Answer, place: Pt): number {
   return Number.isFinite(least) ? apart.lastIndexOf(least) : run.operations.length - 1;
 }
 
+/** A reason is given only where it explains at least this share of the material left. */
+const EXPLAINED = 0.5;
+
 /** The operation that should have cut an area, with the reason why it did not; empty without a cycle call. */
 function ownerOf(outline: Ring, answer: Answer): Pick<TaskMark, "operation" | "block" | "reason"> {
   const { run, simulation } = answer;
   const told = simulation.proof.residual
     .map((r) => ({ r, area: shared([outline], [r.ring]) }))
     .filter(({ area }) => area > LEAST);
-  const most = told.toSorted((a, b) => b.area - a.area)[0]?.r;
+  const greatest = told.toSorted((a, b) => b.area - a.area)[0],
+    most = greatest?.r;
+  const isExplained = (greatest?.area ?? 0) >= EXPLAINED * areaOf([outline]);
   const place = middleOf([outline]);
   const own = most?.operation ?? run.operations.findLastIndex((o) => isInside(o.plan.area, place));
   const operation = own >= 0 ? own : nearestCall(answer, place);
   const called = run.operations[operation];
-  return called ? { operation, block: called.block, ...(most && { reason: most.reason }) } : {};
+  return called ? { operation, block: called.block, ...(most && isExplained && { reason: most.reason }) } : {};
 }
 
 /** One failed mark per region where the areas exceed the limit, else one passed mark. */
@@ -107,13 +112,29 @@ function marksOf(
   }));
 }
 
+/** Points on an edge of a region: where a corner is cut off, all corners of the region are on the surface. */
+const ALONG_EDGE = [0.25, 0.5, 0.75, 1];
+
+/** How far a cut reaches into an area, mm: the greatest distance of the missing region from its surface. */
+function depthInto(wanted: readonly Ring[], region: Ring): number {
+  const surface = wanted.flatMap((ring) => ring.map((to, i) => part.line(ring.at(i - 1) as Pt, to)));
+  const toSurface = (p: Pt) => surface.reduce((least, edge) => Math.min(least, part.distanceTo(edge, p)), Infinity);
+  const edges = region.map((to, i) => part.line(region.at(i - 1) as Pt, to));
+  const points = edges.flatMap((edge) => ALONG_EDGE.map((share) => part.pointOn(edge, share)));
+  return points.reduce((most, p) => Math.max(most, toSurface(p)), 0);
+}
+
 /** Material missing from the target part: each place with the first move that cut there. */
 export const missingMarks = (
   wanted: readonly Ring[],
   made: readonly Ring[],
   limit: number,
   answer: Answer,
-): TaskMark[] => marksOf("missing", areaBeyond(wanted, made), limit, (outline) => firstStepInto([outline], answer));
+): TaskMark[] =>
+  marksOf("missing", areaBeyond(wanted, made), limit, (outline) => ({
+    depth: depthInto(wanted, outline),
+    ...firstStepInto([outline], answer),
+  }));
 
 /** Excess material on the target part: each place with the operation that should have cut it. */
 export const residueMarks = (

@@ -9,6 +9,7 @@ import { areaOf } from "../../kernel/area/area.ts";
 import { RULES, type Answer, type TaskJudgement, type TaskMark, type RuleName } from "./judgement.ts";
 import { ruleMarks } from "./rules.ts";
 import { scoreOf } from "./score.ts";
+import { shapedBy } from "./shaped-by.ts";
 import { sizeMarks } from "./sizes.ts";
 import { threadMarks } from "./threads.ts";
 import { targetPart, type TargetPart } from "../target-part.ts";
@@ -18,6 +19,9 @@ const RESIDUE = 0.05;
 const MISSING = 0.01;
 /** A groove this near to the target groove, mm, is that groove cut in the wrong place. */
 const ASIDE = 2;
+
+/** Rules about the shape of the part: what shapes the contour at their place is named. */
+const SHAPED: ReadonlySet<RuleName> = new Set(["missing", "residue", "size"]);
 
 /** The findings with a rule of their own; the others count as errors. */
 const FOUND: Partial<Record<StockFinding["kind"], RuleName>> = {
@@ -164,5 +168,8 @@ export function judge(task: Task, answer: Answer): TaskJudgement {
     task.kind === "drawing" && par && wanted
       ? scoreOf(par, wanted, task.rules.residue ?? RESIDUE, answer, marks)
       : undefined;
-  return { passed: marks.every((m) => m.passed), marks, ...(score && { score }) };
+  const placed = marks.map((mark) =>
+    mark.passed || !SHAPED.has(mark.rule) ? mark : { ...mark, ...shapedBy(answer, mark) },
+  );
+  return { passed: marks.every((m) => m.passed), marks: placed, ...(score && { score }) };
 }

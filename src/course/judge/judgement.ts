@@ -39,6 +39,23 @@ export interface Answer {
   readonly simulation: Simulation;
 }
 
+/** One value of a slip: `q` is a parameter or the axis of a path ("X"), `better` the value without the slip. */
+export interface SlipValue {
+  readonly block: number;
+  readonly q: string;
+  readonly value: number;
+  readonly better: number;
+}
+
+/**
+ * A slip that explains a fault: a wrong sign, a radius for a diameter or the reverse, two exchanged values, or a contour
+ * in the wrong direction (`values`: its first block).
+ */
+export interface Slip {
+  readonly kind: "sign" | "radius" | "doubled" | "exchanged" | "reversed";
+  readonly values: readonly SlipValue[];
+}
+
 /** The result of one check. Lengths mm, areas mm² of the half section, Rz µm, times s. */
 export interface TaskMark {
   readonly rule: RuleName;
@@ -64,6 +81,14 @@ export interface TaskMark {
   readonly reason?: Reason;
   /** The finding of the run or of the stock that this mark reports. */
   readonly issue?: RunFinding["issue"];
+  /** How far a cut goes into the part, mm. */
+  readonly depth?: number;
+  /** The parameter that shapes the contour at the place, or the block of a programmed contour. */
+  readonly shapedBy?: { readonly q: string } | { readonly block: number };
+  /** The tool is to blame: no slip in the dimensions explains why it is refused. */
+  readonly isByTool?: boolean;
+  /** The slip that explains the fault. */
+  readonly slip?: Slip;
 }
 
 /** Points of a free program, out of 100; 0 while it damages the part, runs into material or is not proved. */

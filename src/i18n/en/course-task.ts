@@ -33,6 +33,11 @@ export const courseTask = {
   count: (n: number, of: number) => `${n} of ${of}`,
   hint: (n: number) => `Hint ${n} of 3`,
   showHint: (n: number) => `Show hint ${n} of 3`,
+  lastCheck: "Goals not met at the last check",
+  against: "against its own contour, not the part of the exercise",
+  heldBack: "Fixes are offered after a hint or three tries.",
+  lessonTask: (lesson: number, n: number, of: number) => `Lesson ${lesson} · ${n} of ${of}`,
+  showPlace: "Show the place",
   hintAfterTry: "The last hint is available after the first counted try.",
   solution: "Solution",
   showSolution: "Show the solution",
@@ -132,7 +137,17 @@ export const courseTask = {
     noRz: (most: string) => `No surface with a known Rz; ${most} µm are required`,
     words: (word: string) => `${word} is in no block`,
   },
+  slip: {
+    sign: (name: string, is: string, better: string) => `Wrong sign? ${name} is ${is}, not ${better}`,
+    radius: (name: string, is: string, better: string) =>
+      `Radius entered as a diameter? ${name} is ${is}, half of ${better}`,
+    doubled: (name: string, is: string, better: string) => `Diameter doubled? ${name} is ${is}, twice ${better}`,
+    exchanged: (one: string, other: string) => `Exchanged? ${one} and ${other}`,
+    reversed: "Contour in the wrong direction? It begins at the wrong end",
+    where: (what: string, block: string) => `${what} (${block})`,
+  },
   where: {
+    shapedBy: (what: string) => `shaped by ${what}`,
     place: (x: string, z: string) => `⌀${x}, Z${z}`,
     at: (what: string, x: string, z: string) => `${what} at ⌀${x}, Z${z}`,
     because: (what: string, cause: string) => `${what}: ${cause}`,
@@ -158,6 +173,12 @@ export const courseTask = {
     run: "Show the run",
     lacks: (n: number, of: number) =>
       of === 1 ? "Your answer is still missing." : `The answer to question ${n} is still missing.`,
+    wrongAgain: (told: string) => `Your answer: ${told}. Not correct. Watch the run, then try again.`,
+    decides: (block: string) => `Block ${block} decides.`,
+    kept: "Answered correctly before",
+    otherNumbers: "The program now has other numbers. Hints still use the original ones.",
+    sameNumbers:
+      "The answer was shown and there are no other numbers: this now counts as passed after the solution was shown.",
     again: "Try again",
     right: (what: string) => `Correct: ${what}`,
     wrong: (told: string, is: string) => `Your answer: ${told}. Correct: ${is}.`,

@@ -90,6 +90,10 @@ export interface TaskWork {
   readonly veiled?: boolean;
   /** The predictions as typed, one text per question. */
   readonly told?: readonly string[];
+  /** Other numbers in its program: the lines, and the numbers that its words name, from and to. */
+  readonly varied?: { readonly lines: readonly string[]; readonly named: readonly (readonly [string, string])[] };
+  /** The questions that are asked again, from 0; absent: all. */
+  readonly asked?: readonly number[];
 }
 
 /** Everything an operator enters, kept as typed; the program text is generated from it. */

@@ -1,3 +1,4 @@
+import { useFixesHeldBack } from "../../findings/task-result.ts";
 import { useContext } from "react";
 import { cycleByNumber } from "../../../cycles/index.ts";
 import { valueInProgram } from "../../../program/blocks/cycle-values.ts";
@@ -35,6 +36,7 @@ export function FieldMessage({ problem, decimals, place, calm = false, onTake, p
   const param = cycle === null || !("at" in issue) ? undefined : cycleByNumber(cycle)?.params[issue.at ?? ""];
   const isInch = lengths.unit === "inch",
     nearest = offered === null ? null : valueInProgram(param, offered, isInch);
+  const isHeldBack = useFixesHeldBack();
   return (
     <Message as="div" tone={shown}>
       <p>
@@ -51,7 +53,7 @@ export function FieldMessage({ problem, decimals, place, calm = false, onTake, p
           {t.dialog.giveParameter(issue.data.name)}
         </button>
       )}
-      {nearest !== null && onTake && (
+      {nearest !== null && onTake && !isHeldBack && (
         <button type="button" className="button" onClick={() => onTake(nearest)}>
           {t.dialog.takeNearest(writeTyped(lengths.language, nearest, isInch ? decimals + 1 : decimals))}
         </button>

@@ -6,7 +6,8 @@ import { Icon } from "../../../app/base/Icon.tsx";
 import { useSelection } from "../../../app/document/selected.ts";
 import { useEditor } from "../../../app/document/store.ts";
 import { useMedia } from "../../../app/base/use-media.ts";
-import { showRun } from "./check.ts";
+import { isAnswerKnown, showRun } from "./predict.ts";
+import { useTaskProgress } from "../../../app/records/course/progress.ts";
 import { AskedAnswer } from "./AskedAnswer.tsx";
 import { useTaskView } from "./task-view.ts";
 import { setPrediction, taskOfWork } from "../../../app/document/work-task.ts";
@@ -61,8 +62,12 @@ export function PredictForm({
   const labelled = useId();
   const told = useEditor((s) => taskOfWork(s)?.told ?? NO_TEXTS);
   const asked = useTaskView((v) => v.question);
+  const workTask = useEditor(taskOfWork);
+  const { tries } = useTaskProgress(task.id);
   const predict = task.predict ?? [];
-  const question = Math.min(asked, predict.length - 1);
+  const order = workTask?.asked ?? predict.map((_, i) => i);
+  const position = Math.max(0, order.indexOf(asked));
+  const question = order[position] ?? 0;
   const prediction = predict[question];
   usePointedBlock(question, prediction !== undefined && answerKindOf(prediction) === "block");
   const isNarrow = useMedia("narrow");
@@ -76,7 +81,7 @@ export function PredictForm({
     (form.current?.querySelector<HTMLInputElement>("input:checked") ?? form.current?.querySelector("input"))?.focus();
   }, [question]);
   if (!prediction) return null;
-  const isLast = question === predict.length - 1;
+  const isLast = position === order.length - 1;
   const isSaid = (i: number) => {
     const each = predict[i];
     return each !== undefined && parsePredictedAnswer(each, told[i] ?? "") !== null;
@@ -84,15 +89,15 @@ export function PredictForm({
   const show = (next: number) => useTaskView.setState({ question: next });
   /** Open answers can be skipped; requesting the run names the first one that is missing. */
   const goOn = () => {
-    const open = predict.findIndex((_, i) => !isSaid(i)),
-      next = isLast ? open : question + 1;
-    if (next < 0) {
+    const open = order.find((i) => !isSaid(i)),
+      next = isLast ? open : order[position + 1];
+    if (next === undefined) {
       // If the assignment covers the work, the work is shown again with the run and the results.
       if (isNarrow) useTaskView.setState({ open: false });
       return void showRun(task);
     }
     isTyping.current = next !== question && document.activeElement instanceof HTMLInputElement;
-    lack(isLast ? open : null);
+    lack(isLast ? (open ?? null) : null);
     show(next);
   };
   return (
@@ -117,13 +122,15 @@ export function PredictForm({
         t={t}
         labelled={labelled}
       />
+      {workTask?.varied && <p className="small soft">{t.predict.otherNumbers}</p>}
+      {isAnswerKnown(task, workTask, tries) && <p className="small soft">{t.predict.sameNumbers}</p>}
       <p role="status" className="task-lacks">
         {lacking === question && !isSaid(question) && t.predict.lacks(question + 1, predict.length)}
       </p>
       <div className="task-ways">
         <ShowWorkButton kind={answerKindOf(prediction)} t={t} />
-        {question > 0 && (
-          <button type="button" className="button" onClick={() => show(question - 1)}>
+        {position > 0 && (
+          <button type="button" className="button" onClick={() => show(order[position - 1] ?? 0)}>
             {t.predict.back}
           </button>
         )}

@@ -1,4 +1,4 @@
-import type { TaskWords } from "../../../course/task.ts";
+import type { Task, TaskWords } from "../../../course/task.ts";
 import type { ComparedAnswer } from "../../../course/predicted-answers.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import type { Language } from "../../../i18n/languages.ts";
@@ -6,7 +6,7 @@ import { formatNumber } from "../../../i18n/number.ts";
 import { part, type Pt } from "../../../kernel/geometry/point.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
-import { retryPredictions } from "./check.ts";
+import { retryPredictions } from "./predict.ts";
 import { placeWords } from "./mark-words.ts";
 import { useTaskView } from "./task-view.ts";
 
@@ -14,17 +14,23 @@ import { useTaskView } from "./task-view.ts";
 const DECIMALS = 2;
 
 /**
- * The prediction and the actual result, in a sentence. The right block is not revealed after a wrong one: the learner
- * tries again.
+ * The prediction and the actual result, in a sentence. Where the same question is asked again, the right answer is not
+ * revealed after a wrong one: the run shows it.
  */
 function comparedText(
-  { prediction, predicted, truth, right }: ComparedAnswer,
+  { prediction, predicted, truth, right, block, isKept }: ComparedAnswer,
   t: CourseTaskTexts,
   language: Language,
   choices: readonly string[],
+  reveals: boolean,
 ) {
   const { predict: words } = t;
-  const say = (what: string, is: string) => (right ? words.right(is) : words.wrong(what, is));
+  if (isKept) return words.kept;
+  const say = (what: string, is: string) => {
+    if (right) return words.right(is);
+    if (!reveals) return words.wrongAgain(what);
+    return block === null ? words.wrong(what, is) : `${words.wrong(what, is)} ${words.decides(String(block))}`;
+  };
   if (truth.kind === "choice") return say(choices[Number(predicted)] ?? "–", choices[truth.right] ?? "");
   if (truth.kind === "block")
     return right ? words.right(words.isBlock(String(predicted))) : words.wrongBlock(String(predicted));
@@ -32,7 +38,7 @@ function comparedText(
     const name = (place: Pt) => t.where.place(...placeWords(language, place));
     const said = predicted as Pt;
     if (!truth.place) return words.doesNotOccur(name(said));
-    if (right) return words.right(name(truth.place));
+    if (right || !reveals) return say(name(said), name(truth.place));
     return words.wrongPlace(name(said), name(truth.place), formatNumber(language, part.apart(said, truth.place), 1));
   }
   const unit = prediction.ask in words.units ? ` ${words.units[prediction.ask as keyof typeof words.units]}` : "";
@@ -41,7 +47,15 @@ function comparedText(
 }
 
 /** The predictions and the actual results, while the picture shows the run. */
-export function PredictionResult({ t, words }: { readonly t: CourseTaskTexts; readonly words: TaskWords }) {
+export function PredictionResult({
+  task,
+  t,
+  words,
+}: {
+  readonly task: Task;
+  readonly t: CourseTaskTexts;
+  readonly words: TaskWords;
+}) {
   const language = useSettings((s) => s.language);
   const foretold = useTaskView((v) => v.comparedAnswers);
   if (!foretold) return null;
@@ -53,13 +67,13 @@ export function PredictionResult({ t, words }: { readonly t: CourseTaskTexts; re
             <Icon name={compared.right ? "check" : "close"} />
             <span>
               {foretold.length > 1 && <span className="soft">{words.questions?.[i]} </span>}
-              {comparedText(compared, t, language, words.choices?.[i] ?? [])}
+              {comparedText(compared, t, language, words.choices?.[i] ?? [], task.kind === "predict")}
             </span>
           </li>
         ))}
       </ul>
       {foretold.some(({ right }) => !right) && (
-        <button type="button" className="button" onClick={retryPredictions}>
+        <button type="button" className="button" onClick={() => void retryPredictions(task)}>
           {t.predict.again}
         </button>
       )}

@@ -12,7 +12,11 @@ import { useEditor } from "../../../app/document/store.ts";
 import { useMedia } from "../../../app/base/use-media.ts";
 import { inScreenLanguage } from "../../../course/words.ts";
 import { DrawingPane } from "../drawing/DrawingPane.tsx";
-import { checkTask, comparePredictions, isOfWork, judgeQuietly, clearResolvedNotReady } from "./check.ts";
+import { checkTask, isOfWork, judgeQuietly, clearResolvedNotReady } from "./check.ts";
+import { comparePredictions } from "./predict.ts";
+import { TaskPlace } from "./TaskPlace.tsx";
+import { useFindingsOfTask } from "./use-task-result.ts";
+import { withNumbers } from "../../../course/varied-numbers.ts";
 import { PredictForm } from "./PredictForm.tsx";
 import { PredictionResult } from "./PredictionResult.tsx";
 import { MarkLine } from "./MarkLine.tsx";
@@ -61,7 +65,8 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
   const texts = useTexts();
   const language = useSettings((s) => s.language);
   const body = useId();
-  const words = inScreenLanguage(task.words, language);
+  const varied = useEditor((s) => taskOfWork(s)?.varied);
+  const words = useMemo(() => inScreenLanguage(withNumbers(task, varied).words, language), [task, varied, language]);
   const veiled = useEditor((s) => taskOfWork(s)?.veiled ?? false);
   const { open, checking, checked, comparedAnswers, stale } = useTaskView();
   const marks = useMemo(() => checked?.judgement.marks.filter((mark) => !mark.passed) ?? null, [checked]);
@@ -73,6 +78,7 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
   const drawing = useTaskDrawing(task);
   useLiveJudgement(task);
   useTaskPicture(task, t, language, marks, say);
+  useFindingsOfTask(task, t, marks, say);
   /** With little room, the assignment replaces the work. */
   const alone = useMedia("narrow") && open;
   const asks = task.predict !== undefined && task.predict.length > 0;
@@ -93,6 +99,9 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
     >
       <div className="task-head">
         <h2 className="task-title">{words.title}</h2>
+        <Suspense>
+          <TaskPlace task={task} t={t} />
+        </Suspense>
         <TaskStatus task={task} t={t} />
         {makes && !veiled && (
           <button
@@ -129,9 +138,9 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
         </button>
       </div>
       {!open && !veiled && comparedAnswers && !marks?.length && !(passed && makes) && (
-        <PredictionResult t={t} words={words} />
+        <PredictionResult task={task} t={t} words={words} />
       )}
-      {!open && checked && marks && marks.length > 0 && !stale && (
+      {checked && marks && marks.length > 0 && !stale && (
         <MarkLine marks={marks} say={say} run={checked.answer.run} t={t} />
       )}
       {!open && passed && (

@@ -1,4 +1,4 @@
-import { goalsOf, isMet } from "../../../course/goals.ts";
+import { countGoals, goalsOf, isMet } from "../../../course/goals.ts";
 import { stateOfTask } from "../../../course/progress.ts";
 import type { Task } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
@@ -12,6 +12,7 @@ import { useEditor } from "../../../app/document/store.ts";
 import type { ParamTextId } from "../../../cycles/index.ts";
 import { cycleByNumber } from "../../../cycles/index.ts";
 import { useTaskProgress } from "../../../app/records/course/progress.ts";
+import { useHasDrawing } from "./use-has-drawing.ts";
 import { useTaskView, type NotReady } from "./task-view.ts";
 
 /** Empty prompts named at once; the others follow once these have values. */
@@ -71,6 +72,7 @@ export function TaskStatus({ task, t }: { readonly task: Task; readonly t: Cours
   const state = stateOfTask(progress);
   const rights = (comparedAnswers ?? []).map(({ right }) => right);
   const isPassed = usePassedNow(task);
+  const hasDrawing = useHasDrawing(task);
   const say = () => {
     if (checking) return <span>{t.checking} …</span>;
     if (notReady) return <Lacking lacks={notReady} t={t} />;
@@ -83,11 +85,10 @@ export function TaskStatus({ task, t }: { readonly task: Task; readonly t: Cours
     }
     if (stale) return <span className="soft">{t.stale}</span>;
     if (!checked) return tries > 0 && <span className="soft">{t.tries(tries)}</span>;
-    const goals = goalsOf(task);
-    const open = goals.filter((goal) => !isMet(goal, checked.judgement, rights)).length;
+    const { open, all } = countGoals(goalsOf(task), hasDrawing, (goal) => isMet(goal, checked.judgement, rights));
     return (
       <span className="task-failed">
-        <Icon name="info" /> {t.failed(open, goals.length)}
+        <Icon name="info" /> {t.failed(open, all)}
       </span>
     );
   };

@@ -1,24 +1,22 @@
 import { judge } from "../../../course/judge/judge.ts";
-import type { Answer } from "../../../course/judge/judgement.ts";
-import { wrongSideOf } from "../../../course/judge/wrong-side.ts";
+import type { Answer, TaskJudgement } from "../../../course/judge/judgement.ts";
+import { findSlip, hasSlip, withoutSlip, withSlip } from "../../../course/judge/slips.ts";
 import type { Task } from "../../../course/task.ts";
-import type { RunFinding } from "../../../program/state/run-types.ts";
-import { SLIP_CODES } from "../../../program/values/dimension-slips.ts";
-import { comparePredictedAnswers, type ComparedAnswer } from "../../../course/predicted-answers.ts";
-import { asProgram } from "../../../app/fields/compare/sides.ts";
-import { restartComparison } from "../../../app/findings/effect/compared.ts";
+import { areAllRight } from "../../../course/predicted-answers.ts";
+import { asProgram, presentProgram } from "../../../app/fields/compare/sides.ts";
+import { stopwatch } from "../../../app/base/clock.ts";
 import { outcomeOfOther } from "../../../app/calculation/other-outcome.ts";
-import { calculation } from "../../../app/calculation/calculation.ts";
 import { isMadeFrom, useOutcome, type Outcome } from "../../../app/calculation/outcome.ts";
 import { isOpen } from "../../../app/findings/entry.ts";
 import { chooseFinding } from "../../../app/document/chosen-finding.ts";
 import { printedText } from "../../../app/document/printed.ts";
 import { readJob } from "../../../app/document/reading.ts";
 import { flushEdits, useEditor } from "../../../app/document/store.ts";
-import { notePass, noteTry } from "../../../app/records/course/progress.ts";
+import { progressOfTask } from "../../../course/progress.ts";
+import { notePass, noteTry, progressRecord } from "../../../app/records/course/progress.ts";
+import { areFixesShown } from "./fixes-shown.ts";
 import { workOfTask } from "./begin.ts";
 import { useTaskView, type NotReady } from "./task-view.ts";
-import { changeTask, taskOfWork } from "../../../app/document/work-task.ts";
 
 /** Whether a result belongs to the current state of the open work. */
 export function isOfWork(outcome: Outcome | null): outcome is Outcome {
@@ -28,7 +26,7 @@ export function isOfWork(outcome: Outcome | null): outcome is Outcome {
 }
 
 /** Waits for the result of the current state of the open work; null if it fails or another work is opened. */
-function awaitOutcome(): Promise<Outcome | null> {
+export function awaitOutcome(): Promise<Outcome | null> {
   const { work } = useEditor.getState();
   return new Promise((done) => {
     const look = () => {
@@ -67,21 +65,27 @@ export function clearResolvedNotReady(): void {
   if (!isSame) useTaskView.setState({ notReady: null });
 }
 
-/** Whether an issue says which dimension is wrong. */
-const isSlip = ({ issue }: RunFinding): boolean =>
-  issue.severity === "error" && (SLIP_CODES.has(issue.code) || wrongSideOf(issue) !== null);
-
-/**
- * Whether an answer can be judged: something cuts, or a cycle call is refused for a dimension that is not as the task
- * began.
- */
+/** Whether an answer can be judged: something cuts, or there is an error that the start of a part does not have. */
 const isJudged = ({ run, text }: Answer, task: Task): boolean =>
   run.steps.some(({ move }) => move.kind !== "rapid") ||
   run.plane.length > 0 ||
-  (run.issues.some(isSlip) && text !== asProgram(workOfTask(task)).text);
+  (run.issues.some(({ issue }) => issue.severity === "error") &&
+    (task.kind === "fault" || text !== asProgram(workOfTask(task)).text));
 
-const areRight = (answers: readonly ComparedAnswer[] | null, task: Task): boolean =>
-  (task.predict ?? []).every((_, i) => answers?.[i]?.right === true);
+/** Longest search for a slip, ms. */
+const SEARCHING = 4000;
+
+/** The judgement with the slip that explains it, if there is one. The slip that a task asks for is not given away. */
+async function withSlipNamed(task: Task, answer: Answer, judgement: TaskJudgement): Promise<TaskJudgement> {
+  const program = judgement.passed ? null : presentProgram();
+  if (!program) return judgement;
+  const end = stopwatch() + SEARCHING;
+  const runOf = (text: string) => (stopwatch() < end ? outcomeOfOther({ ...program, text }) : Promise.resolve(null));
+  const found = await findSlip(task, answer, judgement, runOf);
+  if (!found) return withoutSlip(judgement);
+  const isAsked = task.kind === "fault" && !areFixesShown(progressOfTask(progressRecord.now(), task.id));
+  return isAsked && hasSlip(asProgram(workOfTask(task)).text, found.slip) ? judgement : withSlip(judgement, found);
+}
 
 /** Waits for a paint, so that a long check shows its progress text. */
 const afterPaint = (): Promise<void> => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
@@ -99,8 +103,9 @@ export async function checkTask(task: Task): Promise<void> {
   if (useTaskView.getState().work !== work) return;
   if (!answer || !isJudged(answer, task))
     return useTaskView.setState({ checking: false, notReady: { why: answer ? "noRun" : "notRun" } });
-  const judgement = judge(task, answer);
-  const passed = judgement.passed && areRight(useTaskView.getState().comparedAnswers, task);
+  const judgement = await withSlipNamed(task, answer, judge(task, answer));
+  if (useTaskView.getState().work !== work) return;
+  const passed = judgement.passed && areAllRight(task, useTaskView.getState().comparedAnswers);
   const { score } = judgement;
   noteTry(task.id);
   if (passed) notePass(task.id, { seconds: answer.simulation.totalSeconds, ...(score && { score: score.total }) });
@@ -119,55 +124,4 @@ export function judgeQuietly(task: Task): void {
   const { newest } = useOutcome.getState();
   if (!checked || !isOfWork(newest) || newest.text === checked.answer.text) return;
   useTaskView.setState({ live: judge(task, newest) });
-}
-
-const cachedStartOutcomes = new WeakMap<Task, Answer>();
-
-/** The result of the program that the task starts with. */
-async function answerAtStart(task: Task): Promise<Answer | null> {
-  const known = cachedStartOutcomes.get(task);
-  if (known) return known;
-  const made = await outcomeOfOther(asProgram(workOfTask(task)));
-  if (made) cachedStartOutcomes.set(task, made);
-  return made;
-}
-
-/** Compares the predictions with the actual run; null if that is not available. */
-export async function comparePredictions(task: Task): Promise<readonly ComparedAnswer[] | null> {
-  const { work } = useEditor.getState();
-  const truth = await answerAtStart(task);
-  const now = useEditor.getState();
-  const { told = [], veiled = false } = taskOfWork(now) ?? {};
-  if (!truth || now.work !== work || veiled) return null;
-  const answers = comparePredictedAnswers(task, told, truth);
-  useTaskView.setState({ comparedAnswers: answers });
-  return answers;
-}
-
-/** Shows the run once all predictions are made. In a task of predictions only, this counts as the try. */
-export async function showRun(task: Task): Promise<void> {
-  changeTask(({ veiled: _, ...told }) => told);
-  // The cached result belongs to the hidden run.
-  calculation.recalculate();
-  // Showing the run is not a change of values.
-  void awaitOutcome().then(restartComparison);
-  const answers = await comparePredictions(task);
-  if (!answers || task.kind !== "predict") return;
-  noteTry(task.id);
-  if (areRight(answers, task)) notePass(task.id);
-}
-
-/** Asks the wrong predictions again, with the run hidden. */
-export function retryPredictions(): void {
-  const { comparedAnswers } = useTaskView.getState();
-  const isRight = (i: number) => comparedAnswers?.[i]?.right === true;
-  changeTask(({ id, file, told = [] }) => ({
-    id,
-    ...(file !== undefined && { file }),
-    veiled: true,
-    told: told.map((text, i) => (isRight(i) ? text : "")),
-  }));
-  const question = Math.max(0, comparedAnswers?.findIndex(({ right }) => !right) ?? 0);
-  useTaskView.setState({ comparedAnswers: null, checked: null, live: null, question });
-  calculation.recalculate();
 }

@@ -1,5 +1,6 @@
 import { wrongSideOf } from "../../../course/judge/wrong-side.ts";
-import type { Answer, TaskMark } from "../../../course/judge/judgement.ts";
+import type { Answer, Slip, TaskMark } from "../../../course/judge/judgement.ts";
+import { cycleByNumber, type ParamTextId } from "../../../cycles/index.ts";
 import type { Task, TaskSize } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import type { Texts } from "../../../i18n/index.ts";
@@ -87,7 +88,7 @@ function what(mark: TaskMark, { t, texts, language, task, answer }: MarkWording)
     case "errors":
     case "clean": {
       const cycle = mark.operation === undefined ? null : (answer.run.operations[mark.operation]?.cycle ?? null);
-      const way = mark.issue && wrongSideOf(mark.issue);
+      const way = mark.issue && !mark.isByTool && wrongSideOf(mark.issue);
       if (way) return wrong.wrongSide[way];
       if (!mark.issue) return wrong.gouge;
       const said = issueText(texts, language, mark.issue, cycle).replace(/[.。]$/, "");
@@ -103,7 +104,7 @@ function what(mark: TaskMark, { t, texts, language, task, answer }: MarkWording)
     case "gouge":
       return wrong[rule];
     case "missing":
-      return wrong.missing(thick());
+      return wrong.missing(mark.depth === undefined ? thick() : number(Math.max(mark.depth, 10 ** -THICK), THICK));
     case "residue":
       if (about !== undefined) return threadText(mark, { t, language });
       return mark.reason
@@ -136,6 +137,34 @@ function what(mark: TaskMark, { t, texts, language, task, answer }: MarkWording)
   }
 }
 
+/** The name of a value: a parameter with its label, or the axis of a path. */
+function valueName(q: string, { texts, answer }: MarkWording): string {
+  const cycles = answer.run.operations.flatMap(({ cycle }) => cycleByNumber(cycle) ?? []);
+  const param = cycles.find(({ params }) => params[q])?.params[q];
+  return param ? `${q} ${texts.params[param.text as ParamTextId].label}` : q;
+}
+
+/** A slip in words, as a question: the run only shows that it would explain the fault. */
+function slipText({ kind, values }: Slip, wording: MarkWording): string {
+  const { t, language } = wording;
+  const number = (value: number) => (kind === "sign" ? formatSigned(language, value) : formatNumber(language, value));
+  const [one, other] = values.map(({ q, value, better }) => ({
+    name: valueName(q, wording),
+    is: number(value),
+    better: number(better),
+  }));
+  if (kind === "reversed" || !one) return t.slip.reversed;
+  if (kind === "exchanged" && other) return t.slip.exchanged(`${one.name} ${one.is}`, `${other.name} ${other.is}`);
+  return kind === "exchanged" ? one.name : t.slip[kind](one.name, one.is, one.better);
+}
+
+/** What shapes the contour at the place of a mark; null where nothing is known. */
+function shapedText({ shapedBy, block }: TaskMark, wording: MarkWording): string | null {
+  if (!shapedBy) return null;
+  if ("q" in shapedBy) return wording.t.where.shapedBy(valueName(shapedBy.q, wording));
+  return shapedBy.block === block ? null : wording.t.where.shapedBy(wording.t.where.block(String(shapedBy.block)));
+}
+
 /** Diameter and Z of a place, for a sentence. */
 export const placeWords = (language: Language, { z, r }: NonNullable<TaskMark["place"]>): readonly [string, string] => [
   formatNumber(language, toDiameter(r), THICK),
@@ -148,9 +177,14 @@ const SAYS_PLACE: ReadonlySet<string> = new Set(["errors", "clean"]);
 /** Fault, place on the part, and the step that caused it: "0.4 mm too much was cut at ⌀42, Z-18: block 22, pass 3". */
 export function markText(mark: TaskMark, wording: MarkWording): string {
   const { t, language } = wording;
+  if (mark.slip) {
+    const where = mark.block === undefined ? null : t.where.block(String(mark.block));
+    const said = slipText(mark.slip, wording);
+    return where === null ? said : t.slip.where(said, where);
+  }
   const said = what(mark, wording);
   const placed =
     mark.place && !SAYS_PLACE.has(mark.rule) ? t.where.at(said, ...placeWords(language, mark.place)) : said;
-  const cause = causeOf(mark, wording);
-  return cause === null ? placed : t.where.because(placed, cause);
+  const causes = [causeOf(mark, wording), shapedText(mark, wording)].filter((cause) => cause !== null);
+  return causes.length === 0 ? placed : t.where.because(placed, causes.join(", "));
 }

@@ -8,7 +8,9 @@ import { showPrompt, usePlace } from "../../../app/place/place.ts";
 import { playback } from "../../../app/calculation/playback.ts";
 import { readJob } from "../../../app/document/reading.ts";
 import { chooseLine, choosePath } from "../../../app/pictures/selection.ts";
+import { useOutcome } from "../../../app/calculation/outcome.ts";
 import { useEditor } from "../../../app/document/store.ts";
+import { useTaskView } from "./task-view.ts";
 
 /** Fraction of the step: a cut is shown once made, a rapid before it enters material. */
 const SEEN = { cut: 0.999, rapid: 0 } as const;
@@ -22,6 +24,9 @@ export function momentOf({ rule, step }: TaskMark, { steps }: Run): PlayPosition
 /** Id of a mark in the picture. */
 export const markId = (index: number): string => `task ${index}`;
 
+/** The parameter to change: the one concerned, or the one that shapes the contour at the place. */
+const promptOf = ({ q, shapedBy }: TaskMark): string | null => q ?? (shapedBy && "q" in shapedBy ? shapedBy.q : null);
+
 /** Shows a mark: selects its block in the program, seeks to its moment, and moves the picture to its place. */
 export async function showMark(mark: TaskMark, index: number, run: Run): Promise<void> {
   const { job, program, work } = useEditor.getState();
@@ -32,7 +37,8 @@ export async function showMark(mark: TaskMark, index: number, run: Run): Promise
     openBlockByNumber(mark.block, mark.q ?? null);
   }
   const read = job && readJob(job);
-  if (read && mark.q !== undefined && read.cycle.params[mark.q]) showPrompt(mark.q, draftOf(read.job)[mark.q] ?? "");
+  const q = promptOf(mark);
+  if (read && q !== null && read.cycle.params[q]) showPrompt(q, draftOf(read.job)[q] ?? "");
   if (job && choice && mark.block !== undefined)
     chooseLine(run, choice, { block: mark.block, q: mark.q ?? null, prompt: usePlace.getState().prompt });
   else if (choice) choosePath(run, choice);
@@ -40,5 +46,15 @@ export async function showMark(mark: TaskMark, index: number, run: Run): Promise
     playback.dispatch({ do: "pause" });
     playback.dispatch({ do: "seek", position: momentOf(mark, run) });
   }
-  chooseFinding(mark.place ? markId(index) : null);
+  chooseFinding(mark.place && index >= 0 ? markId(index) : null);
+}
+
+/** Shows a failed mark of the last check, or of the goals since then. */
+export function showTaskMark(mark: TaskMark): void {
+  const { checked } = useTaskView.getState();
+  const index = checked?.judgement.marks.filter(({ passed }) => !passed).indexOf(mark) ?? -1;
+  const run = index >= 0 ? checked?.answer.run : useOutcome.getState().newest?.run;
+  if (!run) return;
+  if (index >= 0) useTaskView.setState({ place: index });
+  void showMark(mark, index, run);
 }

@@ -4,18 +4,13 @@ import { useChosenFinding } from "../../../app/document/chosen-finding.ts";
 import { taskOfWork } from "../../../app/document/work-task.ts";
 import { useEditor } from "../../../app/document/store.ts";
 import { useMedia } from "../../../app/base/use-media.ts";
+import { useHasDrawing } from "./use-has-drawing.ts";
 import { useTaskView } from "./task-view.ts";
-
-/** Whether the assignment refers to a drawing: its texts may lack the sizes. */
-export function useIsDrawn(task: Task): boolean {
-  const isFromOutside = useEditor((s) => taskOfWork(s)?.file !== undefined);
-  return task.part !== undefined && (task.kind === "drawing" || isFromOutside);
-}
 
 /** The workshop drawing as a second picture: a task from a drawing begins with it, and each result shows the lathe. */
 export function useTaskDrawing(task: Task) {
   const veiled = useEditor((s) => taskOfWork(s)?.veiled ?? false);
-  const isUsual = useIsDrawn(task);
+  const isUsual = useHasDrawing(task);
   const chosen = useTaskView((v) => v.drawn);
   const checked = useTaskView((v) => v.checked);
   const looked = useChosenFinding((f) => f.count);

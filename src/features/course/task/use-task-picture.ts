@@ -63,13 +63,19 @@ const predictedPlace = (place: Pt, question: number, line: string): PicturePlace
   });
 
 /** Predicted and actual places. */
-function comparedPlaces(compared: readonly ComparedAnswer[], t: CourseTaskTexts): Omit<TaskMarks, "onPoint"> {
+function comparedPlaces(
+  compared: readonly ComparedAnswer[],
+  t: CourseTaskTexts,
+  reveals: boolean,
+): Omit<TaskMarks, "onPoint"> {
   const { shown } = useOutcome.getState();
-  const places = compared.flatMap(({ prediction, predicted, truth }, i): readonly PicturePlace[] => {
+  const shownTruths = compared.filter(({ right, isKept }) => !isKept && (reveals || right));
+  const places = compared.flatMap((each, i): readonly PicturePlace[] => {
+    const { prediction, predicted, truth } = each;
     if (truth.kind !== "place") return [];
     const said =
       predicted !== null && typeof predicted === "object" ? [predictedPlace(predicted, i, t.predict.yours)] : [];
-    if (!truth.place) return said;
+    if (!truth.place || !shownTruths.includes(each)) return said;
     const stays = prediction.ask === "residuePlace";
     const found = shown?.simulation.findings.find(
       ({ place }) => place.z === truth.place?.z && place.r === truth.place.r,
@@ -89,7 +95,7 @@ function comparedPlaces(compared: readonly ComparedAnswer[], t: CourseTaskTexts)
     ];
   });
   const rings = (stays: boolean) =>
-    compared.flatMap(({ prediction, truth }) =>
+    shownTruths.flatMap(({ prediction, truth }) =>
       truth.kind === "place" && (prediction.ask === "residuePlace") === stays ? [...truth.rings] : [],
     );
   return { places, missing: rings(false), left: rings(true) };
@@ -138,7 +144,7 @@ export function useTaskPicture(
       };
     }
     if (comparedAnswers?.some(({ truth }) => truth.kind === "place") && !checked)
-      return { ...comparedPlaces(comparedAnswers, t), onPoint: null };
+      return { ...comparedPlaces(comparedAnswers, t, task.kind === "predict"), onPoint: null };
     return null;
   }, [task, t, language, marks, say, veiled, told, question, checked, stale, comparedAnswers]);
   useEffect(() => {

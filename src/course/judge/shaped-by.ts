@@ -1,0 +1,79 @@
+import { isPosition } from "../../cycles/completions.ts";
+import { cycleByNumber } from "../../cycles/index.ts";
+import type { Param, Params, Values } from "../../cycles/params.ts";
+import { parse } from "../../nc/parse.ts";
+import { blockNumbers, startLines } from "../../nc/program.ts";
+import { at, part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
+import type { Operation } from "../../program/state/run-types.ts";
+import type { Answer, TaskMark } from "./judgement.ts";
+
+/** Change of a value by which its influence on the contour is found, mm or degrees. */
+const CHANGE = 0.05;
+/** Points on each element at which the contour is compared. */
+const SAMPLES = [0, 0.25, 0.5, 0.75, 1];
+/** A contour has moved where it is farther away than this, mm. */
+const MOVED = 1e-4;
+/** Farther from the contour than this, mm, its shape explains nothing. */
+const NEAR = 5;
+
+const distanceTo = (contour: readonly Segment[], p: Pt): number =>
+  contour.reduce((least, segment) => Math.min(least, part.distanceTo(segment, p)), Infinity);
+
+const nearestOn = (segment: Segment, p: Pt): Pt => {
+  const points = Array.from({ length: 41 }, (_, i) => part.pointOn(segment, i / 40));
+  return points.reduce((best, each) => (part.apart(each, p) < part.apart(best, p) ? each : best));
+};
+
+/**
+ * The parameter that moves the contour at a place and as little as possible of it elsewhere; null where none does. Sizes
+ * and angles of an element come before positions. Those with value 0 make no element.
+ */
+function shapingParameter(operation: Operation, place: Pt): string | null {
+  const cycle = cycleByNumber(operation.cycle),
+    { call } = operation;
+  if (!cycle || !call || cycle.contour !== "own") return null;
+  const values = call.values as Readonly<Record<string, number | "auto">>;
+  const contourWith = (changed: Readonly<Record<string, number>>): readonly Segment[] =>
+    cycle.outline({ ...values, ...changed } as Values<Params>, call.given).contour;
+  const contour = contourWith({});
+  const [nearest] = contour.toSorted((a, b) => part.distanceTo(a, place) - part.distanceTo(b, place));
+  if (!nearest || part.distanceTo(nearest, place) > NEAR) return null;
+  const point = nearestOn(nearest, place);
+  const samples = contour.flatMap((segment) => SAMPLES.map((share) => part.pointOn(segment, share)));
+  const found = Object.entries<Param>(cycle.params).flatMap(([q, param]) => {
+    const value = values[q],
+      ofPosition = isPosition(param);
+    if (!param.drawn || typeof value !== "number" || param.kind === "choice" || (value === 0 && !ofPosition)) return [];
+    const moved = contourWith({ [q]: value + CHANGE });
+    if (moved.length === 0 || distanceTo(moved, point) < MOVED) return [];
+    const reach = samples.filter((sample) => distanceTo(moved, sample) > MOVED).length;
+    return [{ q, reach: reach + (ofPosition ? samples.length : 0) }];
+  });
+  return found.toSorted((a, b) => a.reach - b.reach)[0]?.q ?? null;
+}
+
+/** The block of the element of a programmed contour nearest to a place; null where it is in another file. */
+function shapingBlock({ contourLines, plan }: Operation, place: Pt, text: string): number | null {
+  const apart = plan.contour.map((segment) => part.distanceTo(segment, place));
+  const least = Math.min(...apart),
+    line = contourLines?.[apart.indexOf(least)];
+  if (!line || line.file !== undefined || least > NEAR) return null;
+  const program = parse(text);
+  const index = startLines(program).findLastIndex((start) => start <= line.line);
+  return blockNumbers(program)[index] ?? null;
+}
+
+/** What shapes the contour at the place of a mark: a parameter of its cycle, or a block of its contour. */
+export function shapedBy({ run, text }: Answer, { operation, place, about }: TaskMark): Pick<TaskMark, "shapedBy"> {
+  if (!place || about !== undefined) return {};
+  const [nearest] = run.operations.toSorted(
+    (a, b) => distanceTo(a.plan.contour, place) - distanceTo(b.plan.contour, place),
+  );
+  const called = operation === undefined ? nearest : run.operations[operation];
+  if (!called) return {};
+  const { x = 0, z = 0 } = called.call?.datum ?? {};
+  const q = shapingParameter(called, at(place.z - z, place.r - x));
+  if (q !== null) return { shapedBy: { q } };
+  const block = shapingBlock(called, place, text);
+  return block === null ? {} : { shapedBy: { block } };
+}
