@@ -1,4 +1,5 @@
 import type { Locator } from "@playwright/test";
+import type { CoursePathTexts } from "../../src/i18n/en/course-path.ts";
 import type { CourseTaskTexts } from "../../src/i18n/en/course-task.ts";
 import type { Context } from "./context.ts";
 import { words } from "./words.ts";
@@ -6,8 +7,10 @@ import { words } from "./words.ts";
 /** The panel of a course task above its work: assignment, goals, check and result. */
 export class TaskPanel {
   readonly words: CourseTaskTexts;
+  readonly pathWords: CoursePathTexts;
   constructor(private readonly context: Context) {
     this.words = words(context.language, "course-task");
+    this.pathWords = words(context.language, "course-path");
   }
 
   /** The whole panel: beside the work, or in its place on a small screen. */
@@ -89,6 +92,23 @@ export class TaskPanel {
 
   get solution(): Locator {
     return this.button(this.words.showSolution);
+  }
+
+  /** After passing: the next step in the course. */
+  get nextStep(): Locator {
+    return this.panel.locator(".task-next");
+  }
+
+  /** After passing: plays what was made, or skips to the end of it. */
+  get made(): Locator {
+    return this.panel.getByRole("button", {
+      name: new RegExp(`^(${this.pathWords.made.skip}|${this.pathWords.made.again})$`),
+    });
+  }
+
+  /** After passing an instructor's task. */
+  get handIn(): Locator {
+    return this.button(this.pathWords.made.handIn);
   }
 
   get toLesson(): Locator {
