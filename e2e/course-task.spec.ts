@@ -72,7 +72,15 @@ test("a task by keyboard: a wrong try names place and step; hints, solution, pas
   await turnwise.effect.proved();
   await task.check.press("Enter");
   await expect(task.status).toContainText(words.passedFor.hints);
+  // What was made plays, over the folded assignment, and can be skipped; the next step is one button.
+  await expect(task.assignment).toBeHidden();
   await expect(task.panel).toContainText(learned);
+  await expect(task.made).toHaveText(task.pathWords.made.skip);
+  await task.made.press("Enter");
+  await expect(task.made).toHaveText(task.pathWords.made.again);
+  await expect(task.next).toHaveText(words.nextTask(taskFile("l03-how-many-passes").words.en.title));
+  await expectFineInBothThemes(page, "a passed task");
+  await task.unfold.press("Enter");
   await task.solution.press("Enter");
   await task.panel.getByRole("button", { name: words.confirmShow, exact: true }).press("Enter");
   await task.panel.getByRole("button", { name: words.compare, exact: true }).press("Enter");
@@ -87,6 +95,14 @@ test("a task by keyboard: a wrong try names place and step; hints, solution, pas
   await expect(turnwise.course.task(title)).toContainText(turnwise.course.words.states.hints);
   await turnwise.course.task(title).press("Enter");
   await expect(dialog.line("Q493")).toContainText("48.2");
+
+  // Passed with help, it is in the review; started over from there, its help is covered again.
+  await page.goto("./#/course");
+  const { review } = turnwise.course;
+  await expect(review.getByText(turnwise.course.words.states.hints)).toBeVisible();
+  await review.getByRole("button", { name: title }).press("Enter");
+  await expect(task.hint(1)).toBeVisible();
+  await expect(dialog.line("Q493")).not.toContainText("48.2");
 });
 
 test("predictions, a fault that is found and fixed, and a drawing with its score", async ({ page }) => {
@@ -153,6 +169,8 @@ test("predictions, a fault that is found and fixed, and a drawing with its score
   await editor.text.press("ControlOrMeta+a");
   await page.keyboard.insertText(pin.solution.join("\n"));
   await task.check.press("Enter");
+  await expect(task.panel).toContainText(/\d+ of 100/);
+  await task.unfold.press("Enter");
   await expect(task.panel.getByRole("region", { name: words.score.title, exact: true })).toContainText(/\d+ of 100/);
   await expect(task.status).toContainText(words.passedFor.alone);
 });

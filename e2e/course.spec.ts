@@ -15,6 +15,11 @@ test("the course by keyboard: a lesson to its end, a slider moved, example and t
   await expect(page).toHaveTitle(`${words.title} · Turnwise`);
   await expectFineInBothThemes(page, "the list of lessons");
 
+  // The other path has six lessons, and starts at its own first one.
+  await course.path("Three parts in an hour").check();
+  await expect(course.lessons.getByRole("heading", { level: 2 })).toHaveCount(6);
+  await expect(page.getByRole("link", { name: words.begin("3"), exact: true })).toBeVisible();
+  await course.path(course.pathWords.whole.title).check();
   await course.lesson(1).press("Enter");
   await expect(course.picture).toBeVisible();
   await expect(page).toHaveTitle(/^Lesson 1, .+ · Turnwise$/);
@@ -37,6 +42,14 @@ test("the course by keyboard: a lesson to its end, a slider moved, example and t
   expect(said.size).toBe(count);
   await expect(course.page("tasks")).toHaveAttribute("aria-current", "page");
   await expectFineInBothThemes(page, "the tasks of a lesson");
+  // Two presses, or two clicks at the place of one link, do not skip the tasks.
+  await page.keyboard.press("ArrowLeft");
+  await course.toTasks.press("Enter");
+  await page.keyboard.press("Enter");
+  await expect(page.getByRole("heading", { name: words.tasks, exact: true })).toBeFocused();
+  await page.keyboard.press("ArrowLeft");
+  await course.toTasks.dblclick();
+  await expect(course.page("tasks")).toHaveAttribute("aria-current", "page");
   await page.keyboard.press("ArrowLeft");
   await expect(course.page(count)).toHaveAttribute("aria-current", "page");
   await page.goBack();

@@ -50,7 +50,7 @@ export function courseIndex(
           aim,
           pages: pages.length,
           seconds: Math.round(secondsOfPages(lesson)),
-          questions: [],
+          questions: pages.flatMap((page, i) => (page.question ? [{ id: page.question.id, page: i + 1 }] : [])),
           tasks: asked.flatMap((each) => {
             const task = byId.get(each);
             if (!task) return [];

@@ -43,6 +43,11 @@ export class Course {
     return this.lessons.locator("summary").filter({ hasText: title });
   }
 
+  /** What was missed. */
+  get review(): Locator {
+    return this.context.page.locator(".course-review");
+  }
+
   /** A lesson in the list, by its number. */
   lesson(number: number): Locator {
     return this.lessons.getByRole("link", { name: new RegExp(`^${this.words.lesson(String(number))}\\s?[:：]`) });
@@ -129,6 +134,10 @@ export class Course {
 
   get next(): Locator {
     return this.context.page.getByRole("link", { name: this.words.next, exact: true });
+  }
+
+  get toTasks(): Locator {
+    return this.context.page.getByRole("link", { name: this.words.toTasks, exact: true });
   }
 
   get previous(): Locator {

@@ -1,5 +1,6 @@
 import type { Locator } from "@playwright/test";
 import type { CourseDrawingTexts } from "../../src/i18n/en/course-drawing.ts";
+import type { CoursePathTexts } from "../../src/i18n/en/course-path.ts";
 import type { CourseTaskTexts } from "../../src/i18n/en/course-task.ts";
 import type { Context } from "./context.ts";
 import { words } from "./words.ts";
@@ -8,9 +9,11 @@ import { words } from "./words.ts";
 export class TaskPanel {
   readonly words: CourseTaskTexts;
   private readonly drawn: CourseDrawingTexts;
+  readonly pathWords: CoursePathTexts;
   constructor(private readonly context: Context) {
     this.drawn = words(context.language, "course-drawing");
     this.words = words(context.language, "course-task");
+    this.pathWords = words(context.language, "course-path");
   }
 
   /** The whole panel: beside the work, or in its place on a small screen. */
@@ -100,11 +103,6 @@ export class TaskPanel {
     return this.button(this.words.showSolution);
   }
 
-  /** The button that starts the next task; only after passing. */
-  get next(): Locator {
-    return this.panel.getByRole("button", { name: new RegExp(`^${this.words.nextTask("").trim()}`) });
-  }
-
   /** What was learned; only after passing, in the unfolded assignment. */
   get learned(): Locator {
     return this.panel.locator(".task-learned");
@@ -124,6 +122,23 @@ export class TaskPanel {
   /** A size on the drawing, by the first characters of its text: its name says what makes it in the program. */
   size(characters: string): Locator {
     return this.drawing.getByRole("button", { name: characters });
+  }
+
+  /** After passing: the next step in the course. */
+  get next(): Locator {
+    return this.panel.locator(".task-next");
+  }
+
+  /** After passing: plays what was made, or skips to the end of it. */
+  get made(): Locator {
+    return this.panel.getByRole("button", {
+      name: new RegExp(`^(${this.pathWords.made.skip}|${this.pathWords.made.again})$`),
+    });
+  }
+
+  /** After passing an instructor's task. */
+  get handIn(): Locator {
+    return this.button(this.pathWords.made.handIn);
   }
 
   get toLesson(): Locator {

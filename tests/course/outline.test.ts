@@ -38,3 +38,11 @@ test("three parts take an hour", () => {
   expect(minutes).toBeGreaterThan(45);
   expect(minutes).toBeLessThan(70);
 });
+
+test("the index lists the questions of each lesson by their pages", () => {
+  const first = lessons.find(({ questions }) => questions.length > 0);
+  expect(new Set(first?.questions.map(({ id }) => id)).size).toBe(first?.questions.length);
+  for (const { pages, questions } of lessons)
+    for (const { page } of questions) expect(page >= 1 && page <= pages).toBe(true);
+  expect(lessons.flatMap(({ questions }) => questions).length).toBeGreaterThan(20);
+});

@@ -3,6 +3,7 @@ import { goHome } from "../../app/document/go-home.ts";
 import { menuCycle } from "../../app/fields/chooser/menu.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { keptPictures } from "../../app/records/kept-picture.ts";
+import type { WorkSummary } from "../../app/records/device.ts";
 import { refreshWorks, useSavedWorks } from "../../app/records/keep.ts";
 import { useWorksInOtherTabs } from "../../app/records/use-works-in-other-tabs.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
@@ -52,7 +53,7 @@ function onListKey(event: KeyboardEvent, wish: (work: string, what: "rename" | "
   event.preventDefault();
 }
 
-/** All works of this device: search, sort, rename, duplicate, delete, save as a file. */
+/** All works of this device, exercises in one row that opens: search, sort, rename, duplicate, delete, save as a file. */
 export function WorksPage() {
   const { works: t } = useTexts("device");
   const { page, menu } = useTexts("first");
@@ -91,6 +92,32 @@ export function WorksPage() {
     },
     [shown, elsewhere, onWish],
   );
+
+  const exercises = shown.filter(({ task }) => task !== undefined);
+  const programs = shown.filter(({ task }) => task === undefined);
+  // What a search found, or what an action would reach, is in sight.
+  const showsExercises =
+    sought.trim() !== "" || programs.length === 0 || exercises.some(({ work }) => selected.has(work));
+  const rows = (label: string, of: readonly WorkSummary[]) =>
+    of.length > 0 && (
+      <ul className="works-list" aria-label={label} onKeyDown={(event) => onListKey(event, wish)}>
+        {of.map((each) => (
+          <WorkRow
+            key={each.work}
+            of={each}
+            seen={pictures[each.work]}
+            kind={each.cycle === null ? t.program : (menu.of[each.cycle]?.name ?? "")}
+            task={each.task === undefined ? null : page.start.task}
+            about={words(each.savedAt, each.size)}
+            elsewhere={elsewhere.has(each.work) ? page.start.isElsewhere : null}
+            selected={selected.has(each.work)}
+            renaming={renaming === each.work}
+            t={t}
+            onWish={onWish}
+          />
+        ))}
+      </ul>
+    );
 
   return (
     <main className="works-page">
@@ -166,23 +193,13 @@ export function WorksPage() {
       )}
       <TableStatus said={saying} undo={page.undo} done={() => say(null)} />
       {shown.length === 0 && <p className="soft works-none">{works.length === 0 ? t.none : t.noMatch}</p>}
-      <ul className="works-list" aria-label={t.list} onKeyDown={(event) => onListKey(event, wish)}>
-        {shown.map((of) => (
-          <WorkRow
-            key={of.work}
-            of={of}
-            seen={pictures[of.work]}
-            kind={of.cycle === null ? t.program : (menu.of[of.cycle]?.name ?? "")}
-            task={of.task === undefined ? null : page.start.task}
-            about={words(of.savedAt, of.size)}
-            elsewhere={elsewhere.has(of.work) ? page.start.isElsewhere : null}
-            selected={selected.has(of.work)}
-            renaming={renaming === of.work}
-            t={t}
-            onWish={onWish}
-          />
-        ))}
-      </ul>
+      {rows(t.list, programs)}
+      {exercises.length > 0 && (
+        <details className="kept-exercises" open={showsExercises}>
+          <summary>{page.start.exercises(exercises.length)}</summary>
+          {rows(page.start.exercises(exercises.length), exercises)}
+        </details>
+      )}
     </main>
   );
 }

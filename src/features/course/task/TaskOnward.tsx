@@ -113,9 +113,9 @@ export function PassedLine({ task, t, words }: Props) {
   const score = useTaskView((v) => v.checked?.judgement.score?.total);
   return (
     <div className="task-now task-made">
-      {score !== undefined && <b>{t.score.of(String(score))}</b>}
       <Learned task={task} t={t} words={words} />
       <div className="task-ways">
+        {score !== undefined && <b>{t.score.of(String(score))}</b>}
         <NextStep task={task} t={t} />
         <PlayMade />
         {of && <PassedBar lessons={of.lessons} />}
