@@ -7,6 +7,7 @@ const NAMES = [
   "compare",
   "course",
   "course-task",
+  "course-set",
   "course-teach",
   "device",
   "handed",

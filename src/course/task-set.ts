@@ -32,7 +32,7 @@ export const setSchema = z.object({
   format: z.literal(SET_FORMAT),
   id: z.string().check(z.regex(/^[a-z0-9][a-z0-9-]{1,60}$/)),
   words: inLanguages(z.object({ title: words, about: z.optional(words) })),
-  tasks: z.array(taskSchema).check(z.minLength(1), z.maxLength(SET_LIMITS.tasks)),
+  tasks: z.array(taskSchema).check(z.maxLength(SET_LIMITS.tasks)),
   /** Until when it is to be handed in, ms since 1970. */
   due: z.optional(z.number()),
   help: z._default(z.enum(SET_HELP), "all"),

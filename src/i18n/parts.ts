@@ -10,6 +10,7 @@ interface English {
   readonly compare: typeof import("./en/compare.ts");
   readonly course: typeof import("./en/course.ts");
   readonly "course-drawing": typeof import("./en/course-drawing.ts");
+  readonly "course-set": typeof import("./en/course-set.ts");
   readonly "course-task": typeof import("./en/course-task.ts");
   readonly "course-teach": typeof import("./en/course-teach.ts");
   readonly device: typeof import("./en/device.ts");
