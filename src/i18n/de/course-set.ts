@@ -7,7 +7,7 @@ export const courseSet = {
 
   sets: "Aufgabenreihen und Prüfungen",
   make: "Aufgabenreihe erstellen",
-  edit: "Bearbeiten und austeilen",
+  edit: "Bearbeiten und ausgeben",
   untitled: "Aufgabenreihe",
   begin: (name) => `Aufgabe „${name}“ beginnen`,
   handInOf: (title) => `„${title}“ abgeben`,
@@ -57,14 +57,15 @@ export const courseSet = {
 
   without: {
     all: "",
-    hints: "Die Lösung ist nicht in dem, was Sie austeilen: Niemand kann sie dort lesen.",
-    none: "Tipps und Lösung sind nicht in dem, was Sie austeilen: Niemand kann sie dort lesen.",
+    hints: "Die Lösung ist nicht in dem, was Sie ausgeben: Niemand kann sie dort lesen.",
+    none: "Tipps und Lösung sind nicht in dem, was Sie ausgeben: Niemand kann sie dort lesen.",
   },
   withoutExam:
-    "Lösungen, Tipps und richtige Antworten sind nicht in dem, was Sie austeilen: Niemand kann sie dort lesen. " +
+    "Lösungen, Tipps und richtige Antworten sind nicht in dem, was Sie ausgeben: Niemand kann sie dort lesen. " +
     "Ihr Gerät beurteilt die Programme, wenn die Ergebnisse zurückkommen; behalten Sie deshalb diese Reihe.",
-  withAnswers: "Was Sie austeilen, enthält die Lösung; wer die Datei liest, kann sie sehen.",
+  withAnswers: "Was Sie ausgeben, enthält die Lösung; wer die Datei liest, kann sie sehen.",
   includeSolution: "Lösung mitgeben",
+  onlyIn: (language) => `Nur auf ${language} (kürzerer Link, für den QR-Code)`,
   saveOwn: "Meine Fassung speichern",
   saveOwnHint:
     "Ihre Fassung enthält die Lösungen. Auf einem anderen Gerät öffnen Sie sie, bevor Sie Ergebnisse einsammeln.",

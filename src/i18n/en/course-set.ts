@@ -65,6 +65,7 @@ export const courseSet = {
     "Your device judges the programs when the results come back, so keep this set.",
   withAnswers: "What you hand out contains the solution; anyone who reads the file can see it.",
   includeSolution: "Include the solution",
+  onlyIn: (language: string) => `Only in ${language} (a shorter link, for the QR code)`,
   saveOwn: "Save my copy",
   saveOwnHint: "Your copy has the answers. On another device, open it before you collect results.",
   answersFile: "answers",

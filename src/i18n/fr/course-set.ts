@@ -65,6 +65,7 @@ export const courseSet = {
     "Votre appareil juge les programmes au retour des résultats : conservez donc cette série.",
   withAnswers: "Ce que vous distribuez contient la solution ; qui lit le fichier peut la voir.",
   includeSolution: "Joindre la solution",
+  onlyIn: (language) => `Seulement en ${language} (lien plus court, pour le code QR)`,
   saveOwn: "Enregistrer ma version",
   saveOwnHint:
     "Votre version contient les solutions. Sur un autre appareil, ouvrez-la avant de collecter les résultats.",

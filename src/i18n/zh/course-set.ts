@@ -62,6 +62,7 @@ export const courseSet = {
   withoutExam: "分发的内容中没有答案、提示和正确选项，谁也无法从中读到。结果交回后由您的设备评判程序，请保留此练习组。",
   withAnswers: "分发的内容包含答案，读取文件的人可以看到。",
   includeSolution: "附上答案",
+  onlyIn: (language) => `仅 ${language}（链接更短，便于二维码）`,
   saveOwn: "保存我的版本",
   saveOwnHint: "您的版本包含答案。换设备时，请先打开它再收集结果。",
   answersFile: "answers",

@@ -6,7 +6,7 @@ import { ModalDialog } from "../../../app/base/ModalDialog.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { closeCourseFile, showExamTerms } from "../../../app/records/course/opened-course-file.ts";
-import { keepSet, useSavedSets } from "../../../app/records/course/saved-sets.ts";
+import { takeSet, useSavedSets } from "../../../app/records/course/saved-sets.ts";
 import { resumeOrStartTask } from "../task/begin.ts";
 import { termsOf } from "./exam-words.ts";
 import { taughtFile } from "./taught-files.ts";
@@ -25,7 +25,7 @@ export function IncomingSet({ set, left }: { readonly set: TaskSet; readonly lef
   const isOwn = known !== undefined && isForLearners(set) && !isForLearners(known);
   const said = inScreenLanguage(set.words, language);
   const keep = () => {
-    if (!isOwn) keepSet(set);
+    if (!isOwn) takeSet(set);
     closeCourseFile();
   };
   const [first] = set.tasks;

@@ -1,6 +1,7 @@
 import { Suspense, useMemo, useState } from "react";
-import { isForLearners, setForLearners, type TaskSet } from "../../../course/task-set.ts";
+import { isForLearners, setForLearners, setInLanguage, type TaskSet } from "../../../course/task-set.ts";
 import { inScreenLanguage } from "../../../course/words.ts";
+import { lessonLanguageOf, SCREEN_LANGUAGES } from "../../../i18n/languages.ts";
 import { downloadText } from "../../../app/base/download.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { Message } from "../../../app/base/Message.tsx";
@@ -20,9 +21,13 @@ export function SetHandOut({ set }: { readonly set: TaskSet }) {
     teach = useTexts("course-teach");
   const language = useSettings((s) => s.language);
   const [isOnPaper, print] = useState(false);
-  const given = useMemo(() => setForLearners(set), [set]);
+  const own = lessonLanguageOf(language);
+  const [isInOne, speakOne] = useState(false);
+  const whole = useMemo(() => setForLearners(set), [set]);
+  const given = useMemo(() => (isInOne ? setInLanguage(whole, own) : whole), [whole, isInOne, own]);
+  const isManifold = whole.tasks.some(({ words }) => Object.values(words).filter(Boolean).length > 1);
   const title = inScreenLanguage(set.words, language)?.title ?? set.id;
-  const isStripped = JSON.stringify(given) !== JSON.stringify(set);
+  const isStripped = JSON.stringify(whole) !== JSON.stringify(set);
   return (
     <section className="teach-shown" aria-label={teach.handOut}>
       <h3>{t.terms.told}</h3>
@@ -37,6 +42,12 @@ export function SetHandOut({ set }: { readonly set: TaskSet }) {
       ) : (
         <>
           <p>{isStripped || isForLearners(set) ? (set.exam ? t.withoutExam : t.without[set.help]) : t.withAnswers}</p>
+          {isManifold && (
+            <label className="teach-check">
+              <input type="checkbox" checked={isInOne} onChange={() => speakOne(!isInOne)} />
+              {t.onlyIn(SCREEN_LANGUAGES[own].name)}
+            </label>
+          )}
           <LinkBox
             link={setLink(pageAddress(), given)}
             name={title}

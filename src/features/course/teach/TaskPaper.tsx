@@ -107,6 +107,7 @@ export function TaskPaper({ tasks, set, done }: Props) {
   const words = useTexts("course-set");
   const { close } = useTexts("first").page;
   const language = useSettings((s) => s.language);
+  const paper = useSettings((s) => s.paper);
   const dialog = useRef<HTMLDialogElement>(null);
   const title = set && (inScreenLanguage(set.words, language)?.title ?? set.id);
   return createPortal(
@@ -119,7 +120,7 @@ export function TaskPaper({ tasks, set, done }: Props) {
           <Icon name="print" /> {words.paper.print}
         </button>
       </div>
-      <div className="paper-view" tabIndex={0} role="region" aria-label={words.paper.title}>
+      <div className="paper-view" data-paper={paper} tabIndex={0} role="region" aria-label={words.paper.title}>
         {set?.exam && (
           <article className="paper-sheet">
             <Lines />
