@@ -29,7 +29,7 @@ test("a task from an instructor to a learner by link, and its result back", asyn
   await expect(instructor.teaching.check).toHaveText(words.passes);
   const size = form.getByRole("group", { name: words.sizes, exact: true }).getByRole("checkbox").first();
   await size.check();
-  await expect(form.getByRole("img")).toBeVisible();
+  await expect(form.getByRole("img")).toHaveCount(2);
   await expectFineInBothThemes(page, "the form of a task");
 
   // An answer that breaks a rule blocks sharing.

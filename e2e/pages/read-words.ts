@@ -8,6 +8,7 @@ const NAMES = [
   "course",
   "course-drawing",
   "course-path",
+  "course-set",
   "course-task",
   "course-teach",
   "device",

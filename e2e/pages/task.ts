@@ -96,7 +96,7 @@ export class TaskPanel {
   }
 
   hint(stage: number): Locator {
-    return this.button(this.words.showHint(stage));
+    return this.button(this.words.showHint(stage, 3));
   }
 
   get solution(): Locator {

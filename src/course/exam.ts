@@ -19,10 +19,7 @@ export const examShape = z.object({
   begun: z.number(),
   seen: z.number(),
   /** Checks of each task by its id: how many, and how the last one went: whether it passed, and the goals met. */
-  checks: z.record(
-    z.string().check(z.maxLength(100)),
-    z.object({ count, passed: z.boolean(), met: count, of: count }),
-  ),
+  checks: z.record(z.string().check(z.maxLength(100)), z.object({ count, passed: z.boolean(), met: count, of: count })),
   /** What was handed in, and whether time had run out; null while it goes on. */
   ended: z.nullable(z.object({ by: z.enum(["learner", "time"]), result: resultShape })),
 });

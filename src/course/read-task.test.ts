@@ -27,7 +27,7 @@ test.each([
     { sizes: [{ kind: "diameter", at: -7, nominal: 41.3, upper: 0 }] },
     ["sizes[0].lower missing"],
   ],
-  ["one hint too few", { words: words({ hints: ["1", "2"] }) }, ["words.en.hints small 3"]],
+  ["a hint too many", { words: words({ hints: ["1", "2", "3", "4"] }) }, ["words.en.hints large 3"]],
   ["a material that is not in the list", { material: "wood" }, [expect.stringMatching(/^material oneOf s235, c45, /)]],
   ["nothing to begin with", { start: {} }, ["start oneOf cycle, program, empty"]],
   ["a cycle in quotation marks", { start: { cycle: "811" } }, ["start.cycle type number"]],

@@ -137,7 +137,9 @@ function contradictions({ kind, words, predict = [], start, part }: Task): reado
         const offered = choices[i]?.length ?? 0;
         if (asked.ask !== "choice") return offered === 0 ? [] : [fault([...path, "choices", i], "count", 0)];
         if (offered < 2) return [fault([...path, "choices", i], "small", 2)];
-        return asked.right === undefined || (asked.right >= 0 && asked.right < offered) ? [] : [fault(["predict", i, "right"], "large", offered - 1)];
+        return asked.right === undefined || (asked.right >= 0 && asked.right < offered)
+          ? []
+          : [fault(["predict", i, "right"], "large", offered - 1)];
       }),
     ];
   });
@@ -171,6 +173,7 @@ export function readSet(raw: unknown): ReadSet {
   const ids = set.tasks.map(({ id }) => id);
   const faults = [
     ...(Object.keys(set.words).length === 0 ? [fault(["words"], "missing")] : []),
+    ...(set.tasks.length === 0 ? [fault(["tasks"], "small", 1)] : []),
     ...set.tasks.flatMap((task, i) => [
       ...(ids.indexOf(task.id) < i ? [fault(["tasks", i, "id"], "form")] : []),
       ...contradictions(task).map((each) => ({ ...each, path: `tasks[${i}].${each.path}` })),

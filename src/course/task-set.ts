@@ -1,6 +1,7 @@
 import { z } from "zod/mini";
+import type { LessonLanguage } from "../i18n/languages.ts";
 import { taskSchema, type Task } from "./task.ts";
-import { inLanguages, words } from "./words.ts";
+import { inLanguages, shownLanguageOf, words, type InLanguages } from "./words.ts";
 
 /*
  * Several tasks in order, under one title, as one file or link. The instructor keeps the whole set; learners get it
@@ -32,7 +33,7 @@ export const setSchema = z.object({
   format: z.literal(SET_FORMAT),
   id: z.string().check(z.regex(/^[a-z0-9][a-z0-9-]{1,60}$/)),
   words: inLanguages(z.object({ title: words, about: z.optional(words) })),
-  tasks: z.array(taskSchema).check(z.minLength(1), z.maxLength(SET_LIMITS.tasks)),
+  tasks: z.array(taskSchema).check(z.maxLength(SET_LIMITS.tasks)),
   /** Until when it is to be handed in, ms since 1970. */
   due: z.optional(z.number()),
   help: z._default(z.enum(SET_HELP), "all"),
@@ -94,3 +95,16 @@ export const taskInSet = (task: Task, mark: string): Task => ({
   ...task,
   id: task.id.endsWith(`-${mark}`) ? task.id : `${task.id.slice(0, LONGEST_STEM)}-${mark}`,
 });
+
+/** A set with the texts of one language alone, where they are: much shorter, so that it fits a QR code. */
+export function setInLanguage(set: TaskSet, language: LessonLanguage): TaskSet {
+  const only = <T>(words: InLanguages<T>): InLanguages<T> => {
+    const shown = shownLanguageOf(words, language);
+    return shown ? { [shown]: words[shown] } : words;
+  };
+  return {
+    ...set,
+    words: only(set.words) as TaskSet["words"],
+    tasks: set.tasks.map((task) => ({ ...task, words: only(task.words) as Task["words"] })),
+  };
+}

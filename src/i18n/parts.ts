@@ -11,6 +11,7 @@ interface English {
   readonly course: typeof import("./en/course.ts");
   readonly "course-drawing": typeof import("./en/course-drawing.ts");
   readonly "course-path": typeof import("./en/course-path.ts");
+  readonly "course-set": typeof import("./en/course-set.ts");
   readonly "course-task": typeof import("./en/course-task.ts");
   readonly "course-teach": typeof import("./en/course-teach.ts");
   readonly device: typeof import("./en/device.ts");

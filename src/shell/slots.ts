@@ -3,6 +3,7 @@ import {
   contourTableSlot,
   drawingSlot,
   exportSlot,
+  qrSlot,
   shareSlot,
   newProgramSlot,
   promptMoreSlot,
@@ -15,12 +16,13 @@ import { fetchOpenTaught, fetchProgramDrawing, fetchTeachDialog } from "../featu
 import { fetchNewProgram } from "../features/editor/index.ts";
 import { fetchPartExport } from "../features/export/index.ts";
 import { fetchPromptMore, fetchSetupStart } from "../features/guide/index.ts";
-import { fetchShareDialog } from "../features/share/index.ts";
+import { fetchQrSection, fetchShareDialog } from "../features/share/index.ts";
 import { fetchWhichCycle } from "../features/which/index.ts";
 
 /* The features that provide the parts of slots. Each is fetched when it is first shown. */
 whichSlot.fill(async () => (await fetchWhichCycle()).WhichCycle);
 shareSlot.fill(async () => (await fetchShareDialog()).ShareDialog);
+qrSlot.fill(async () => (await fetchQrSection()).QrSection);
 exportSlot.fill(async () => (await fetchPartExport()).PartExport);
 drawingSlot.fill(async () => (await fetchProgramDrawing()).ProgramDrawing);
 exerciseSlot.fill(async () => (await fetchTeachDialog()).TeachDialog);

@@ -1,33 +1,40 @@
 import { describe, expect, test } from "vitest";
 import { RULES } from "../../src/course/judge/judgement.ts";
 import { readTask } from "../../src/course/read-task.ts";
+import { setSchema } from "../../src/course/task-set.ts";
 import { taskSchema } from "../../src/course/task.ts";
 import { taskProblems } from "../../src/course/course-problems.ts";
 import { projectFile } from "../sources.ts";
 import { fieldsOf, neededFields, type Schema } from "./fields.ts";
 
+const sectionOf = (section: string): string =>
+  projectFile("docs/tasks.md")
+    .split(/^## /m)
+    .find((part) => part.startsWith(section)) ?? "";
 /** The names in the first column of the tables of a section. */
-function named(section: string): string[] {
-  const text =
-    projectFile("docs/tasks.md")
-      .split(/^## /m)
-      .find((part) => part.startsWith(section)) ?? "";
-  return [...text.matchAll(/^\| `([^`]+)` \|/gm)].map(([, name = ""]) => name);
-}
+const named = (section: string): string[] =>
+  [...sectionOf(section).matchAll(/^\| `([^`]+)` \|/gm)].map(([, name = ""]) => name);
+/** The fields of a set itself: those of its tasks are in the table of a task. */
+const ofSet = (fields: readonly string[]) => fields.filter((field) => !field.startsWith("tasks["));
+const own = (fields: readonly string[]) => fields;
 
-describe("docs/tasks.md", () => {
-  test("names every field of a task and no other", () => {
-    const fields = fieldsOf(taskSchema as unknown as Schema);
-    expect(fields).toContain("part.threads[].pitch");
-    expect(fields).toContain("rules.values[].q");
-    expect(named("Fields").toSorted()).toEqual(fields.toSorted());
+describe.each([
+  ["Fields", taskSchema, own, "part.threads[].pitch"],
+  ["Sets", setSchema, ofSet, "exam.reports"],
+])("docs/tasks.md, %s", (section, schema, only, one) => {
+  test("names every field and no other", () => {
+    const fields = only(fieldsOf(schema as unknown as Schema));
+    expect(fields).toContain(one);
+    expect(named(section).toSorted()).toEqual(fields.toSorted());
   });
 
   test("states for every field whether it is required", () => {
-    const said = [...projectFile("docs/tasks.md").matchAll(/^\| `([^`]+)` \| needed/gm)].map(([, name = ""]) => name);
-    expect(said.toSorted()).toEqual(neededFields(taskSchema as unknown as Schema).toSorted());
+    const said = [...sectionOf(section).matchAll(/^\| `([^`]+)` \| needed/gm)].map(([, name = ""]) => name);
+    expect(said.toSorted()).toEqual(only(neededFields(schema as unknown as Schema)).toSorted());
   });
+});
 
+describe("docs/tasks.md", () => {
   test("names every rule", () => expect(named("How an answer is judged")).toEqual([...RULES]));
 
   const examples = [...projectFile("docs/tasks.md").matchAll(/```json\n([\s\S]*?)```/g)].map(

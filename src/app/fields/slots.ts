@@ -16,6 +16,7 @@ type Part<P> = ComponentType<P>;
 type Done = { readonly done: () => void };
 
 export const shareSlot = slot<Part<Done & { readonly open: Work; readonly verdict: ShownVerdict }>>("handing on");
+export const qrSlot = slot<Part<{ readonly link: string; readonly name: string }>>("a QR code");
 export const exportSlot = slot<Part<Done & { readonly stem: string }>>("the export of a part");
 export const drawingSlot = slot<Part<Done & { readonly stem: string }>>("the drawing of a program");
 export const exerciseSlot =

@@ -1,6 +1,8 @@
+import { beginExam } from "../../course/exam.ts";
+import { SET_FORMAT, setSchema } from "../../course/task-set.ts";
 import { answerOf } from "../../course/judge/answer.ts";
 import { proposedTask } from "../../course/made/task-from-form.ts";
-import { RESULT_FORMAT } from "../../course/made/result.ts";
+import { RESULT_FORMAT, type HandedResult } from "../../course/made/result.ts";
 import { TASK_FORMAT, taskSchema } from "../../course/task.ts";
 import fc from "fast-check";
 import { strToU8, unzipSync, zipSync } from "fflate";
@@ -107,19 +109,32 @@ const forms = {
   },
 };
 const worked = { "stepped-pin-1x": { ms: 487_321, steps: 13 } };
-const results = [
-  {
-    file: "Ada-7.turnwise-result.json",
-    result: { format: RESULT_FORMAT as typeof RESULT_FORMAT, name: "Ada 7", made: 1_795_395_781_123, tasks: [] },
+const result: HandedResult = { format: RESULT_FORMAT, name: "Ada 7", made: 1_795_395_781_123, tasks: [] };
+const results = [{ file: "Ada-7.turnwise-result.json", result }];
+const set = setSchema.parse({
+  format: SET_FORMAT,
+  id: "set-4c1b9e",
+  words: { de: { title: "Reihe" } },
+  tasks: [taught],
+  due: 1_795_995_781_123,
+  exam: { minutes: 45, reports: "goals" },
+});
+const exams = {
+  [set.id]: {
+    ...beginExam(set, "Ada 7", "MT 2", 1_795_395_781_123),
+    checks: { [taught.id]: { count: 2, passed: false, met: 1, of: 4 } },
+    ended: { by: "time" as const, result: { ...result, name: "Ada" } },
   },
-];
-const whole = { tools, own, settings, course, taught: [taught], forms, worked, results };
+};
+const whole = { tools, own, settings, course, taught: [taught], sets: [set], exams, forms, worked, results };
 const nothing = {
   tools: null,
   own: null,
   settings: null,
   course: null,
   taught: null,
+  sets: null,
+  exams: null,
   forms: null,
   worked: null,
   results: null,

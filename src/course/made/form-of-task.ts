@@ -138,7 +138,12 @@ export function editedTask(
 ): Task | readonly FormFault[] {
   const text = textOfTask(base);
   const first = text === null ? null : formOfTask(base, text, answer, language);
-  const now = taskOfForm({ ...made, translations: made.translations ?? first?.translations }, answer, language, "edited");
+  const now = taskOfForm(
+    { ...made, translations: made.translations ?? first?.translations },
+    answer,
+    language,
+    "edited",
+  );
   if ("length" in now || !first) return now;
   const begun = taskOfForm(first, answer, language, "edited");
   if ("length" in begun) return { ...now, id: base.id };

@@ -74,7 +74,8 @@ export const isComplete = (draft: QuestionDraft): boolean => draft.text.trim() !
 /** The draft of a task's question. */
 export function draftOfPrediction(prediction: Prediction, text: string, choices: readonly string[]): QuestionDraft {
   const { ask } = prediction;
-  const right = ask === "choice" ? String(prediction.right ?? "") : ask === "block" ? (prediction.right?.join(", ") ?? "") : "";
+  const right =
+    ask === "choice" ? String(prediction.right ?? "") : ask === "block" ? (prediction.right?.join(", ") ?? "") : "";
   return {
     ask,
     text,

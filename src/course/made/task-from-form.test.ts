@@ -65,7 +65,7 @@ test("the outlines have the programmed sizes, from the contours or from the part
 test("missing fields are named", () => {
   expect(
     taskOfForm({ ...proposedTask(shoulder), outside: "L X+20 Z+0\nCR X+30 Z-40 R2 DR+" }, shoulder, "en", "1"),
-  ).toEqual(["title", "ask", "hints", "part"]);
+  ).toEqual(["title", "ask", "part"]);
 });
 
 test("prompts start with the values of the call, except the emptied ones", () => {

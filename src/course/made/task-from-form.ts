@@ -1,4 +1,4 @@
-import { LESSON_LANGUAGES, type LessonLanguage } from "../../i18n/languages.ts";
+import type { LessonLanguage } from "../../i18n/languages.ts";
 import { boxAround } from "../../kernel/area/box.ts";
 import { areaOf } from "../../kernel/area/area.ts";
 import { difference, intersection, union } from "../../kernel/area/clip.ts";
@@ -14,8 +14,8 @@ import { promptsText } from "../prompts.ts";
 import { targetPart } from "../target-part.ts";
 import { withFaults } from "./faults.ts";
 import { NUMBER_RULES, type TaskForm, type RuleDraft, type WordsDraft } from "./task-form.ts";
-import { choicesOf, isComplete, predictionOf } from "./made-questions.ts";
-import type { QuestionDraft } from "./question-draft.ts";
+import { isComplete, predictionOf } from "./made-questions.ts";
+import { wordsOfForm } from "./form-words.ts";
 import { grooveFilling, threadsOf, targetThread, type ThreadDraft } from "./made-threads.ts";
 import { contourSources } from "./contour-sources.ts";
 import { outlineText } from "./outline-text.ts";
@@ -289,45 +289,6 @@ const idOf = (title: string, mark: string): string =>
       .replace(/^-+|-+$/g, "")
       .slice(0, 36) || "task"
   }-${mark}`;
-
-/** The texts of a form in one language, without the hints that were left empty. */
-function wordsIn({ title, ask, hints }: WordsDraft, asked: readonly Pick<QuestionDraft, "ask" | "text" | "choices">[]) {
-  return {
-    title: title.trim(),
-    ask: ask.trim(),
-    hints: hints.map((hint) => hint.trim()).filter((hint) => hint !== ""),
-    ...(asked.length > 0 && {
-      questions: asked.map(({ text }) => text.trim()),
-      choices: asked.map((each) => (each.ask === "choice" ? [...choicesOf(each)] : [])),
-    }),
-  };
-}
-
-const isTyped = ({ title, ask, hints }: WordsDraft): boolean =>
-  [title, ask, ...hints].some((each) => each.trim() !== "");
-
-/**
- * The texts of a form in all its languages. What a translation lacks is in the first language; a translation of choices
- * counts if it has as many.
- */
-function wordsOfForm(
-  { words, translations = {} }: TaskForm,
-  asked: readonly QuestionDraft[],
-  language: LessonLanguage,
-): Task["words"] {
-  const others = LESSON_LANGUAGES.flatMap((other) => {
-    const draft = translations[other];
-    if (other === language || !draft || !isTyped(draft)) return [];
-    const questions = asked.map((each) => {
-      const told = each.translations?.[other];
-      const isWhole = told && choicesOf(told).length === choicesOf(each).length;
-      return { ask: each.ask, text: told?.text.trim() || each.text, choices: isWhole ? told.choices : each.choices };
-    });
-    const whole = { ...draft, title: draft.title.trim() || words.title, ask: draft.ask.trim() || words.ask };
-    return [[other, wordsIn(whole, questions)] as const];
-  });
-  return { ...Object.fromEntries(others), [language]: wordsIn(words, asked) };
-}
 
 /** The task of a form, or what is missing. `mark`: a short text of letters and digits that distinguishes this task. */
 export function taskOfForm(

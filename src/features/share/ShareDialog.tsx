@@ -15,10 +15,9 @@ import type { Work } from "../../app/document/work.ts";
 import { ModalDialog } from "../../app/base/ModalDialog.tsx";
 import { linkOf } from "../../app/records/link.ts";
 import { packWork, packedFile, type Packed } from "./pack.ts";
-import { QrCode } from "./QrCode.tsx";
-import { LONGEST_QR } from "./qr.ts";
+import { QrSection } from "./QrSection.tsx";
 import { isLocalAddress, pageAddress } from "../../app/records/local-address.ts";
-import { canShare, share } from "./share-sheet.ts";
+import { canShare, share } from "../../app/base/share-sheet.ts";
 import { WorkFacts } from "./WorkFacts.tsx";
 import "./share.css";
 
@@ -94,12 +93,15 @@ function ShareOptions({ words, ready }: { readonly words: HandedTexts; readonly 
   const language = useSettings((s) => s.language);
   const { work, file, link, report } = ready;
   const copied = useCopying((c) => c.state === "copied" && c.text === link);
-  const number = (n: number) => formatNumber(language, n);
   const stem = file.replace(/\.[^.]*$/, "");
   const archive = `${stem}.zip`;
   const isOnlyHere = isLocalAddress(pageAddress());
   const warning = warningOf(words, link, isOnlyHere);
-  const sheet = { name: work.name, link: link.length > SAFE_LINK ? "" : link, archive, bytes: () => packedFile(ready) };
+  const sheet = {
+    name: work.name,
+    link: link.length > SAFE_LINK ? "" : link,
+    file: () => new File([packedFile(ready)], archive, { type: "application/zip" }),
+  };
   return (
     <>
       <section className="modal-link" aria-label={words.link}>
@@ -127,19 +129,7 @@ function ShareOptions({ words, ready }: { readonly words: HandedTexts; readonly 
           )}
         </div>
       </section>
-      {link !== "" && (
-        <section className="handing-code" aria-label={words.qr}>
-          <h3>{words.qr}</h3>
-          {link.length > LONGEST_QR ? (
-            <p className="soft">{words.qrTooLong(number(link.length), number(LONGEST_QR))}</p>
-          ) : (
-            <>
-              <QrCode link={link} name={words.qrName(work.name)} />
-              {!isOnlyHere && <p className="small soft">{words.qrHint}</p>}
-            </>
-          )}
-        </section>
-      )}
+      {link !== "" && <QrSection link={link} name={work.name} />}
       <section aria-label={words.files}>
         <h3>{words.files}</h3>
         <div className="modal-ways">

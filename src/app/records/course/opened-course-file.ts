@@ -21,10 +21,15 @@ export interface FileLeftOut {
   readonly why: { readonly kind: "twice" } | { readonly kind: "task" } | CourseFileProblem;
 }
 
-/** A task, a set or results from outside, shown before they are used. `left`: unknown fields. */
+/**
+ * What the dialog of the course shows: a task, a set or results from outside, before they are used (`left`: unknown
+ * fields); the terms of an exam; a set being made; results being handed in, of a set or of chosen tasks.
+ */
 export type OpenedCourseFile =
   | { readonly kind: "task"; readonly task: Task; readonly left: readonly string[] }
   | { readonly kind: "set"; readonly set: TaskSet; readonly left: readonly string[] }
+  | { readonly kind: "exam" | "makeSet"; readonly id: string }
+  | { readonly kind: "handIn"; readonly id: string | null }
   | { readonly kind: "results"; readonly leftOut: readonly FileLeftOut[] }
   | { readonly kind: "problem"; readonly file: string; readonly problem: CourseFileProblem };
 
@@ -34,6 +39,11 @@ export const showTask = (task: Task, left: readonly string[] = []): void =>
   useOpenedCourseFile.setState({ shown: { kind: "task", task, left } });
 export const showSet = (set: TaskSet, left: readonly string[] = []): void =>
   useOpenedCourseFile.setState({ shown: { kind: "set", set, left } });
+/** Shows the terms of an exam before it starts; the form of a set. */
+export const showExamTerms = (id: string): void => useOpenedCourseFile.setState({ shown: { kind: "exam", id } });
+export const showSetForm = (id: string): void => useOpenedCourseFile.setState({ shown: { kind: "makeSet", id } });
+/** Shows what can be handed in: of a set, or of all tasks that were begun. */
+export const showHandIn = (id: string | null): void => useOpenedCourseFile.setState({ shown: { kind: "handIn", id } });
 export const showProblem = (file: string, problem: CourseFileProblem): void =>
   useOpenedCourseFile.setState({ shown: { kind: "problem", file, problem } });
 export const closeCourseFile = (): void => useOpenedCourseFile.setState({ shown: null });

@@ -1,4 +1,5 @@
 import type { HandedResult, TaskResult } from "../../../course/made/result.ts";
+import type { RuleName } from "../../../course/judge/judgement.ts";
 import { stateOfTask, type TaskState } from "../../../course/progress.ts";
 
 /**
@@ -6,6 +7,14 @@ import { stateOfTask, type TaskState } from "../../../course/progress.ts";
  * "stopped": the run did not finish.
  */
 export type RerunOutcome = "passes" | "fails" | "unknown" | "foretold" | "none" | "stopped";
+
+/** What an answer misses: a rule of the task, or the right answers to its questions. */
+export type MissedGoal = RuleName | "answers";
+/** A result judged again here. */
+export interface Rerun {
+  readonly is: RerunOutcome;
+  readonly missed: readonly MissedGoal[];
+}
 
 /** Results of one learner; without a file name if they came by a link. */
 export interface LearnerFile {
@@ -18,6 +27,15 @@ export interface ResultRow {
   readonly key: string;
   /** As typed; empty where none was. */
   readonly name: string;
+  /** The same for all results of a learner. */
+  readonly learner: string;
+  /** The class, as typed; empty where none was. */
+  readonly group: string;
+  /** The set that it was handed in with. */
+  readonly set: HandedResult["set"];
+  /** It was handed in after the set was due; time ran out in its exam. */
+  readonly late: boolean;
+  readonly timeOut: boolean;
   /** When it was handed in, ms since 1970. */
   readonly made: number;
   /** The same learner handed in the same task again later, and that result counts. */
@@ -39,13 +57,21 @@ const learnerOf = (name: string, index: number): string => {
 export const learnerCount = (all: readonly LearnerFile[]): number =>
   new Set(all.map(({ result }, i) => learnerOf(result.name, i))).size;
 
+/** An exam that the due moment ends is handed in a little later, ms. */
+const DUE = 60_000;
+
 /** Rows in order of arrival. If a task was handed in repeatedly the newest counts, or the last of equal age. */
 export function resultRows(all: readonly LearnerFile[]): readonly ResultRow[] {
-  const rows = all.flatMap(({ result: { name, made, tasks } }, i) =>
+  const rows = all.flatMap(({ result: { name, group = "", made, set, exam, tasks } }, i) =>
     tasks.map((result) => ({
       who: `${learnerOf(name, i)} ${result.id}`,
       key: `${i} ${result.id}`,
       name: plainName(name),
+      learner: learnerOf(name, i),
+      group: plainName(group),
+      set,
+      late: set?.due !== undefined && made > set.due + DUE,
+      timeOut: exam?.by === "time",
       made,
       result,
     })),

@@ -31,6 +31,13 @@ export function keepSet(set: TaskSet, place: string | null = null): void {
   change(known < 0 ? [set, ...list] : list.with(known, set), place);
 }
 
+/** Saves a received set. A new one takes nothing away, so that it is no step of undo. */
+export function takeSet(set: TaskSet): void {
+  const list = setRecord.now();
+  if (list.some(({ id }) => id === set.id)) keepSet(set);
+  else setRecord.put([set, ...list].slice(0, MOST));
+}
+
 /** Deletes a saved set. Works made from its tasks stay, and so does the record of an exam. */
 export const removeSet = (id: string): void => change(setRecord.now().filter((set) => set.id !== id));
 

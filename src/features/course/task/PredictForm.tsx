@@ -54,10 +54,13 @@ export function PredictForm({
   task,
   t,
   words,
+  finish,
 }: {
   readonly task: Task;
   readonly t: CourseTaskTexts;
   readonly words: TaskWords;
+  /** What follows the last answer, where it is not the run. */
+  readonly finish?: { readonly label: string; readonly act: () => void };
 }) {
   const labelled = useId();
   const told = useEditor((s) => taskOfWork(s)?.told ?? NO_TEXTS);
@@ -94,6 +97,7 @@ export function PredictForm({
     if (next === undefined) {
       // If the assignment covers the work, the work is shown again with the run and the results.
       if (isNarrow) useTaskView.setState({ open: false });
+      if (finish) return finish.act();
       return void showRun(task);
     }
     isTyping.current = next !== question && document.activeElement instanceof HTMLInputElement;
@@ -135,7 +139,7 @@ export function PredictForm({
           </button>
         )}
         <button type="submit" className="button primary">
-          {isLast ? t.predict.run : t.predict.nextQuestion}
+          {isLast ? (finish?.label ?? t.predict.run) : t.predict.nextQuestion}
         </button>
       </div>
     </form>

@@ -5,6 +5,10 @@ import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { startWorkingTime } from "../../../app/records/course/working-time.ts";
 import { useEditor } from "../../../app/document/store.ts";
 import { inScreenLanguage } from "../../../course/words.ts";
+import { useExamOfTask } from "../../../app/records/course/exams.ts";
+import { watchExams } from "../teach/exam-watch.ts";
+import { ExamPanel } from "./ExamPanel.tsx";
+import { SetBar } from "./SetBar.tsx";
 import { TaskPanel } from "./TaskPanel.tsx";
 import { viewTask } from "./task-view.ts";
 import { useShowPassed } from "./use-show-passed.ts";
@@ -12,6 +16,7 @@ import { useTaskFile } from "./use-task-file.ts";
 import "./task.css";
 
 startWorkingTime();
+watchExams();
 
 /** The assignment of the open work, and its result. */
 export function TaskBar({ work }: { readonly work: string }) {
@@ -19,6 +24,7 @@ export function TaskBar({ work }: { readonly work: string }) {
   const task = useTaskFile();
   const language = useSettings((s) => s.language);
   const named = useEditor((s) => (s.job ?? s.program)?.name ?? "");
+  const exam = useExamOfTask(task && task !== "none" ? task.id : "");
   useEffect(() => viewTask(work), [work]);
   const title = (task !== null && task !== "none" && inScreenLanguage(task.words, language)?.title) || named;
   useEffect(() => {
@@ -26,7 +32,13 @@ export function TaskBar({ work }: { readonly work: string }) {
   }, [title]);
   useShowPassed();
   if (task === null) return null;
-  if (task !== "none") return <TaskPanel task={task} t={t} />;
+  if (task !== "none")
+    return (
+      <>
+        <SetBar task={task.id} />
+        {exam ? <ExamPanel task={task} exam={exam} t={t} /> : <TaskPanel task={task} t={t} />}
+      </>
+    );
   return (
     <p className="task-panel task-gone">
       <Icon name="info" /> {t.fileMissing}

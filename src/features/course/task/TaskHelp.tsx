@@ -42,13 +42,14 @@ export function TaskHelp({
   const isLast = next === words.hints.length;
   // The last hint is the whole way to the answer.
   const isHeldBack = isLast && next > 1 && tries === 0;
+  if (words.hints.length === 0 && !solution) return null;
   const name = `${words.title} · ${t.solutionName}`;
   const text = solution && programOfLines(solution);
   return (
     <section className="task-part task-help">
       {words.hints.slice(0, stages).map((hint, i) => (
         <div key={i} className="task-hint">
-          <h3>{t.hint(i + 1)}</h3>
+          <h3>{t.hint(i + 1, words.hints.length)}</h3>
           <Paragraphs text={hint} before={[words.ask, ...words.hints.slice(0, i)]} />
         </div>
       ))}
@@ -65,7 +66,7 @@ export function TaskHelp({
               noteHint(task.id, next);
             }}
           >
-            {t.showHint(next)}
+            {t.showHint(next, words.hints.length)}
           </button>
         )}
         {text !== undefined && !sure && !open && (

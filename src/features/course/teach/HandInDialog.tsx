@@ -1,14 +1,18 @@
 import { useEffect, useState } from "react";
+import type { Exam } from "../../../course/exam.ts";
 import { progressOfTask, stateOfTask } from "../../../course/progress.ts";
 import type { HandedResult } from "../../../course/made/result.ts";
-import { downloadText } from "../../../app/base/download.ts";
+import type { TaskSet } from "../../../course/task-set.ts";
 import { ModalDialog } from "../../../app/base/ModalDialog.tsx";
-import { Icon } from "../../../app/base/Icon.tsx";
 import { Message } from "../../../app/base/Message.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { inScreenLanguage } from "../../../course/words.ts";
 import { useCourseIndex } from "../../../app/records/course/content.ts";
+import { useExams } from "../../../app/records/course/exams.ts";
 import { useLearning } from "../../../app/records/course/progress.ts";
+import { useSavedSets } from "../../../app/records/course/saved-sets.ts";
+import { examStateText } from "./exam-words.ts";
+import { finishExam } from "./exam-watch.ts";
 import { resultsToHandIn } from "./hand-in.ts";
 import { pageAddress } from "../../../app/records/local-address.ts";
 import { LinkBox } from "./LinkBox.tsx";
@@ -26,38 +30,114 @@ const fileNamePart = (name: string): string =>
     .replace(/^-|-$/g, "")
     .slice(0, 40) || "results";
 
-/** Collects the results of tasks in a file or a link, to hand in. */
-export function HandInDialog({ done }: { readonly done: () => void }) {
+/** Hands in results: of a set, of an exam, or of the tasks that the learner chooses. */
+export function HandInDialog({ set, done }: { readonly set?: TaskSet | undefined; readonly done: () => void }) {
+  const exam = useExams(({ list }) => (set ? list[set.id] : undefined));
+  return exam ? <HandInExam exam={exam} done={done} /> : <HandInTasks set={set} done={done} />;
+}
+
+/** The ways to give a result to the instructor. */
+function HandOver({ result }: { readonly result: HandedResult }) {
   const t = useTexts("course-teach");
+  const name = fileNamePart(result.name);
+  return (
+    <LinkBox
+      link={resultLink(pageAddress(), result)}
+      name={t.results.title(result.name)}
+      file={{ name: `${name}.turnwise-result.json`, text: taughtFile(result), label: t.hand.save }}
+    />
+  );
+}
+
+/** Hands in an exam: what counts is what there is now, or was when it ended. */
+function HandInExam({ exam, done }: { readonly exam: Exam; readonly done: () => void }) {
+  const t = useTexts("course-teach"),
+    words = useTexts("course-set");
+  const language = useSettings((s) => s.language);
+  const [name, call] = useState(exam.name);
+  const [group, join] = useState(exam.group);
+  const [ends, end] = useState(false);
+  const { ended } = exam;
+  return (
+    <ModalDialog title={t.hand.title} done={done}>
+      {ended ? (
+        <>
+          <Message role="status" tone="info">
+            {examStateText(exam, words, language)}
+          </Message>
+          <p>{words.exam.giveIt}</p>
+          <HandOver result={ended.result} />
+        </>
+      ) : (
+        <>
+          <p>{words.exam.lead}</p>
+          <TeachText label={t.hand.name} value={name} change={call} />
+          <TeachText label={words.group} value={group} change={join} />
+          <div className="modal-ways">
+            <button
+              type="button"
+              className="button primary"
+              aria-disabled={ends}
+              onClick={() => {
+                if (ends) return;
+                end(true);
+                void finishExam(exam, "learner", { name, group });
+              }}
+            >
+              {ends ? t.hand.making : words.exam.end}
+            </button>
+            <button type="button" className="button" onClick={done}>
+              {words.exam.goOn}
+            </button>
+          </div>
+        </>
+      )}
+    </ModalDialog>
+  );
+}
+
+/** The tasks that can be handed in: those of a set, or all that were begun. */
+function useNamedTasks(set: TaskSet | undefined) {
   const language = useSettings((s) => s.language);
   const progress = useLearning((s) => s.list);
   const own = useSavedTasks((s) => s.list);
+  const sets = useSavedSets((s) => s.list);
   const { lessons } = useCourseIndex();
-  const named = [
-    ...own.map(({ id, words }) => ({ id, title: inScreenLanguage(words, language)?.title ?? id })),
-    ...lessons.flatMap(({ tasks }) => tasks),
-  ];
-  const begun = named.filter(({ id }) => stateOfTask(progressOfTask(progress, id)) !== "new");
+  const titled = (tasks: TaskSet["tasks"] | typeof own) =>
+    tasks.map(({ id, words }) => ({ id, title: inScreenLanguage(words, language)?.title ?? id }));
+  if (set) return titled(set.tasks);
+  const others = sets.filter(({ exam }) => !exam).flatMap(({ tasks }) => tasks);
+  return [...titled(own), ...titled(others), ...lessons.flatMap(({ tasks }) => tasks)].filter(
+    ({ id }) => stateOfTask(progressOfTask(progress, id)) !== "new",
+  );
+}
+
+function HandInTasks({ set, done }: { readonly set: TaskSet | undefined; readonly done: () => void }) {
+  const t = useTexts("course-teach"),
+    words = useTexts("course-set");
+  const language = useSettings((s) => s.language);
+  const progress = useLearning((s) => s.list);
+  const begun = useNamedTasks(set);
   const [left, leave] = useState<readonly string[]>([]);
   const [name, call] = useState("");
+  const [group, join] = useState("");
   const [made, make] = useState<{ readonly key: string; readonly result: HandedResult } | null>(null);
   const ids = begun.map(({ id }) => id).filter((id) => !left.includes(id)),
     key = ids.join(" ");
   useEffect(() => {
     let gone = false;
-    void resultsToHandIn(
-      key.split(" ").filter((id) => id !== ""),
-      "",
-      progress,
-      language,
-    ).then((result) => {
+    const chosen = key.split(" ").filter((id) => id !== "");
+    void resultsToHandIn(chosen, { name: "", group: "" }, progress, language, { set }).then((result) => {
       if (!gone) make({ key, result });
     });
     return () => {
       gone = true;
     };
-  }, [key, progress, language]);
-  const result = made?.key === key ? { ...made.result, name: name.trim() } : null;
+  }, [key, progress, language, set]);
+  const result =
+    made?.key === key
+      ? { ...made.result, name: name.trim(), ...(group.trim() !== "" && { group: group.trim() }) }
+      : null;
   return (
     <ModalDialog title={t.hand.title} done={done}>
       <p>{t.hand.lead}</p>
@@ -67,6 +147,7 @@ export function HandInDialog({ done }: { readonly done: () => void }) {
       ) : (
         <>
           <TeachText label={t.hand.name} value={name} change={call} />
+          <TeachText label={words.group} value={group} change={join} />
           <div role="group" aria-label={t.hand.choose} className="teach-list">
             {begun.map(({ id, title }) => (
               <label key={id} className="teach-check">
@@ -84,20 +165,7 @@ export function HandInDialog({ done }: { readonly done: () => void }) {
               {t.hand.making}
             </p>
           )}
-          {result && ids.length > 0 && (
-            <>
-              <div className="modal-ways">
-                <button
-                  type="button"
-                  className="button primary"
-                  onClick={() => downloadText(taughtFile(result), `${fileNamePart(name)}.turnwise-result.json`)}
-                >
-                  <Icon name="download" /> {t.hand.save}
-                </button>
-              </div>
-              <LinkBox link={resultLink(pageAddress(), result)} />
-            </>
-          )}
+          {result && ids.length > 0 && <HandOver result={result} />}
         </>
       )}
     </ModalDialog>

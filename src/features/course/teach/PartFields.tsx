@@ -5,6 +5,7 @@ import { targetPart } from "../../../course/target-part.ts";
 import { usualTable } from "../../../program/tools/cutting-table.ts";
 import { sizeChoices } from "./size-choices.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
+import { OutlineField } from "./OutlineField.tsx";
 import { TeachText, type FormPart } from "./WordFields.tsx";
 
 /** Blank and outlines of the target part, taken from the program or typed. */
@@ -19,7 +20,6 @@ export function PartFields({ made, change, answer }: FormPart & { readonly answe
       isStep,
     );
   };
-  const rows = (text: string) => Math.min(12, Math.max(2, text.split("\n").length));
   return (
     <fieldset>
       <legend>{t.part}</legend>
@@ -36,16 +36,15 @@ export function PartFields({ made, change, answer }: FormPart & { readonly answe
           </button>
         ))}
       </div>
-      <TeachText label={t.blank} isNc rows={rows(blank)} value={blank} change={(text) => put({ blank: text })} />
       <TeachText
-        label={t.outside}
-        hint={t.partHint}
+        label={t.blank}
         isNc
-        rows={rows(outside)}
-        value={outside}
-        change={(text) => put({ outside: text })}
+        rows={Math.max(2, blank.split("\n").length)}
+        value={blank}
+        change={(text) => put({ blank: text })}
       />
-      <TeachText label={t.bore} isNc rows={rows(bore)} value={bore} change={(text) => put({ bore: text })} />
+      <OutlineField label={t.outside} text={outside} change={(text) => put({ outside: text })} />
+      <OutlineField label={t.bore} text={bore} change={(text) => put({ bore: text })} />
       <label className="teach-text">
         {t.material}
         <select

@@ -10,6 +10,7 @@ import {
 } from "../../../course/made/made-questions.ts";
 import { ASKED_KINDS, type AskedKind, type QuestionDraft } from "../../../course/made/question-draft.ts";
 import { withSign } from "../../../course/made/task-form.ts";
+import { LESSON_LANGUAGES, SCREEN_LANGUAGES, type LessonLanguage } from "../../../i18n/languages.ts";
 import { decimalSign, formatNumber } from "../../../i18n/number.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { Message } from "../../../app/base/Message.tsx";
@@ -33,7 +34,8 @@ interface QuestionsProps extends FormPart {
 export function QuestionFields({ made, change, begun, solution, truths }: QuestionsProps) {
   const t = useTexts("course-teach");
   const sign = useSettings((s) => decimalSign(s.language));
-  const { questions, sizes } = made;
+  const { questions, sizes, translations = {} } = made;
+  const languages = LESSON_LANGUAGES.filter((each) => translations[each] !== undefined);
   const worded = (ask: AskedKind, at: string): string => {
     const wording = t.wordings[ask];
     return typeof wording === "string" ? wording : wording(at);
@@ -65,6 +67,7 @@ export function QuestionFields({ made, change, begun, solution, truths }: Questi
           draft={draft}
           truth={truths[i] ?? null}
           begun={begun}
+          languages={languages}
           put={(some) => putTyped(i, draft, some)}
           ask={(next) => ask(i, draft, next)}
           remove={() => change({ questions: questions.filter((_, at) => at !== i) }, true)}
@@ -95,12 +98,45 @@ interface OneProps {
   readonly draft: QuestionDraft;
   readonly truth: Truth | null;
   readonly begun: Answer | null;
+  /** The further languages that the task has. */
+  readonly languages: readonly LessonLanguage[];
   readonly put: (some: Partial<QuestionDraft>) => void;
   readonly ask: (next: AskedKind) => void;
   readonly remove: () => void;
 }
 
-function OneQuestion({ index, draft, truth, begun, put, ask, remove }: OneProps) {
+/** Wording and choices of a question in a further language. */
+function Translated({
+  draft,
+  language,
+  put,
+}: {
+  readonly draft: QuestionDraft;
+  readonly language: LessonLanguage;
+  readonly put: OneProps["put"];
+}) {
+  const t = useTexts("course-teach"),
+    { textIn } = useTexts("course-set");
+  const { text = "", choices = "" } = draft.translations?.[language] ?? {};
+  const name = SCREEN_LANGUAGES[language].name;
+  const say = (some: Partial<Record<"text" | "choices", string>>) =>
+    put({ translations: { ...draft.translations, [language]: { text, choices, ...some } } });
+  return (
+    <>
+      <TeachText label={textIn(t.wording, name)} rows={2} value={text} change={(next) => say({ text: next })} />
+      {draft.ask === "choice" && (
+        <TeachText
+          label={textIn(t.choicesOffered, name)}
+          rows={5}
+          value={choices}
+          change={(next) => say({ choices: next })}
+        />
+      )}
+    </>
+  );
+}
+
+function OneQuestion({ index, draft, truth, begun, languages, put, ask, remove }: OneProps) {
   const t = useTexts("course-teach");
   const number = String(index + 1),
     operations = begun?.run.operations ?? [],
@@ -185,6 +221,9 @@ function OneQuestion({ index, draft, truth, begun, put, ask, remove }: OneProps)
           </label>
         </>
       )}
+      {languages.map((language) => (
+        <Translated key={language} draft={draft} language={language} put={put} />
+      ))}
       {truth && begun && <CorrectAnswer truth={truth} begun={begun} />}
     </section>
   );

@@ -16,6 +16,7 @@ import {
   sortedRows,
   type ResultColumn,
 } from "../../../app/records/course/result-rows.ts";
+import { ClassTable } from "./ClassTable.tsx";
 import { LeftOut, ResultFiles } from "./ResultFiles.tsx";
 import { ResultTable, type ResultSort } from "./ResultTable.tsx";
 import { closeCourseFile, type FileLeftOut } from "../../../app/records/course/opened-course-file.ts";
@@ -29,18 +30,22 @@ import { useTexts } from "../../../app/base/settings/use-texts.ts";
  */
 export function ResultView({ leftOut }: { readonly leftOut: readonly FileLeftOut[] }) {
   const t = useTexts("course-teach"),
-    { results: words } = t;
+    { results: words } = t,
+    { table: byLearner } = useTexts("course-set");
   const language = useSettings((s) => s.language);
   const { list: files, trouble } = useCollectedResults();
   const file = useRef<HTMLInputElement>(null);
   const all = useMemo(() => resultRows(files), [files]);
-  const again = useReruns(all);
+  const reruns = useReruns(all);
+  const again = useMemo(() => new Map([...reruns].map(([key, { is }]) => [key, is])), [reruns]);
   const [sort, sortBy] = useState<ResultSort | null>(null);
   const [showsEarlier, showEarlier] = useState(false);
   const { day, heads, text, plain } = useResultCells(again);
   const people = learnerCount(files),
     [only] = files,
     isOne = files.length === 1;
+  const [view, chooseView] = useState<"class" | "list">("class");
+  const isByLearner = people > 1 && view === "class";
   const title = people === 1 && only ? words.title(plainName(only.result.name)) : words.gathered(String(people));
   const earlier = all.filter((row) => row.earlier).length;
   const rows = sortedRows(
@@ -72,8 +77,25 @@ export function ResultView({ leftOut }: { readonly leftOut: readonly FileLeftOut
       <p>{isOne && only ? words.lead(day(only.result.made)) : words.several}</p>
       {trouble === "notKept" && <Message tone="warning">{words.notKept}</Message>}
       <LeftOut leftOut={leftOut} />
+      {people > 1 && (
+        <div className="teach-choices taught-ways" role="radiogroup" aria-label={byLearner.view}>
+          {[true, false].map((each) => (
+            <label key={String(each)} className="teach-check">
+              <input
+                type="radio"
+                name="view of results"
+                checked={isByLearner === each}
+                onChange={() => chooseView(each ? "class" : "list")}
+              />
+              {each ? byLearner.byLearner : byLearner.list}
+            </label>
+          ))}
+        </div>
+      )}
       {all.length === 0 ? (
         <Message tone="info">{files.length === 0 ? words.nothing : words.empty}</Message>
+      ) : isByLearner ? (
+        <ClassTable title={title} rows={all} reruns={reruns} />
       ) : (
         <ResultTable
           title={title}
@@ -86,7 +108,7 @@ export function ResultView({ leftOut }: { readonly leftOut: readonly FileLeftOut
           sortBy={sortBy}
         />
       )}
-      {earlier > 0 && (
+      {earlier > 0 && !isByLearner && (
         <label className="teach-check taught-ways">
           <input type="checkbox" checked={showsEarlier} onChange={() => showEarlier(!showsEarlier)} />
           {words.showEarlier(String(earlier))}
@@ -102,7 +124,7 @@ export function ResultView({ leftOut }: { readonly leftOut: readonly FileLeftOut
           type="file"
           multiple
           hidden
-          accept=".json,application/json"
+          accept=".json,.txt,application/json,text/plain"
           aria-label={words.add}
           onChange={(event) => {
             const chosen = [...(event.currentTarget.files ?? [])];
@@ -112,9 +134,11 @@ export function ResultView({ leftOut }: { readonly leftOut: readonly FileLeftOut
         />
         {rows.length > 0 && (
           <>
-            <button type="button" className="button" onClick={save}>
-              <Icon name="download" /> {words.csv}
-            </button>
+            {!isByLearner && (
+              <button type="button" className="button" onClick={save}>
+                <Icon name="download" /> {words.csv}
+              </button>
+            )}
             <button type="button" className="button" onClick={() => print()}>
               <Icon name="print" /> {words.print}
             </button>

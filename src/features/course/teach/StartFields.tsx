@@ -1,5 +1,6 @@
 import { useId } from "react";
 import type { Answer } from "../../../course/judge/judgement.ts";
+import { cycleByNumber, type ParamTextId } from "../../../cycles/index.ts";
 import { possibleFaults } from "../../../course/made/faults.ts";
 import { linesOfText, learnerProgramOfForm, promptsOf } from "../../../course/made/task-from-form.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
@@ -8,6 +9,7 @@ import { TeachText, type FormPart } from "./WordFields.tsx";
 /** The start program of the task. */
 export function StartFields({ made, change, answer }: FormPart & { readonly answer: Answer }) {
   const t = useTexts("course-teach");
+  const { params } = useTexts();
   const name = useId();
   const { operations } = answer.run;
   const {
@@ -18,6 +20,10 @@ export function StartFields({ made, change, answer }: FormPart & { readonly answ
   const starts = (["empty", "prompts", "program"] as const).filter(
     (each) => (each !== "prompts" || operations.length > 0) && (each !== "empty" || made.kind !== "predict"),
   );
+  const nameOf = (q: string): string => {
+    const param = cycleByNumber(operations[operation]?.cycle ?? 0)?.params[q];
+    return param ? params[param.text as ParamTextId].label : "";
+  };
   const toggled = <T,>(list: readonly T[], one: T): readonly T[] =>
     list.includes(one) ? list.filter((each) => each !== one) : [...list, one];
   return (
@@ -56,7 +62,7 @@ export function StartFields({ made, change, answer }: FormPart & { readonly answ
                   checked={emptied.includes(q)}
                   onChange={() => change({ prompts: { operation, emptied: toggled(emptied, q) } })}
                 />
-                {q}={value}
+                {q}={value} <span className="teach-q">{nameOf(q)}</span>
               </label>
             ))}
           </div>

@@ -8,24 +8,37 @@ import { useSettings } from "../../../app/base/settings/settings.ts";
 import { inScreenLanguage } from "../../../course/words.ts";
 import { WorkshopDrawing } from "../drawing/WorkshopDrawing.tsx";
 import { resumeOrStartTask } from "../task/begin.ts";
+import { ExamStart } from "./ExamStart.tsx";
+import { HandInDialog } from "./HandInDialog.tsx";
+import { IncomingSet } from "./IncomingSet.tsx";
 import { ResultView } from "./ResultView.tsx";
+import { SetDialog } from "./SetDialog.tsx";
+import { useExams } from "../../../app/records/course/exams.ts";
+import { useSavedSets } from "../../../app/records/course/saved-sets.ts";
 import { keepTask, useSavedTasks } from "../../../app/records/course/saved-tasks.ts";
 import { taughtFile } from "./taught-files.ts";
 import { TaughtProblemView } from "./TaughtProblemView.tsx";
 import { closeCourseFile, useOpenedCourseFile } from "../../../app/records/course/opened-course-file.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import type { Task } from "../../../course/task.ts";
+import "./set.css";
 import "./teach.css";
 
 /** Most fields named at once. */
 const MAX_UNKNOWN_FIELDS = 12;
 
-/** A received task, before it is kept or started; or received results of a learner. */
+/** The dialog of the course: a received task or set, results of learners, and what can be done with a set. */
 export function TaughtDialog() {
   const shown = useOpenedCourseFile((s) => s.shown);
   switch (shown?.kind) {
     case "task":
       return <IncomingTask task={shown.task} left={shown.left} />;
+    case "set":
+      return <IncomingSet set={shown.set} left={shown.left} />;
+    case "exam":
+    case "makeSet":
+    case "handIn":
+      return <OfSet {...shown} />;
     case "results":
       return <ResultView leftOut={shown.leftOut} />;
     case "problem":
@@ -35,10 +48,27 @@ export function TaughtDialog() {
   }
 }
 
+/** The dialogs of a saved set; nothing once it was removed. */
+function OfSet({ kind, id }: { readonly kind: "exam" | "makeSet" | "handIn"; readonly id: string | null }) {
+  const saved = useSavedSets((s) => s.list.find((set) => set.id === id));
+  const exam = useExams(({ list }) => (id === null ? undefined : list[id]));
+  // What was handed in outlives its set.
+  const set = saved ?? exam?.set;
+  if (kind === "handIn" && (set || id === null)) return <HandInDialog set={set} done={closeCourseFile} />;
+  if (!set) return null;
+  return kind === "exam" ? (
+    <ExamStart set={set} done={closeCourseFile} />
+  ) : (
+    <SetDialog set={set} done={closeCourseFile} />
+  );
+}
+
 function IncomingTask({ task, left }: { readonly task: Task; readonly left: readonly string[] }) {
-  const t = useTexts("course-teach");
+  const t = useTexts("course-teach"),
+    sets = useTexts("course-set");
   const language = useSettings((s) => s.language);
-  const isHere = useSavedTasks((s) => s.list.some((each) => JSON.stringify(each) === JSON.stringify(task)));
+  const own = useSavedTasks((s) => s.list.find(({ id }) => id === task.id));
+  const isHere = own !== undefined && JSON.stringify(own) === JSON.stringify(task);
   const words = inScreenLanguage(task.words, language);
   const number = (value: number) => formatNumber(language, value);
   const blank = task.part && boxAround([...blankOfLines(task.part.blank).rings]);
@@ -50,14 +80,18 @@ function IncomingTask({ task, left }: { readonly task: Task; readonly left: read
     ["tools", task.rules.tools?.join(", ") ?? t.incoming.anyTools],
     ["size", t.kilobytes(formatNumber(language, taughtFile(task).length / 1000, 1))],
   ];
+  // The instructor opens what was handed out: the copy with the solution must stay.
+  const keep = () => {
+    if (task.solution || !own?.solution) keepTask(task);
+  };
   const take = async () => {
-    keepTask(task);
+    keep();
     closeCourseFile();
     await resumeOrStartTask(task, true);
   };
   return (
     <ModalDialog title={t.incoming.title(words?.title ?? task.id)} done={closeCourseFile}>
-      <p>{t.incoming.lead}</p>
+      <p>{task.solution ? t.incoming.lead : sets.incoming.task}</p>
       {isHere && <Message tone="info">{t.incoming.isHere}</Message>}
       {left.length > 0 && (
         <Message tone="warning">{t.problem.leftOut(left.slice(0, MAX_UNKNOWN_FIELDS).join(", "))}</Message>
@@ -79,7 +113,7 @@ function IncomingTask({ task, left }: { readonly task: Task; readonly left: read
           type="button"
           className="button"
           onClick={() => {
-            keepTask(task);
+            keep();
             closeCourseFile();
           }}
         >

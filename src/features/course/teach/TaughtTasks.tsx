@@ -11,21 +11,21 @@ import { resumeOrStartTask } from "../task/begin.ts";
 import { textOfTask } from "../../../course/made/form-of-task.ts";
 import type { Task } from "../../../course/task.ts";
 import { recorded, undo, useIsLastStep, type HistoryStep } from "../../../app/document/steps.ts";
-import { showResults } from "../../../app/records/course/opened-course-file.ts";
+import { showHandIn, showResults } from "../../../app/records/course/opened-course-file.ts";
 import { copyTask, removeTask, useSavedTasks } from "../../../app/records/course/saved-tasks.ts";
 import { useTextsOrNull } from "../../../app/base/settings/use-texts.ts";
+import { NewSetButton, SavedSets } from "./SavedSets.tsx";
+import "./set.css";
 import "./teach.css";
 
 const TeachDialog = lazyPart(async () => ({ default: (await import("./TeachDialog.tsx")).TeachDialog }));
-const HandInDialog = lazyPart(async () => ({ default: (await import("./HandInDialog.tsx")).HandInDialog }));
 
-/** The received tasks, below the lessons, and the button to hand in results. */
+/** The received tasks and sets, below the lessons, and the buttons to hand in, to collect, and to make a set. */
 export function TaughtTasks() {
   const t = useTextsOrNull("course-teach");
   const language = useSettings((s) => s.language);
   const { list, trouble } = useSavedTasks();
   const learning = useLearning((s) => s.list);
-  const [hands, handIn] = useState(false);
   const [changed, change] = useState<Task | null>(null);
   const [gone, say] = useState<{ readonly title: string; readonly step: HistoryStep } | null>(null);
   const isLast = useIsLastStep(gone?.step);
@@ -95,22 +95,19 @@ export function TaughtTasks() {
           </Message>
         )}
       </div>
+      <SavedSets />
       <div className="modal-ways">
-        <button type="button" className="button" aria-haspopup="dialog" onClick={() => handIn(true)}>
+        <button type="button" className="button" aria-haspopup="dialog" onClick={() => showHandIn(null)}>
           <Icon name="share" /> {t.hand.open}
         </button>
         <button type="button" className="button" aria-haspopup="dialog" onClick={() => showResults()}>
           <Icon name="compare" /> {t.results.collect}
         </button>
+        <NewSetButton />
       </div>
       {changed && (
         <Suspense>
           <TeachDialog task={changed} done={() => change(null)} />
-        </Suspense>
-      )}
-      {hands && (
-        <Suspense>
-          <HandInDialog done={() => handIn(false)} />
         </Suspense>
       )}
     </section>

@@ -1,8 +1,11 @@
+import { Suspense, useMemo, useState } from "react";
+import { withoutAnswer } from "../../../course/task-set.ts";
+import { inScreenLanguage } from "../../../course/words.ts";
 import { formatNumber } from "../../../i18n/number.ts";
 import type { TaskJudgement, TaskMark } from "../../../course/judge/judgement.ts";
 import type { FormFault } from "../../../course/made/task-from-form.ts";
 import type { Task } from "../../../course/task.ts";
-import { downloadText } from "../../../app/base/download.ts";
+import { lazyPart } from "../../../app/base/parts.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { startTask } from "../task/begin.ts";
@@ -12,6 +15,8 @@ import { forgetForm } from "../../../app/records/course/kept-form.ts";
 import { keepTask, useSavedTasks } from "../../../app/records/course/saved-tasks.ts";
 import { taskLink, taughtFile } from "./taught-files.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
+
+const TaskPaper = lazyPart(async () => ({ default: (await import("./TaskPaper.tsx")).TaskPaper }));
 
 /** Most marks listed. */
 const MAX_MARKS = 6;
@@ -137,23 +142,38 @@ function FailedMark({ mark: { rule, value, limit, block } }: { readonly mark: Ta
 }
 
 function HandOut({ task, keep }: { readonly task: Task; readonly keep: () => void }) {
-  const t = useTexts("course-teach");
+  const t = useTexts("course-teach"),
+    words = useTexts("course-set");
+  const language = useSettings((s) => s.language);
+  const [isWhole, include] = useState(true);
+  const [isOnPaper, print] = useState(false);
+  const given = useMemo(() => (isWhole ? task : withoutAnswer(task, true)), [task, isWhole]);
   return (
     <>
       <h3>{t.handOut}</h3>
-      <LinkBox link={taskLink(pageAddress(), task)} copies={keep} />
+      {task.solution && (
+        <label className="teach-check">
+          <input type="checkbox" checked={isWhole} onChange={() => include(!isWhole)} />
+          {words.includeSolution}
+        </label>
+      )}
+      <p className="soft small">{isWhole ? words.withAnswers : words.without.hints}</p>
+      <LinkBox
+        link={taskLink(pageAddress(), given)}
+        name={inScreenLanguage(task.words, language)?.title ?? task.id}
+        file={{ name: `${task.id}.turnwise-task.json`, text: taughtFile(given), label: t.saveTask }}
+        before={keep}
+      />
       <div className="modal-ways">
-        <button
-          type="button"
-          className="button"
-          onClick={() => {
-            keep();
-            downloadText(taughtFile(task), `${task.id}.turnwise-task.json`);
-          }}
-        >
-          <Icon name="download" /> {t.saveTask}
+        <button type="button" className="button" aria-haspopup="dialog" onClick={() => print(true)}>
+          <Icon name="print" /> {words.paper.open}
         </button>
       </div>
+      {isOnPaper && (
+        <Suspense>
+          <TaskPaper tasks={[task]} done={() => print(false)} />
+        </Suspense>
+      )}
     </>
   );
 }

@@ -19,6 +19,7 @@ import { keptForm, keyOfTask, keyOfWork } from "../../../app/records/course/kept
 import { sizeChoices } from "./size-choices.ts";
 import { TeachForm, type InitialForm } from "./TeachForm.tsx";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
+import "./set.css";
 import "./teach.css";
 
 /** Source of the form: the program of a work, or a kept task. */

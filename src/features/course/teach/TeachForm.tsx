@@ -202,7 +202,7 @@ export function TeachForm({ done, ...of }: InitialForm & { readonly done: () => 
             )}
           </Message>
         )}
-        <WordFields {...form} kinds={isPart ? KINDS : ["predict"]} />
+        <WordFields {...form} kinds={isPart ? KINDS : ["predict"]} language={of.language} />
         {foretells && <StartFields {...form} answer={answer} />}
         {hasQuestions(made.kind) && <QuestionFields {...form} begun={begun} solution={text} truths={truths} />}
         {!foretells && (

@@ -1,6 +1,7 @@
-import { useId } from "react";
-import type { TaskForm } from "../../../course/made/task-form.ts";
+import { useId, useState } from "react";
+import type { TaskForm, WordsDraft } from "../../../course/made/task-form.ts";
 import { hasQuestions } from "../../../course/made/task-from-form.ts";
+import { LESSON_LANGUAGES, SCREEN_LANGUAGES, type LessonLanguage } from "../../../i18n/languages.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
 /** Props of each part of the form: its current state, and the setter. */
@@ -56,13 +57,94 @@ export function TeachText({
   );
 }
 
-/** Kind, title, assignment and the three hints. */
-export function WordFields({ made, change, kinds }: FormPart & { readonly kinds: readonly TaskForm["kind"][] }) {
+const NO_WORDS: WordsDraft = { title: "", ask: "", hints: ["", "", ""] };
+
+/** Title, assignment and hints in one language; `label` names the field in it. */
+function OneLanguage({
+  words,
+  say,
+  label,
+}: {
+  readonly words: WordsDraft;
+  readonly say: (some: Partial<WordsDraft>) => void;
+  readonly label: (field: string) => string;
+}) {
+  const t = useTexts("course-teach"),
+    { hintOptional } = useTexts("course-set");
+  const at = (index: 0 | 1 | 2, typed: number, text: string) => (index === typed ? text : words.hints[index]);
+  return (
+    <>
+      <TeachText label={label(t.name)} value={words.title} change={(title) => say({ title })} />
+      <TeachText label={label(t.ask)} hint={t.askHint} rows={4} value={words.ask} change={(ask) => say({ ask })} />
+      {words.hints.map((hint, i) => (
+        <TeachText
+          key={i}
+          label={label(t.hints[i] ?? "")}
+          {...(i === 0 && { hint: hintOptional })}
+          rows={2}
+          value={hint}
+          change={(text) => say({ hints: [at(0, i, text), at(1, i, text), at(2, i, text)] })}
+        />
+      ))}
+    </>
+  );
+}
+
+/** The texts in further languages, one after the other. */
+function Translations({ made, change, first }: FormPart & { readonly first: LessonLanguage }) {
+  const t = useTexts("course-set");
+  const others = LESSON_LANGUAGES.filter((each) => each !== first);
+  const [language, speak] = useState<LessonLanguage>(others[0] ?? first);
+  const { translations = {} } = made;
+  const words = translations[language] ?? NO_WORDS;
+  const name = SCREEN_LANGUAGES[language].name;
+  return (
+    <details className="teach-more">
+      <summary>{t.translations}</summary>
+      <p className="small soft">{t.translationsHint}</p>
+      <label className="teach-text">
+        {t.language}
+        <select
+          className="select"
+          value={language}
+          onChange={(event) => {
+            const chosen = others.find((each) => each === event.currentTarget.value);
+            if (chosen) speak(chosen);
+          }}
+        >
+          {others.map((each) => (
+            <option key={each} value={each}>
+              {SCREEN_LANGUAGES[each].name}
+              {translations[each] ? " ✓" : ""}
+            </option>
+          ))}
+        </select>
+      </label>
+      <OneLanguage
+        key={language}
+        words={words}
+        label={(field) => t.textIn(field, name)}
+        say={(some) => {
+          const next = { ...words, ...some },
+            { [language]: _, ...rest } = translations;
+          const isEmpty = [next.title, next.ask, ...next.hints].every((text) => text === "");
+          change({ translations: isEmpty ? rest : { ...translations, [language]: next } });
+        }}
+      />
+    </details>
+  );
+}
+
+/** Kind, and the texts: title, assignment and hints, in one language or several. */
+export function WordFields({
+  made,
+  change,
+  kinds,
+  language,
+}: FormPart & { readonly kinds: readonly TaskForm["kind"][]; readonly language: LessonLanguage }) {
   const t = useTexts("course-teach");
   const name = useId();
   const { words, kind } = made;
-  const say = (some: Partial<TaskForm["words"]>) => change({ words: { ...words, ...some } });
-  const [one, two, three] = words.hints;
   return (
     <fieldset>
       <legend>{t.words}</legend>
@@ -81,11 +163,8 @@ export function WordFields({ made, change, kinds }: FormPart & { readonly kinds:
           </label>
         ))}
       </div>
-      <TeachText label={t.name} value={words.title} change={(title) => say({ title })} />
-      <TeachText label={t.ask} hint={t.askHint} rows={4} value={words.ask} change={(ask) => say({ ask })} />
-      <TeachText label={t.hints[0] ?? ""} rows={2} value={one} change={(text) => say({ hints: [text, two, three] })} />
-      <TeachText label={t.hints[1] ?? ""} rows={2} value={two} change={(text) => say({ hints: [one, text, three] })} />
-      <TeachText label={t.hints[2] ?? ""} rows={2} value={three} change={(text) => say({ hints: [one, two, text] })} />
+      <OneLanguage words={words} label={(field) => field} say={(some) => change({ words: { ...words, ...some } })} />
+      <Translations made={made} change={change} first={language} />
     </fieldset>
   );
 }

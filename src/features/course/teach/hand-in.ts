@@ -1,72 +1,114 @@
+import { comparePredictedAnswers } from "../../../course/predicted-answers.ts";
+import { goalsOf, isMet } from "../../../course/goals.ts";
 import { judge } from "../../../course/judge/judge.ts";
+import type { Answer } from "../../../course/judge/judgement.ts";
 import { RESULT_FORMAT, type HandedResult, type TaskResult } from "../../../course/made/result.ts";
+import { checkIn, type Exam, type ExamCheck } from "../../../course/exam.ts";
 import { progressOfTask, type CourseProgress } from "../../../course/progress.ts";
+import type { TaskSet } from "../../../course/task-set.ts";
 import type { Task } from "../../../course/task.ts";
 import type { Language } from "../../../i18n/languages.ts";
 import { shippedList } from "../../../program/tools/tool-list.ts";
 import { time } from "../../../app/base/clock.ts";
 import { outcomeOfOther } from "../../../app/calculation/other-outcome.ts";
 import { printedText } from "../../../app/document/printed.ts";
-import { readWork } from "../../../app/records/device.ts";
-import { refreshWorks } from "../../../app/records/keep.ts";
+import { flushEdits } from "../../../app/document/store.ts";
+import { asProgram } from "../../../app/fields/compare/sides.ts";
+import { newestState, refreshWorks } from "../../../app/records/keep.ts";
 import { isProgram } from "../../../app/document/work.ts";
 import { inScreenLanguage } from "../../../course/words.ts";
 import { fetchTask } from "../../../app/records/course/content.ts";
-import { newestWorkOfTask } from "../task/begin.ts";
-import type { RerunOutcome } from "../../../app/records/course/result-rows.ts";
+import { newestWorkOfTask, workOfTask } from "../task/begin.ts";
+import type { MissedGoal, Rerun } from "../../../app/records/course/result-rows.ts";
+import { setOfTask, setRecord } from "../../../app/records/course/saved-sets.ts";
 import { taskRecord } from "../../../app/records/course/saved-tasks.ts";
 import { countWork, workedIn } from "../../../app/records/course/working-time.ts";
 
-/** A task by its id: a kept one, or one of the course; null if this device has none. */
+/** A task by its id: a kept one, one of a kept set, or one of the course; null if this device has none. */
 export async function taskOfId(id: string): Promise<Task | null> {
-  return taskRecord.now().find((task) => task.id === id) ?? fetchTask(id);
+  return (
+    taskRecord.now().find((task) => task.id === id) ?? setOfTask(setRecord.now(), id)?.task ?? (await fetchTask(id))
+  );
 }
 
-/**
- * The verdict on a program in a task, from a background run with the same settings on every device; null if the run
- * fails.
- */
+/** A program of a task as it runs with the same settings on every device, in the background; null if that fails. */
+const answerHere = (task: Task, program: string): Promise<Answer | null> =>
+  outcomeOfOther({ name: `${task.id}.h`, text: program, encoding: "utf-8", tools: shippedList }, null);
+
+/** The verdict on a program in a task; null if the run fails. */
 export async function verdictHere(task: Task, program: string): Promise<TaskResult["verdict"]> {
-  const answer = await outcomeOfOther(
-    { name: `${task.id}.h`, text: program, encoding: "utf-8", tools: shippedList },
-    null,
-  );
+  const answer = await answerHere(task, program);
   if (!answer) return null;
   const { passed, marks } = judge(task, answer);
   return { passed, refused: [...new Set(marks.filter((mark) => !mark.passed).map(({ rule }) => rule))] };
 }
 
-/** The verdict on a received result on this device, with the device's version of the task. */
-export async function rerunResult({ id, program }: TaskResult): Promise<RerunOutcome> {
-  const task = await taskOfId(id);
-  if (task?.kind === "predict") return "foretold";
-  if (program === null) return "none";
-  if (!task) return "unknown";
-  const verdict = await verdictHere(task, program);
-  if (!verdict) return "stopped";
-  return verdict.passed ? "passes" : "fails";
+/** How a program of an exam task does: the goals that it meets; null if nothing cuts yet, or the run fails. */
+export async function examCheckHere(task: Task, program: string): Promise<Omit<ExamCheck, "count"> | null> {
+  const answer = await answerHere(task, program);
+  if (!answer?.run.steps.some(({ move }) => move.kind !== "rapid")) return null;
+  const judgement = judge(task, answer);
+  const goals = goalsOf(task).filter(({ kind }) => kind !== "foretold");
+  const met = goals.filter((goal) => isMet(goal, judgement, [])).length;
+  return { passed: judgement.passed, met, of: goals.length };
 }
 
-/** The newest program for a task on this device. */
-async function lastProgram(id: string): Promise<string | null> {
+/** Whether all questions of a task were answered correctly, by a run of its starting state; null if that fails. */
+async function areAnswersRight(task: Task, told: readonly string[]): Promise<boolean | null> {
+  const begun = await outcomeOfOther(asProgram(workOfTask(task)));
+  return begun && comparePredictedAnswers(task, told, begun).every(({ right }) => right);
+}
+
+/**
+ * A received result, judged on this device with the device's version of the task: its program, and its answers where the
+ * learner was not told whether they are right.
+ */
+export async function rerunResult({ id, program, told }: TaskResult): Promise<Rerun> {
+  const none: readonly MissedGoal[] = [];
+  const task = await taskOfId(id);
+  const isAsked = task?.predict !== undefined && told !== undefined;
+  if (task?.kind === "predict" && !isAsked) return { is: "foretold", missed: none };
+  if (program === null && task?.kind !== "predict") return { is: "none", missed: none };
+  if (!task) return { is: "unknown", missed: none };
+  const answers = isAsked ? await areAnswersRight(task, told) : true;
+  const verdict =
+    task.kind === "predict"
+      ? { passed: true, refused: [] }
+      : program === null
+        ? null
+        : await verdictHere(task, program);
+  if (!verdict || answers === null) return { is: "stopped", missed: none };
+  const missed = [...(answers ? none : (["answers"] as const)), ...verdict.refused];
+  return { is: missed.length === 0 ? "passes" : "fails", missed };
+}
+
+/** The newest program for a task on this device, and the answers to its questions as typed. */
+async function lastWork(id: string): Promise<{ readonly program: string | null; readonly told: readonly string[] }> {
   const work = newestWorkOfTask(id),
-    kept = work === undefined ? null : await readWork(work);
-  if (!kept) return null;
-  return isProgram(kept.job) ? kept.job.text : printedText(kept.job);
+    kept = work === undefined ? null : await newestState(work);
+  if (!kept) return { program: null, told: [] };
+  return { program: isProgram(kept) ? kept.text : printedText(kept), told: kept.task?.told ?? [] };
 }
 
 const SECOND = 1000;
 
-/** The result of one task. */
-export async function resultOf(id: string, progress: CourseProgress, language: Language): Promise<TaskResult> {
+/** The result of one task; of an exam, without a verdict, which is the instructor's. */
+export async function resultOf(
+  id: string,
+  progress: CourseProgress,
+  language: Language,
+  exam: Exam | null = null,
+): Promise<TaskResult> {
   const task = await taskOfId(id),
-    program = await lastProgram(id);
+    { program, told } = await lastWork(id);
   const { tries, hints, solution, passed, seconds, score } = progressOfTask(progress, id);
   const { ms, steps } = workedIn(id);
+  const check = exam && checkIn(exam, id);
+  const isJudged = !exam && task && program !== null && task.kind !== "predict";
   return {
     id,
     title: (task && inScreenLanguage(task.words, language)?.title) ?? id,
-    tries,
+    tries: check ? check.count : tries,
     hints,
     solution,
     passed,
@@ -75,20 +117,44 @@ export async function resultOf(id: string, progress: CourseProgress, language: L
     worked: Math.round(ms / SECOND),
     steps,
     program,
-    verdict: task && program !== null && task.kind !== "predict" ? await verdictHere(task, program) : null,
+    ...(exam && told.length > 0 && { told: [...told] }),
+    verdict: isJudged ? await verdictHere(task, program) : null,
   };
 }
 
-/** The results of tasks under a name, which may be empty. */
+/** Who hands in: the name and the class, either may be empty. */
+export interface Learner {
+  readonly name: string;
+  readonly group: string;
+}
+
+/** The results of tasks, of a whole set or of an exam. */
 export async function resultsToHandIn(
   ids: readonly string[],
-  name: string,
+  { name, group }: Learner,
   progress: CourseProgress,
   language: Language,
+  from: { readonly set?: TaskSet | undefined; readonly exam?: Exam | null; readonly by?: "learner" | "time" } = {},
 ): Promise<HandedResult> {
+  const { set, exam = null, by = "learner" } = from;
+  flushEdits();
   countWork();
   await refreshWorks();
   const tasks: TaskResult[] = [];
-  for (const id of ids) tasks.push(await resultOf(id, progress, language));
-  return { format: RESULT_FORMAT, name: name.trim(), made: time(), tasks };
+  for (const id of ids) tasks.push(await resultOf(id, progress, language, exam));
+  return {
+    format: RESULT_FORMAT,
+    name: name.trim(),
+    ...(group.trim() !== "" && { group: group.trim() }),
+    made: time(),
+    ...(set && {
+      set: {
+        id: set.id,
+        title: inScreenLanguage(set.words, language)?.title ?? set.id,
+        ...(set.due !== undefined && { due: set.due }),
+      },
+    }),
+    ...(exam && { exam: { begun: exam.begun, by } }),
+    tasks,
+  };
 }

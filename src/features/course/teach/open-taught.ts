@@ -45,7 +45,7 @@ const BEGINNING = 4096;
 
 /** Whether one of several files contains a task or results, whatever its name. */
 export async function areTaughtFiles(files: readonly File[]): Promise<boolean> {
-  for (const file of files.filter(({ name }) => /\.json$/i.test(name))) {
+  for (const file of files.filter(({ name }) => /\.(?:json|txt)$/i.test(name))) {
     try {
       // A file over the size limit is recognized by its beginning.
       if (isTaughtText(await (file.size > LARGEST_TAUGHT ? file.slice(0, BEGINNING) : file).text())) return true;

@@ -1,21 +1,21 @@
 import { useEffect, useState } from "react";
 import { rerunResult } from "./hand-in.ts";
-import type { RerunOutcome, ResultRow } from "../../../app/records/course/result-rows.ts";
+import type { Rerun, ResultRow } from "../../../app/records/course/result-rows.ts";
 
 /** Cached reruns, so that later results do not run the earlier ones again. */
-const cachedReruns = new WeakMap<ResultRow["result"], RerunOutcome>();
+const cachedReruns = new WeakMap<ResultRow["result"], Rerun>();
 
 /** Reruns each program, one after the other; by the keys of the rows. */
-export function useReruns(rows: readonly ResultRow[]): ReadonlyMap<string, RerunOutcome> {
-  const [again, say] = useState<ReadonlyMap<string, RerunOutcome>>(new Map());
+export function useReruns(rows: readonly ResultRow[]): ReadonlyMap<string, Rerun> {
+  const [again, say] = useState<ReadonlyMap<string, Rerun>>(new Map());
   useEffect(() => {
     let gone = false;
     void (async () => {
-      const all = new Map<string, RerunOutcome>();
+      const all = new Map<string, Rerun>();
       for (const { key, result } of rows) {
         const is = cachedReruns.get(result) ?? (await rerunResult(result));
         // A failed run is retried another time.
-        if (is !== "stopped" && is !== "unknown") cachedReruns.set(result, is);
+        if (is.is !== "stopped" && is.is !== "unknown") cachedReruns.set(result, is);
         all.set(key, is);
         if (gone) return;
         say(new Map(all));

@@ -3,15 +3,12 @@ export interface Shareable {
   readonly name: string;
   /** Empty if it is longer than messengers accept. */
   readonly link: string;
-  readonly archive: string;
-  readonly bytes: () => Uint8Array<ArrayBuffer>;
+  readonly file: () => File;
 }
 
 /** The link if it is short enough, otherwise the file. */
-const dataOf = ({ name, link, archive, bytes }: Shareable): ShareData =>
-  link === ""
-    ? { title: name, files: [new File([bytes()], archive, { type: "application/zip" })] }
-    : { title: name, url: link };
+const dataOf = ({ name, link, file }: Shareable): ShareData =>
+  link === "" ? { title: name, files: [file()] } : { title: name, url: link };
 
 /** Whether this system has a share sheet for this content. */
 export const canShare = (what: Shareable): boolean =>
