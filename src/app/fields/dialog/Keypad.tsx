@@ -6,6 +6,7 @@ import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { fieldEntry, writeEntry } from "../keypad/field-typing.ts";
 import { toggleIncremental, type EntryState } from "../number/number-entry.ts";
+import { KEY_ROWS } from "./key-rows.ts";
 import { padButton, writingKeys, type PadKey } from "./KeyGrid.tsx";
 import { commandsOf, type Prompt, type PromptSession } from "./session.ts";
 
@@ -14,13 +15,6 @@ interface Props {
   readonly prompt: Prompt;
   readonly input: RefObject<HTMLInputElement | null>;
 }
-
-/** Rows of keys: a calculator with the keys of the control, in a short window three rows of nine, or the keys of path words. */
-const ROWS = {
-  sums: "7 8 9 / ( up erase 4 5 6 * ) down noEnter 1 2 3 - Q cancel end sign 0 point + enter".split(" "),
-  flat: "7 8 9 / ( sign up erase noEnter 4 5 6 * ) point down cancel end 1 2 3 0 - + Q enter".split(" "),
-  words: "7 8 9 up erase noEnter end 4 5 6 down sign point I 1 2 3 0 enter".split(" "),
-} as const;
 
 /** Touch keypad docked below the open prompt. A choice among digits shows only its own digits. */
 export function Keypad({ session, prompt, input }: Props) {
@@ -69,7 +63,7 @@ export function Keypad({ session, prompt, input }: Props) {
   }
   return (
     <div className={`keypad${flat ? " flat" : ""}`} role="group" aria-label={keypad}>
-      {ROWS[flat ? "flat" : session.keypad].map((id) => padButton(keyOf(id)))}
+      {KEY_ROWS[flat ? "flatSums" : session.keypad].map((id) => padButton(keyOf(id)))}
     </div>
   );
 }

@@ -1,23 +1,13 @@
 import { useEffect, useLayoutEffect, useRef } from "react";
 import { createPortal } from "react-dom";
 import { decimalSign } from "../../../i18n/number.ts";
+import { FIELD_ROWS } from "../dialog/key-rows.ts";
 import { padButton, writingKeys, type PadKey } from "../dialog/KeyGrid.tsx";
 import { useMedia } from "../../base/use-media.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { enterField, fieldEntry, scopeOf, stepField, writeEntry } from "./field-typing.ts";
 import "./keypad.css";
-
-const ROWS = {
-  words: "7 8 9 / ( up erase 4 5 6 * ) down letters 1 2 3 - Q ready sign 0 point + enter".split(" "),
-  open: "7 8 9 / ( up erase 4 5 6 * ) down letters 1 2 3 - ? ready sign 0 point + enter".split(" "),
-} as const;
-
-/** The same keys in three rows of nine, for a short window. */
-const FLAT_ROWS = {
-  words: "7 8 9 / ( sign up erase letters 4 5 6 * ) point down Q ready 1 2 3 0 - + enter".split(" "),
-  open: "7 8 9 / ( sign up erase letters 4 5 6 * ) point down ? ready 1 2 3 0 - + enter".split(" "),
-} as const;
 
 /** Keypad for the focused number field at the lower edge of the page, which makes room for it. */
 export function FieldKeypad({
@@ -59,7 +49,7 @@ export function FieldKeypad({
   return createPortal(
     <section className="field-keypad-place" aria-label={keypad}>
       <div className={`keypad field-keypad${flat ? " flat" : ""}`} role="group" aria-label={keypad} ref={box}>
-        {(flat ? FLAT_ROWS : ROWS)[field.dataset["number"] === "open" ? "open" : "words"].map((id) =>
+        {FIELD_ROWS[field.dataset["number"] === "open" ? "open" : "words"][flat ? "flat" : "high"].map((id) =>
           padButton(keys[id] ?? writing(id), false),
         )}
       </div>
