@@ -164,7 +164,7 @@ test("predictions, a fault that is found and fixed, and a drawing with its score
 
   const pin = taskFile("l22-pin");
   await begin(turnwise, "from-a-drawing", pin.words.en.title);
-  await expect(task.assignment.getByRole("img").first()).toBeVisible();
+  await expect(task.drawing).toBeVisible();
   await expectFineInBothThemes(page, "a task from a drawing");
   await editor.text.press("ControlOrMeta+a");
   await page.keyboard.insertText(pin.solution.join("\n"));
