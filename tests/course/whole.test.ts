@@ -91,7 +91,7 @@ describe("a task that ships with the page", () => {
 });
 
 describe("a lesson that ships with the page", () => {
-  const words = { title: "Title", aim: "Aim", pages: ["One"] };
+  const words = { title: "Title", aim: "Aim", pages: ["One"], questions: [null] };
   const lesson = lessonSchema.parse({
     id: "law",
     number: 7,
