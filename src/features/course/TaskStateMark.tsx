@@ -13,14 +13,14 @@ const FORMS: Readonly<Record<TaskState, string>> = {
   solution: "M2.5 6l3.5 4 7.5-8M2.5 14h4.5M9 14h4.5",
 };
 
-/** A state, as a mark and in words. */
+/** A state, as a mark and in words. Not started is most of a new course: its ring is enough for the eye. */
 export function StateMark({ form, words }: { readonly form: TaskState; readonly words: string }) {
   return (
     <span className={`task-state task-${form}`}>
       <svg className="icon" viewBox="0 0 16 16" aria-hidden="true" focusable="false">
         <path d={FORMS[form]} />
       </svg>
-      {words}
+      <span className={form === "new" ? "unseen" : undefined}>{words}</span>
     </span>
   );
 }
