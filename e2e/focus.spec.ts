@@ -141,5 +141,6 @@ test("blocks, tools, own cycles and lessons keep the keyboard", async ({ page })
   await page.goto("./#/own");
   await press(own.add);
   await page.goto("./#/course/first-shoulder");
+  await expect(course.next).toBeVisible();
   for (let i = 0; i < 7; i += 1) if (await course.next.isVisible()) await press(course.next);
 });

@@ -50,9 +50,11 @@ function piecesOf(chain: readonly Pt[], sources: readonly Segment[]): readonly P
 const lengthOf = ({ points }: Piece): number =>
   points.slice(1).reduce((sum, p, i) => sum + part.apart(points[i] ?? p, p), 0);
 
-/** The point where two elements meet near a corner of the polygon; the corner itself where they do not. */
+/** The point where two elements meet near a corner of the polygon; otherwise the corner, on the element that it ends. */
 function joint(before: Segment | null, corner: Pt, after: Segment | null): Pt {
-  if (!before || !after) return corner;
+  const only = before ?? after;
+  if (!only) return corner;
+  if (!before || !after) return part.nearestOn(only, corner);
   const ends = [before.from, before.to].filter((p) => [after.from, after.to].some((q) => part.apart(p, q) < NEAR.end));
   const found = [...ends, ...part.meetings(before, after)]
     .map((p) => ({ p, by: part.apart(p, corner) }))

@@ -12,15 +12,24 @@ export function useTaskDrawing(task: Task) {
   const veiled = useEditor((s) => taskOfWork(s)?.veiled ?? false);
   const isUsual = useHasDrawing(task);
   const chosen = useTaskView((v) => v.drawn);
-  const checked = useTaskView((v) => v.checked);
-  const looked = useChosenFinding((f) => f.count);
   const isBeside = useMedia("broad");
   // While the run is hidden, the lathe is what the questions are about.
   const exists = task.part !== undefined && !veiled;
   const shown = exists && (chosen ?? isUsual);
   // The marks of a check, and a place that is looked at, are on the lathe.
   useEffect(() => {
-    if ((checked || looked > 0) && !isBeside) useTaskView.setState({ drawn: false });
-  }, [checked, looked, isBeside]);
+    if (isBeside) return undefined;
+    const toLathe = () => useTaskView.setState({ drawn: false });
+    const checks = useTaskView.subscribe(({ checked }, before) => {
+      if (checked && checked !== before.checked) toLathe();
+    });
+    const choices = useChosenFinding.subscribe(({ id, count }, before) => {
+      if (id !== null && count !== before.count) toLathe();
+    });
+    return () => {
+      checks();
+      choices();
+    };
+  }, [isBeside]);
   return { exists, shown, toggle: () => useTaskView.setState({ drawn: !shown }) };
 }
