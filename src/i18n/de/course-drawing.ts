@@ -51,6 +51,7 @@ export const courseDrawing = {
     length: "Länge von Z0",
     chamfer: "Fase",
     radius: "Radius",
+    angle: "Winkel",
     thread: "Gewinde",
     mark: "Größte Rautiefe",
     blank: "Rohteil",

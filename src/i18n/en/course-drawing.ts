@@ -52,6 +52,7 @@ export const courseDrawing = {
     length: "Length from Z0",
     chamfer: "Chamfer",
     radius: "Radius",
+    angle: "Angle",
     thread: "Thread",
     mark: "Max. roughness",
     blank: "Blank",

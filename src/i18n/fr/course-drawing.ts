@@ -52,6 +52,7 @@ export const courseDrawing = {
     length: "Longueur depuis Z0",
     chamfer: "Chanfrein",
     radius: "Rayon",
+    angle: "Angle",
     thread: "Filetage",
     mark: "Rugosité maximale",
     blank: "Brut",

@@ -51,6 +51,7 @@ export const courseDrawing = {
     length: "距 Z0 长度",
     chamfer: "倒角",
     radius: "圆角",
+    angle: "角度",
     thread: "螺纹",
     mark: "粗糙度上限",
     blank: "毛坯",

@@ -1,13 +1,14 @@
 import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 
 /**
- * What a size of a drawing measures: a diameter on its stretch of Z, a length from Z0, or a broken corner with all its
- * places. Part space, mm.
+ * What a size of a drawing measures: a diameter on its stretch of Z, a length from Z0, or a broken corner or the angle of
+ * a cone with all its places. Part space, mm.
  */
 export type MeasuredFeature =
   | { readonly kind: "diameter"; readonly r: number; readonly left: number; readonly right: number }
   | { readonly kind: "length"; readonly z: number }
-  | { readonly kind: "corner"; readonly size: number; readonly places: readonly Pt[] };
+  | { readonly kind: "corner"; readonly size: number; readonly places: readonly Pt[] }
+  | { readonly kind: "angle"; readonly degrees: number; readonly places: readonly Pt[] };
 
 /** Nearer values are one, mm. */
 const ONE = 0.005;
@@ -31,6 +32,11 @@ function lies(feature: MeasuredFeature, s: Segment): boolean {
       const middle = part.pointOn(s, 1 / 2);
       return feature.places.some((p) => part.apart(p, middle) < NEAR);
     }
+    case "angle": {
+      const slope = Math.tan((feature.degrees * Math.PI) / 180) * Math.abs(s.to.z - s.from.z);
+      const isSlope = s.kind === "line" && isSameLength(Math.abs(s.to.r - s.from.r), slope);
+      return isSlope && feature.places.some((p) => part.distanceTo(s, p) < NEAR);
+    }
   }
 }
 
@@ -42,6 +48,7 @@ function isAt(feature: MeasuredFeature, p: Pt): boolean {
     case "length":
       return isSameLength(p.z, feature.z);
     case "corner":
+    case "angle":
       return false;
   }
 }

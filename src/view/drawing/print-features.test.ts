@@ -31,3 +31,28 @@ test("a cone is no chamfer, however it stands between two cylinders", () => {
   expect(corners).toEqual([]);
   expect(cylinders.map(({ r }) => r)).toEqual([14.2, 18.3]);
 });
+
+test("a cone of a usual angle is stated by one diameter and the angle; a chamfer beside it by its legs", () => {
+  const end = 25 + 55 * Math.tan((5 * Math.PI) / 180);
+  // 0.5 off the face at ⌀50, and 0.5 along the axis on the cone.
+  const begins = 25 + 0.5 * Math.tan((5 * Math.PI) / 180);
+  const { corners, cylinders } = printFeatures(
+    chain(at(0, 10), at(0, 24.5), at(-0.5, begins), at(-55, end), at(-55, 40)),
+  );
+  expect(cylinders.map(({ r, follows }) => [Number(r.toFixed(3)), follows])).toEqual([
+    [25, false],
+    [Number(end.toFixed(3)), true],
+  ]);
+  expect(corners).toMatchObject([
+    { kind: "chamfer", size: 0.5, across: 0.5 },
+    { kind: "angle", size: 5 },
+  ]);
+});
+
+test("a cone of another angle keeps both diameters", () => {
+  const { corners, cylinders } = printFeatures(
+    chain(at(0, 10), at(0, 25), at(-40, 25 + 40 * Math.tan(0.0811)), at(-40, 40)),
+  );
+  expect(cylinders.map(({ follows }) => follows)).toEqual([false, false]);
+  expect(corners).toEqual([]);
+});

@@ -5,16 +5,23 @@ export interface PrintCylinder {
   readonly r: number;
   readonly left: number;
   readonly right: number;
+  /** The end of a cone that follows from the other end, the angle and the length. */
+  readonly follows: boolean;
 }
 
-/** A corner that is broken, with the place that its leader shows. Size mm, angle degrees from the axis. */
+/**
+ * A corner that is broken, or the angle of a cone, with the place that its leader shows. Size mm, of an angle degrees;
+ * angle degrees from the axis. `across`: how far a chamfer beside a cone goes along the other surface, mm.
+ */
 export type PrintCorner =
-  | { readonly kind: "chamfer"; readonly at: Pt; readonly size: number; readonly angle: number }
   | {
-      readonly kind: "radius";
+      readonly kind: "chamfer";
       readonly at: Pt;
       readonly size: number;
-    };
+      readonly angle: number;
+      readonly across: number | null;
+    }
+  | { readonly kind: "radius" | "angle"; readonly at: Pt; readonly size: number };
 
 /** The features of one outline that a drawing dimensions. */
 export interface PrintFeatures {
@@ -74,7 +81,30 @@ function cornerOf(
   if (before && !isLevel(before) && !isUpright(before) && part.lengthOf(before) < part.lengthOf(s)) return null;
   if ((before && sine(before, s) < BENT) || (after && sine(s, after) < BENT)) return null;
   if (before && after && sine(before, after) < BENT) return null;
-  return { kind: "chamfer", at: middle, size: long(s), angle: (Math.atan2(tall(s), long(s)) * 180) / Math.PI };
+  return { kind: "chamfer", at: middle, size: long(s), angle: angleOf(s), across: acrossCone(before, s, after) };
+}
+
+/** The leg of a chamfer on the face that it shares with a cone; null where its angle is measured from the axis. */
+function acrossCone(before: Segment | undefined, s: Segment, after: Segment | undefined): number | null {
+  if (!before || !after) return null;
+  const [face, cone, end] = isUpright(before) ? [before, after, s.from] : [after, before, s.to];
+  if (!isUpright(face) || !isCone(cone)) return null;
+  const [sharp] = part.meetings(face, cone);
+  return sharp ? part.apart(sharp, end) : null;
+}
+
+/** Degrees from the axis. */
+const angleOf = (s: Segment): number => (Math.atan2(tall(s), long(s)) * 180) / Math.PI;
+const isCone = (s: Segment): boolean => s.kind === "line" && !isLevel(s) && !isUpright(s);
+/** Angles are drawn where they are multiples of this, degrees. */
+const ANGLE_STEP = 0.5;
+
+/** The angle of a cone; null where it is no usual one, so that its two diameters state it. */
+function usualAngle(s: Segment): number | null {
+  if (!isCone(s)) return null;
+  const angle = Math.round(angleOf(s) / ANGLE_STEP) * ANGLE_STEP;
+  const off = ((angle - angleOf(s)) * Math.PI) / 180;
+  return Math.abs(off) * part.lengthOf(s) < AS_NEAR ? angle : null;
 }
 
 /**
@@ -86,6 +116,10 @@ const tidied = (value: number, grid: number): number => {
   const round = Math.round(value * grid) / grid;
   return Math.abs(round - value) < AS_NEAR ? round : value;
 };
+const isOnGrid = (value: number, grid: number): boolean => Math.abs(Math.round(value * grid) / grid - value) < AS_NEAR;
+/** Whether one end of a cone has a diameter in hundredths, and the other end does not: its angle states that one. */
+const isStatedByAngle = (s: Segment): boolean =>
+  usualAngle(s) !== null && isOnGrid(s.from.r, GRID.r) !== isOnGrid(s.to.r, GRID.r);
 const tidy = (p: Pt): Pt => at(tidied(p.z, GRID.z), tidied(p.r, GRID.r));
 
 /** Extends the lines on both sides of a broken corner to where they meet, as if it were sharp. */
@@ -133,11 +167,11 @@ export function printFeatures(outline: readonly Segment[]): PrintFeatures {
     if (!known) positions.push(p);
     else if (p.r > known.r) positions[i] = p;
   };
-  const addDiameter = (left: number, right: number, r: number) => {
+  const addDiameter = (left: number, right: number, r: number, follows = false) => {
     const known = cylinders.some(
       (c) => Math.abs(c.r - r) < ONE && (left === right ? c.left - ONE <= left && right <= c.right + ONE : false),
     );
-    if (r > ONE && !known) cylinders.push({ r, left, right });
+    if (r > ONE && !known) cylinders.push({ r, left, right, follows });
   };
   const main = sharpened(pieces);
   for (const s of main.filter(isLevel)) addDiameter(Math.min(s.from.z, s.to.z), Math.max(s.from.z, s.to.z), s.from.r);
@@ -145,10 +179,12 @@ export function printFeatures(outline: readonly Segment[]): PrintFeatures {
     if (isLevel(s)) continue;
     addPosition(s.from.r > s.to.r ? s.from : s.to);
     if (isUpright(s)) continue;
+    const isStated = isStatedByAngle(s);
     for (const p of [s.from, s.to].map(tidy)) {
       addPosition(p);
-      addDiameter(p.z, p.z, p.r);
+      addDiameter(p.z, p.z, p.r, isStated && !isOnGrid(p.r, GRID.r));
     }
+    if (isStated) corners.push({ kind: "angle", at: part.pointOn(s, 1 / 2), size: usualAngle(s) ?? 0 });
     if (s.kind === "arc") corners.push({ kind: "radius", at: part.pointOn(s, 1 / 2), size: part.radiusOf(s) });
   }
   const last = main.at(-1);

@@ -40,6 +40,10 @@ export interface PrintWords {
   readonly both: (value: number) => string;
   readonly radius: (value: number) => string;
   readonly chamfer: (size: number, angle: number) => string;
+  /** A chamfer by its two legs: along the axis, and along the face. */
+  readonly legs: (axial: number, across: number) => string;
+  /** Degrees. */
+  readonly angle: (value: number) => string;
   readonly roughness: (value: number) => string;
 }
 
@@ -84,8 +88,9 @@ const sizeAcross = (
 export function diametersOf(work: PrintedPart, features: PrintFeatures, isBore: boolean, words: PrintWords): Across[] {
   const kind = isBore ? "bore" : "diameter",
     made: Across[] = [];
-  for (const { r, left, right } of features.cylinders) {
+  for (const { r, left, right, follows } of features.cylinders) {
     const found = sizeAcross(work.sizes, kind, r, { left, right });
+    if (follows && !found) continue;
     const size = toleranced(words.diameter(found ? diameter(found.nominal) : toDiameter(at(0, r).r)), found, words);
     const same = made.find((m) => Math.abs(m.r - r) < ONE && spelled(m.size) === spelled(size));
     if (!same) made.push({ r, left, right, isBore, isBlank: false, size });
@@ -94,8 +99,9 @@ export function diametersOf(work: PrintedPart, features: PrintFeatures, isBore: 
   return made;
 }
 
-function cornerSize(corner: PrintCorner, words: PrintWords): PrintSize {
-  return { text: corner.kind === "radius" ? words.radius(corner.size) : words.chamfer(corner.size, corner.angle) };
+function cornerSize(corner: PrintCorner, words: PrintWords): string {
+  if (corner.kind !== "chamfer") return words[corner.kind](corner.size);
+  return corner.across === null ? words.chamfer(corner.size, corner.angle) : words.legs(corner.size, corner.across);
 }
 
 /** Corners of one size share one note, at the first of them from the free end, with their number. */
@@ -105,7 +111,7 @@ export function cornersOf(
 ): { readonly corner: PrintCorner; readonly size: PrintSize; readonly all: readonly Pt[] }[] {
   const made = new Map<string, { corner: PrintCorner; all: Pt[] }>();
   for (const corner of [...corners].sort((a, b) => b.at.z - a.at.z)) {
-    const { text } = cornerSize(corner, words),
+    const text = cornerSize(corner, words),
       known = made.get(text);
     if (known) known.all.push(corner.at);
     else made.set(text, { corner, all: [corner.at] });

@@ -33,7 +33,7 @@ import {
 
 /** A size of the drawing as data, for a list beside it. */
 export interface ListedSize {
-  readonly kind: "diameter" | "bore" | "length" | "chamfer" | "radius" | "thread" | "mark" | "blank";
+  readonly kind: "diameter" | "bore" | "length" | "chamfer" | "radius" | "angle" | "thread" | "mark" | "blank";
   readonly size: PrintSize;
   /** Z of its place, both ends of a stretch; mm. */
   readonly at: readonly number[];
@@ -244,7 +244,10 @@ function laidOut(
       kind: corner.kind,
       size,
       at: all.map(({ z }) => z),
-      measures: { kind: "corner", size: corner.size, places: all },
+      measures:
+        corner.kind === "angle"
+          ? { kind: "angle", degrees: corner.size, places: all }
+          : { kind: "corner", size: corner.size, places: all },
     });
   for (const { most, stretch } of marks.single)
     listed.push({ kind: "mark", size: { text: words.roughness(most) }, at: stretch, measures: null });

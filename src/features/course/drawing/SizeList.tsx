@@ -31,7 +31,9 @@ export function SizeList({
             {t.kinds[kind]} <b className="number">{size.text}</b>
             {size.upper !== undefined && size.lower !== undefined && `, ${t.deviations(size.upper, size.lower)}`}
             {kind !== "length" && (
-              <span className="soft">{place(kind === "chamfer" || kind === "radius" ? at.slice(0, 1) : at)}</span>
+              <span className="soft">
+                {place(kind === "chamfer" || kind === "radius" || kind === "angle" ? at.slice(0, 1) : at)}
+              </span>
             )}
           </li>
         ))}

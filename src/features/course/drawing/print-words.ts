@@ -15,6 +15,8 @@ export function printWords(t: CourseDrawingTexts, language: Language): PrintWord
     radius: (value) => t.radius(number(value)),
     // The axial value on a cone is slightly less than the given one, so hundredths are shown.
     chamfer: (size, angle) => t.chamfer(formatNumber(language, size, 2), formatNumber(language, angle, 1)),
+    legs: (axial, across) => `${formatNumber(language, axial, 2)}×${formatNumber(language, across, 2)}`,
+    angle: (value) => `${formatNumber(language, value, 1)}°`,
     roughness: (value) => t.micrometres(number(value)),
   };
 }

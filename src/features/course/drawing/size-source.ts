@@ -34,6 +34,11 @@ function states(feature: MeasuredFeature, param: Param, value: number, values: S
       const isElement = param.sizes !== undefined && valueOf(values, param.sizes) !== 0;
       return (isElement || param.rounds) && isSameLength(value, feature.size);
     }
+    // The angle of a face counts from across the axis.
+    case "angle":
+      return (
+        param.kind === "angle" && [feature.degrees, 90 - feature.degrees].some((each) => isSameLength(value, each))
+      );
   }
 }
 
@@ -50,7 +55,7 @@ function cornerAt(params: Params, values: SomeValues, place: Param["place"]): Pt
 /** The place on the part that stands for a feature; null for a length, which is the same all round. */
 function placeOf(feature: MeasuredFeature): Pt | null {
   if (feature.kind === "length") return null;
-  if (feature.kind === "corner") return feature.places[0] ?? null;
+  if (feature.kind === "corner" || feature.kind === "angle") return feature.places[0] ?? null;
   return { z: axial((feature.left + feature.right) / 2), r: radius(feature.r) };
 }
 
