@@ -84,7 +84,8 @@ export function TotalsStrip() {
     <div className={`effect-cell${compared === "residual" ? " stays" : ""}`}>
       <dt>{name}</dt>
       <dd {...(compared && changed(compared))}>
-        <span className="number">{value}</span> {unit && <span className="soft small">{unit}</span>}
+        <span className="number">{value}</span>
+        {unit && <span className="soft small"> {unit}</span>}
       </dd>
     </div>
   );

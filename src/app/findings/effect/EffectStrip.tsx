@@ -39,7 +39,8 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
     <div className={`effect-cell${compared === "residual" ? " stays" : ""}`}>
       <dt>{name}</dt>
       <dd {...(compared && changed(compared))}>
-        <span className="number">{value}</span> {unit && <span className="soft small">{unit}</span>}
+        <span className="number">{value}</span>
+        {unit && <span className="soft small"> {unit}</span>}
       </dd>
     </div>
   );

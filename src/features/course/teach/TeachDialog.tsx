@@ -1,4 +1,4 @@
-import { useEffect, useRef, useState } from "react";
+import { Suspense, useEffect, useRef, useState } from "react";
 import { answerOf } from "../../../course/judge/answer.ts";
 import type { Answer } from "../../../course/judge/judgement.ts";
 import { shownLanguageOf, inScreenLanguage } from "../../../course/words.ts";
@@ -89,15 +89,19 @@ export function TeachDialog({ done, ...source }: TeachSource & { readonly done: 
   const dialog = useRef<HTMLDialogElement>(null);
   const name = "task" in source ? (inScreenLanguage(source.task.words, screen)?.title ?? source.task.id) : null;
   const title = name === null ? t.title : t.titleOf(name);
+  const working = (
+    <p role="status" className="soft">
+      {t.working}
+    </p>
+  );
   return (
     <ModalDialog ref={dialog} className="teach" title={title} done={done}>
-      {!begun && (
-        <p role="status" className="soft">
-          {t.working}
-        </p>
-      )}
-      {begun === "none" && <Message tone="warning">{t.noPart}</Message>}
-      {begun && begun !== "none" && <TeachForm {...begun} done={() => dialog.current?.close()} />}
+      {/* The form loads texts of its own, while the dialog stays open. */}
+      <Suspense fallback={working}>
+        {!begun && working}
+        {begun === "none" && <Message tone="warning">{t.noPart}</Message>}
+        {begun && begun !== "none" && <TeachForm {...begun} done={() => dialog.current?.close()} />}
+      </Suspense>
     </ModalDialog>
   );
 }
