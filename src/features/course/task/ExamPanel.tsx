@@ -17,6 +17,7 @@ import { WorkshopDrawing } from "../drawing/WorkshopDrawing.tsx";
 import { Paragraphs } from "../Paragraphs.tsx";
 import { examCheckHere } from "../teach/hand-in.ts";
 import { goalText } from "./goal-words.ts";
+import { FoldButton } from "./FoldButton.tsx";
 import { PredictForm } from "./PredictForm.tsx";
 import { useTaskView } from "./task-view.ts";
 
@@ -130,16 +131,7 @@ export function ExamPanel({ task, exam, t }: Props) {
             <Icon name="check" /> {left === null ? t.check : words.exam.checkLeft(left)}
           </button>
         )}
-        <button
-          type="button"
-          className="button task-unfold"
-          aria-label={open ? t.fold : t.unfold}
-          aria-expanded={open}
-          aria-controls={body}
-          onClick={() => useTaskView.setState({ open: !open })}
-        >
-          <Icon name={open ? "up" : "down"} /> <span>{open ? t.fold : t.unfold}</span>
-        </button>
+        <FoldButton body={body} t={t} />
       </div>
       <div id={body} className="task-body" hidden={!open}>
         {open && (

@@ -17,6 +17,7 @@ import { comparePredictions } from "./predict.ts";
 import { TaskPlace } from "./TaskPlace.tsx";
 import { useFindingsOfTask } from "./use-task-result.ts";
 import { withNumbers } from "../../../course/varied-numbers.ts";
+import { FoldButton } from "./FoldButton.tsx";
 import { PredictForm } from "./PredictForm.tsx";
 import { PredictionResult } from "./PredictionResult.tsx";
 import { MarkLine } from "./MarkLine.tsx";
@@ -126,16 +127,7 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
             <Icon name="drawing" /> <span>{t.drawing}</span>
           </button>
         )}
-        <button
-          type="button"
-          className="button task-unfold"
-          aria-label={open ? t.fold : t.unfold}
-          aria-expanded={open}
-          aria-controls={body}
-          onClick={() => useTaskView.setState({ open: !open })}
-        >
-          <Icon name={open ? "up" : "down"} /> <span>{open ? t.fold : t.unfold}</span>
-        </button>
+        <FoldButton body={body} t={t} />
       </div>
       {!open && !veiled && comparedAnswers && !marks?.length && !(passed && makes) && (
         <PredictionResult task={task} t={t} words={words} />

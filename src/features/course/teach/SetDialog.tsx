@@ -1,13 +1,14 @@
 import { useState } from "react";
 import { EXAM_REPORTS, SET_HELP, SET_LIMITS, isForLearners, type TaskSet } from "../../../course/task-set.ts";
 import { shownLanguageOf } from "../../../course/words.ts";
-import { LESSON_LANGUAGES, lessonLanguageOf, SCREEN_LANGUAGES } from "../../../i18n/languages.ts";
+import { LESSON_LANGUAGES, lessonLanguageOf } from "../../../i18n/languages.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { ModalDialog } from "../../../app/base/ModalDialog.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { NumberInput } from "../../../app/fields/number/NumberInput.tsx";
 import { keepSet } from "../../../app/records/course/saved-sets.ts";
+import { LanguageChoice } from "./LanguageChoice.tsx";
 import { SetHandOut } from "./SetHandOut.tsx";
 import { SetTasks } from "./SetTasks.tsx";
 import { TeachText } from "./WordFields.tsx";
@@ -112,24 +113,16 @@ function SetWords({ set, change }: { readonly set: TaskSet; readonly change: (so
   return (
     <fieldset>
       <legend>{teach.words}</legend>
-      <label className="teach-text">
-        {t.language}
-        <select
-          className="select"
-          value={language}
-          onChange={(event) => {
-            speak(lessonLanguageOf(event.currentTarget.value as typeof language));
-            name(null);
-          }}
-        >
-          {LESSON_LANGUAGES.map((each) => (
-            <option key={each} value={each}>
-              {SCREEN_LANGUAGES[each].name}
-              {set.words[each] ? " ✓" : ""}
-            </option>
-          ))}
-        </select>
-      </label>
+      <LanguageChoice
+        label={t.language}
+        all={LESSON_LANGUAGES}
+        value={language}
+        has={(each) => set.words[each] !== undefined}
+        change={(chosen) => {
+          speak(chosen);
+          name(null);
+        }}
+      />
       <TeachText
         label={teach.name}
         value={title ?? said?.title ?? ""}

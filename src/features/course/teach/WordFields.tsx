@@ -3,6 +3,7 @@ import type { TaskForm, WordsDraft } from "../../../course/made/task-form.ts";
 import { hasQuestions } from "../../../course/made/task-from-form.ts";
 import { LESSON_LANGUAGES, SCREEN_LANGUAGES, type LessonLanguage } from "../../../i18n/languages.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
+import { LanguageChoice } from "./LanguageChoice.tsx";
 
 /** Props of each part of the form: its current state, and the setter. */
 export interface FormPart {
@@ -102,24 +103,13 @@ function Translations({ made, change, first }: FormPart & { readonly first: Less
     <details className="teach-more">
       <summary>{t.translations}</summary>
       <p className="small soft">{t.translationsHint}</p>
-      <label className="teach-text">
-        {t.language}
-        <select
-          className="select"
-          value={language}
-          onChange={(event) => {
-            const chosen = others.find((each) => each === event.currentTarget.value);
-            if (chosen) speak(chosen);
-          }}
-        >
-          {others.map((each) => (
-            <option key={each} value={each}>
-              {SCREEN_LANGUAGES[each].name}
-              {translations[each] ? " ✓" : ""}
-            </option>
-          ))}
-        </select>
-      </label>
+      <LanguageChoice
+        label={t.language}
+        all={others}
+        value={language}
+        has={(each) => translations[each] !== undefined}
+        change={speak}
+      />
       <OneLanguage
         key={language}
         words={words}
