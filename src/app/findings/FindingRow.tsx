@@ -27,8 +27,10 @@ export function FindingRow({
   const id = useId();
   const row = useRef<HTMLLIElement>(null);
   const [isOpen, open] = useState(false);
-  const { issue, block, spot } = entry;
+  const { issue, at, block, spot } = entry;
   const target = host.targetOf(entry);
+  // In a program the way leads to the block; a parameter is named too, since messages like "Enter a value." leave it out.
+  const parameter = at !== null && /^Q\d+$/.test(at) && target?.name !== at ? at : null;
   const where = entry.inFile ? placeInFile(t, entry.inFile) : block === null ? null : t.findings.inBlock(String(block));
   const [tried, tools] = [useTriedFixes(entry, host, all), useToolOffers(entry, host)];
   const isHeldBack = useFixesHeldBack();
@@ -82,6 +84,7 @@ export function FindingRow({
             </>
           )}
           {where !== null && target?.name !== where && <span className="soft">{` · ${where}`}</span>}
+          {parameter !== null && <span className="soft number">{` · ${parameter}`}</span>}
         </p>
         <p id={id}>
           {issueText(t, lengths, issue, host.cycleOf(entry))}

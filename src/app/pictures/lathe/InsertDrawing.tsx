@@ -13,9 +13,14 @@ import { pageLength } from "../../base/unit.ts";
 /** How much of the holder is drawn, in insert lengths: the head and the start of the shank. */
 const BESIDE = 1.6;
 
+/** Bounds of a tool without an outline. */
+const BARE: Bounds = { left: -1, right: 1, low: -1, high: 1 };
+/** The theoretical tip is the zero point of a tool. */
+const TIP: Bounds = { left: 0, right: 0, low: 0, high: 0 };
+
 /** Bounds of a tool's insert and the near end of its holder. */
 export function heldBounds(tool: Tool): Bounds {
-  const insert = boundsOf(insertOutline(tool, CHORD)) ?? { left: -1, right: 1, low: -1, high: 1 };
+  const insert = boundsOf(insertOutline(tool, CHORD)) ?? BARE;
   const near = grownBounds(insert, BESIDE * Math.max(insert.right - insert.left, insert.high - insert.low));
   return common(joined(insert, boundsOf(holderOutlines(tool).flat())) ?? insert, near);
 }
@@ -41,9 +46,9 @@ export function InsertDrawing({
 }) {
   const t = useTexts().lathe,
     id = useId();
+  // The tip is outside the outline if the nose is round, far outside if the insert is turned away from its orientation.
   const box = useMemo(
-    () =>
-      whole ? heldBounds(tool) : (boundsOf(insertOutline(tool, CHORD)) ?? { left: -1, right: 1, low: -1, high: 1 }),
+    () => joined(whole ? heldBounds(tool) : boundsOf(insertOutline(tool, CHORD)), TIP) ?? BARE,
     [tool, whole],
   );
   const wide = box.right - box.left,

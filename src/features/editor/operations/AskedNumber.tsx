@@ -1,4 +1,4 @@
-import { useId } from "react";
+import { useId, useState } from "react";
 import { readText, type Field } from "../../../program/values/field.ts";
 import { NumberInput } from "../../../app/fields/number/NumberInput.tsx";
 import { Message } from "../../../app/base/Message.tsx";
@@ -20,18 +20,32 @@ export function AskedNumber({ name, unit, field, text, onText }: Props) {
   const t = useTexts().setup;
   const id = useId();
   const wrong = !isUsable(field, text);
+  // A field that opened empty is to be filled in; it becomes an error when a value was erased.
+  const [isTouched, touch] = useState(false);
+  const isEmpty = text.trim() === "";
+  const isCalm = isEmpty && !isTouched;
   return (
     <label htmlFor={id}>
       <span>{name}</span>
       <span className="asked-value">
-        <NumberInput id={id} text={text} onText={onText} selects aria-invalid={wrong} aria-describedby={`${id}-unit`} />
+        <NumberInput
+          id={id}
+          text={text}
+          onText={(typed) => {
+            touch(true);
+            onText(typed);
+          }}
+          selects
+          aria-invalid={wrong && !isCalm}
+          aria-describedby={`${id}-unit`}
+        />
         <span className="soft small" id={`${id}-unit`}>
           {unit}
         </span>
       </span>
       {wrong && (
-        <Message as="span" tone="error" className="small" role="status">
-          {text.trim() === "" ? t.wrong.missing : t.wrong.notANumber}
+        <Message as="span" tone={isCalm ? "info" : "error"} className="small" role="status">
+          {isEmpty ? t.wrong.missing : t.wrong.notANumber}
         </Message>
       )}
     </label>
