@@ -1,6 +1,15 @@
 import { expect, test } from "vitest";
 import { readSet } from "./read-task.ts";
-import { isForLearners, SET_FORMAT, setForLearners, setSchema, taskInSet, type TaskSet } from "./task-set.ts";
+import { NO_PROGRESS, withPass } from "./progress.ts";
+import {
+  isForLearners,
+  nextOpenTask,
+  SET_FORMAT,
+  setForLearners,
+  setSchema,
+  taskInSet,
+  type TaskSet,
+} from "./task-set.ts";
 import { TASK_FORMAT, taskSchema } from "./task.ts";
 
 const program = ["0 BEGIN PGM A MM", "1 M30", "2 END PGM A MM"];
@@ -57,4 +66,16 @@ test("the id of a task in a set is its own, and stays when it is added again", (
   const once = taskInSet({ ...task, id: "a".repeat(60) }, "4c1b9e");
   expect(once.id).toMatch(/^a{48}-4c1b9e$/);
   expect(taskInSet(once, "4c1b9e")).toEqual(once);
+});
+
+test.each([
+  ["the next in order", [], "a", "b"],
+  ["a passed one is left out", ["b"], "a", "c"],
+  ["from the last on to the first", ["c"], "c", "a"],
+  ["none but the task itself", ["a", "b"], "c", undefined],
+  ["none when all are passed", ["a", "b", "c"], "b", undefined],
+] as const)("the next open task of a set: %s", (_, passed, after, next) => {
+  const three = { ...set(), tasks: ["a", "b", "c"].map((id) => ({ ...task, id })) };
+  const progress = passed.reduce((now, id) => withPass(now, id, { when: 1 }), NO_PROGRESS);
+  expect(nextOpenTask(three, progress, after)?.id).toBe(next);
 });

@@ -1,5 +1,6 @@
 import { z } from "zod/mini";
 import type { LessonLanguage } from "../i18n/languages.ts";
+import { progressOfTask, type CourseProgress } from "./progress.ts";
 import { taskSchema, type Task } from "./task.ts";
 import { inLanguages, shownLanguageOf, words, type InLanguages } from "./words.ts";
 
@@ -107,4 +108,11 @@ export function setInLanguage(set: TaskSet, language: LessonLanguage): TaskSet {
     words: only(set.words) as TaskSet["words"],
     tasks: set.tasks.map((task) => ({ ...task, words: only(task.words) as Task["words"] })),
   };
+}
+
+/** The next task of a set that is not passed, after one of its tasks or from the beginning; null once all are. */
+export function nextOpenTask({ tasks }: TaskSet, progress: CourseProgress, after: string): Task | null {
+  const at = tasks.findIndex(({ id }) => id === after) + 1;
+  const inOrder = [...tasks.slice(at), ...tasks.slice(0, at)];
+  return inOrder.find(({ id }) => id !== after && progressOfTask(progress, id).passed === null) ?? null;
 }

@@ -1,4 +1,6 @@
+import { useState } from "react";
 import { formatNumber } from "../../i18n/number.ts";
+import { ModalDialog } from "../../app/base/ModalDialog.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTextsOrNull } from "../../app/base/settings/use-texts.ts";
 import { isLocalAddress, pageAddress } from "../../app/records/local-address.ts";
@@ -10,6 +12,7 @@ import "./share.css";
 export function QrSection({ link, name }: { readonly link: string; readonly name: string }) {
   const words = useTextsOrNull("handed");
   const language = useSettings((s) => s.language);
+  const [isLarge, enlarge] = useState(false);
   if (!words) return null;
   const number = (n: number) => formatNumber(language, n);
   return (
@@ -19,8 +22,22 @@ export function QrSection({ link, name }: { readonly link: string; readonly name
         <p className="soft">{words.qrTooLong(number(link.length), number(LONGEST_QR))}</p>
       ) : (
         <>
-          <QrCode link={link} name={words.qrName(name)} />
+          <button
+            type="button"
+            className="handing-enlarge"
+            aria-haspopup="dialog"
+            aria-label={words.qrEnlarge}
+            title={words.qrEnlarge}
+            onClick={() => enlarge(true)}
+          >
+            <QrCode link={link} name={words.qrName(name)} />
+          </button>
           {!isLocalAddress(pageAddress()) && <p className="small soft">{words.qrHint}</p>}
+          {isLarge && (
+            <ModalDialog className="handing-full" title={words.qrName(name)} heading={name} done={() => enlarge(false)}>
+              <QrCode link={link} name={words.qrName(name)} />
+            </ModalDialog>
+          )}
         </>
       )}
     </section>

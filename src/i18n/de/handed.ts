@@ -29,6 +29,7 @@ export const handed = {
   linkTooLong: "Der Link ist für Browser zu lang. Stattdessen die Datei teilen.",
   qr: "QR-Code",
   qrName: (name) => `QR-Code des Links zu ${name}`,
+  qrEnlarge: "QR-Code im Vollbild zeigen",
   qrHint: "Mit der Kamera eines Tablets scannen.",
   qrTooLong: (length, most) => `Der Link ist zu lang für einen QR-Code: ${length} Zeichen, höchstens ${most}.`,
   share: "Teilen …",

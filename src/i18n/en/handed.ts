@@ -28,6 +28,7 @@ export const handed = {
   linkTooLong: "The link is too long for browsers. Share the file instead.",
   qr: "QR code",
   qrName: (name: string) => `QR code of the link to ${name}`,
+  qrEnlarge: "Show the QR code full screen",
   qrHint: "Scan with the camera of a tablet.",
   qrTooLong: (length: string, most: string) =>
     `The link is too long for a QR code: ${length} characters, max. ${most}.`,

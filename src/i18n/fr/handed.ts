@@ -30,6 +30,7 @@ export const handed = typeset<HandedTexts>({
   linkTooLong: "Le lien est trop long pour un navigateur. Partager plutôt le fichier.",
   qr: "Code QR",
   qrName: (name) => `Code QR du lien vers ${name}`,
+  qrEnlarge: "Afficher le code QR en plein écran",
   qrHint: "Scanner avec la caméra d’une tablette.",
   qrTooLong: (length, most) => `Le lien est trop long pour un code QR : ${length} caractères, max. ${most}.`,
   share: "Partager …",

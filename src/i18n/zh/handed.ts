@@ -26,6 +26,7 @@ export const handed = {
   linkTooLong: "链接过长，浏览器无法打开。请改为分享文件。",
   qr: "二维码",
   qrName: (name) => `${name} 的链接二维码`,
+  qrEnlarge: "全屏显示二维码",
   qrHint: "用平板的摄像头扫描。",
   qrTooLong: (length, most) => `链接过长，无法生成二维码：${length} 个字符，最多 ${most} 个。`,
   share: "分享……",

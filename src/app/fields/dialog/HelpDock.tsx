@@ -1,23 +1,29 @@
-import { useEffect, useState, type ReactNode } from "react";
+import { useEffect, type ReactNode } from "react";
 import { Icon } from "../../base/Icon.tsx";
 import { useMedia } from "../../base/use-media.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { usePlace } from "../../place/place.ts";
-import { holdDrawingDock, holdHelpDock, useDrawingDock, useHelpDock } from "./help-dock.ts";
+import {
+  enlargePicture,
+  holdDrawingDock,
+  holdHelpDock,
+  useDrawingDock,
+  useHelpDock,
+  useLargePicture,
+} from "./help-dock.ts";
 
-/** Whether the picture is enlarged where it is a strip. A prompt or a section that opens puts it away. */
 function useEnlarged() {
   const strip = useMedia("strip");
-  const [enlarged, enlarge] = useState(false);
+  const { large } = useLargePicture();
   useEffect(
     () =>
       usePlace.subscribe((now, before) => {
         if (now.focus !== before.focus || now.prompt !== before.prompt || now.section !== before.section)
-          enlarge(false);
+          enlargePicture(false);
       }),
     [],
   );
-  return { strip, enlarged: strip && enlarged, enlarge };
+  return { strip, enlarged: strip && large };
 }
 
 /**
@@ -28,13 +34,13 @@ export function Centre({ children }: { readonly children: ReactNode }) {
   const docked = useHelpDock((d) => d.filled);
   const drawn = useDrawingDock((d) => d.filled);
   const t = useTexts().lathe;
-  const { strip, enlarged, enlarge } = useEnlarged();
+  const { strip, enlarged } = useEnlarged();
   return (
     <div
       className={`centre${docked ? " docked" : ""}${drawn ? " drawn" : ""}`}
       data-large={enlarged}
       onKeyDown={(event) => {
-        if (event.key === "Escape" && !event.defaultPrevented) enlarge(false);
+        if (event.key === "Escape" && !event.defaultPrevented) enlargePicture(false);
       }}
     >
       {strip && (
@@ -44,7 +50,7 @@ export function Centre({ children }: { readonly children: ReactNode }) {
           aria-label={enlarged ? t.reduce : t.enlarge}
           title={enlarged ? t.reduce : t.enlarge}
           aria-expanded={enlarged}
-          onClick={() => enlarge(!enlarged)}
+          onClick={() => enlargePicture(!enlarged)}
         >
           <Icon name={enlarged ? "reduce" : "enlarge"} />
         </button>

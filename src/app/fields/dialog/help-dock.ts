@@ -25,3 +25,7 @@ function createDock() {
 export const { use: useHelpDock, hold: holdHelpDock, fill: fillHelpDock } = createDock();
 /** For the drawing of an exercise: a second picture in place of the lathe, or beside it where there is room. */
 export const { use: useDrawingDock, hold: holdDrawingDock, fill: fillDrawingDock } = createDock();
+
+/** Whether the picture is enlarged where it is a strip. A prompt or a section that opens puts it away. */
+export const useLargePicture = create<{ readonly large: boolean }>(() => ({ large: false }));
+export const enlargePicture = (large: boolean): void => useLargePicture.setState({ large });

@@ -1,19 +1,23 @@
 import { Suspense, useMemo, useState } from "react";
 import { isMadeAsLearned } from "../../../course/judge/word-rule.ts";
 import { missedIn, stepAfterTask } from "../../../course/path.ts";
+import { nextOpenTask } from "../../../course/task-set.ts";
 import type { Task, TaskWords } from "../../../course/task.ts";
+import { inScreenLanguage } from "../../../course/words.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { lazyPart } from "../../../app/base/parts.ts";
 import { playback } from "../../../app/calculation/playback.ts";
 import { usePlayback } from "../../../app/pictures/lathe/use-playback.ts";
+import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { courseHref } from "../../../app/place/course-links.ts";
 import { useLearning, useTaskProgress } from "../../../app/records/course/progress.ts";
+import { setOfTask, useSavedSets } from "../../../app/records/course/saved-sets.ts";
 import { beginTaskOfCourse } from "../begin-task.ts";
 import { PassedBar } from "../PassedBar.tsx";
 import { lessonsAround, useCoursePath } from "../use-course-path.ts";
-import { startTask } from "./begin.ts";
+import { resumeOrStartTask, startTask } from "./begin.ts";
 import { playMade } from "./play-made.ts";
 import { useTaskView } from "./task-view.ts";
 
@@ -35,27 +39,42 @@ function useLessonOfTask(id: string) {
   return { lesson, lessons: isOnPath ? around : path.all };
 }
 
+/** After an instructor's task: the next open one of its set; otherwise the set, or this task alone, is handed in. */
+function NextOfInstructor({ task, t }: Omit<Props, "words">) {
+  const texts = useTexts("course-path").made;
+  const language = useSettings((s) => s.language);
+  const { list } = useLearning();
+  const set = useSavedSets((s) => setOfTask(s.list, task.id)?.set);
+  const [hands, handIn] = useState(false);
+  const next = set && nextOpenTask(set, list, task.id);
+  if (next) {
+    return (
+      <button type="button" className="button primary task-next" onClick={() => void resumeOrStartTask(next, true)}>
+        <span>{t.nextTask(inScreenLanguage(next.words, language)?.title ?? next.id)}</span>
+      </button>
+    );
+  }
+  return (
+    <>
+      <button type="button" className="button primary" aria-haspopup="dialog" onClick={() => handIn(true)}>
+        <Icon name="share" /> {texts.handIn}
+      </button>
+      {hands && (
+        <Suspense>
+          <HandInDialog set={set} task={set ? undefined : task.id} done={() => handIn(false)} />
+        </Suspense>
+      )}
+    </>
+  );
+}
+
 /** The next step in the course, as one button; an instructor's task is handed in. */
 function NextStep({ task, t }: Omit<Props, "words">) {
   const texts = useTexts("course-path").made;
   const { all } = useCoursePath();
   const of = useLessonOfTask(task.id);
   const { list } = useLearning();
-  const [hands, handIn] = useState(false);
-  if (!of) {
-    return (
-      <>
-        <button type="button" className="button primary" aria-haspopup="dialog" onClick={() => handIn(true)}>
-          <Icon name="share" /> {texts.handIn}
-        </button>
-        {hands && (
-          <Suspense>
-            <HandInDialog done={() => handIn(false)} />
-          </Suspense>
-        )}
-      </>
-    );
-  }
+  if (!of) return <NextOfInstructor task={task} t={t} />;
   const step = stepAfterTask(of.lessons, list, task.id);
   if (step?.kind === "task") {
     const { id, title } = step.task;

@@ -1,4 +1,5 @@
 import { playback } from "../../../app/calculation/playback.ts";
+import { enlargePicture } from "../../../app/fields/dialog/help-dock.ts";
 import { reducedMotion } from "../../../app/base/settings/appearance.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { RATES } from "../../../view/playback.ts";
@@ -8,6 +9,8 @@ const LASTS = 12;
 
 /** Plays the run of the open work from its start, so fast that it soon ends; then the rate is as before. */
 export function playMade(): void {
+  // On a short phone the picture is a strip, or none, above the prompts.
+  enlargePicture(true);
   const { rate, track } = playback.get();
   playback.dispatch({ do: "first" });
   const fast = RATES.find((each) => track.total / each <= LASTS) ?? RATES[RATES.length - 1] ?? rate;

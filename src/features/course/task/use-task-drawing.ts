@@ -13,9 +13,11 @@ export function useTaskDrawing(task: Task) {
   const isUsual = useHasDrawing(task);
   const chosen = useTaskView((v) => v.drawn);
   const isBeside = useMedia("broad");
+  const isStrip = useMedia("strip");
   // While the run is hidden, the lathe is what the questions are about.
   const exists = task.part !== undefined && !veiled;
-  const shown = exists && (chosen ?? isUsual);
+  // On a short phone it takes the room of the prompts: it opens at a press.
+  const shown = exists && (chosen ?? (isUsual && !isStrip));
   // The marks of a check, and a place that is looked at, are on the lathe.
   useEffect(() => {
     if (isBeside) return undefined;

@@ -30,10 +30,17 @@ const fileNamePart = (name: string): string =>
     .replace(/^-|-$/g, "")
     .slice(0, 40) || "results";
 
+interface Props {
+  readonly set?: TaskSet | undefined;
+  /** The one task that is chosen first; by default all. */
+  readonly task?: string | undefined;
+  readonly done: () => void;
+}
+
 /** Hands in results: of a set, of an exam, or of the tasks that the learner chooses. */
-export function HandInDialog({ set, done }: { readonly set?: TaskSet | undefined; readonly done: () => void }) {
+export function HandInDialog({ set, task, done }: Props) {
   const exam = useExams(({ list }) => (set ? list[set.id] : undefined));
-  return exam ? <HandInExam exam={exam} done={done} /> : <HandInTasks set={set} done={done} />;
+  return exam ? <HandInExam exam={exam} done={done} /> : <HandInTasks set={set} task={task} done={done} />;
 }
 
 /** The ways to give a result to the instructor. */
@@ -112,13 +119,15 @@ function useNamedTasks(set: TaskSet | undefined) {
   );
 }
 
-function HandInTasks({ set, done }: { readonly set: TaskSet | undefined; readonly done: () => void }) {
+function HandInTasks({ set, task, done }: Props) {
   const t = useTexts("course-teach"),
     words = useTexts("course-set");
   const language = useSettings((s) => s.language);
   const progress = useLearning((s) => s.list);
   const begun = useNamedTasks(set);
-  const [left, leave] = useState<readonly string[]>([]);
+  const [left, leave] = useState<readonly string[]>(() =>
+    task === undefined ? [] : begun.map(({ id }) => id).filter((id) => id !== task),
+  );
   const [name, call] = useState("");
   const [group, join] = useState("");
   const [made, make] = useState<{ readonly key: string; readonly result: HandedResult } | null>(null);
