@@ -7,7 +7,7 @@ const ASIDE = { x: 18, y: -18 };
 const APART = 24,
   HALF = 11;
 /** Width of a badge that several places share, pixels. */
-const SHARED = 44;
+export const SHARED = 44;
 /** Largest share of the picture's width for a row of badges; a wider one would hide the part behind its leaders. */
 const WIDEST = 0.6;
 /** Extra height of a row above its places for each badge after the first, and its maximum, pixels. */

@@ -6,6 +6,7 @@ import type { Camera } from "./camera.ts";
 const room = { left: 60, right: 415, top: 14, bottom: 280 },
   size = { width: 86, height: 33 };
 const camera: Camera = { scale: 2.5, zero: { x: 301, y: 153 }, xUp: true };
+const picture = { camera, size: { width: 480, height: 300 } };
 const none = { boxes: [], areas: [], lines: [] };
 
 test("the place beside the mark comes first; all places fit the room, and those above and below clear the mark's height", () => {
@@ -25,22 +26,22 @@ test("at the upper edge no text is placed above the mark", () =>
 test("a line through the first place moves the text above it, one beside it does not", () => {
   const places = labelPlaces({ x: 415, y: 97.5 }, size, room);
   const along = (r: number) => ({ ...none, lines: [[at(-90, r), at(31, r)]] });
-  expect(leastCovering(places, along(22.2), camera, 0)).toBe(1);
-  expect(leastCovering(places, along(30.3), camera, 0)).toBe(0);
+  expect(leastCovering(places, along(22.2), picture, 0)).toBe(1);
+  expect(leastCovering(places, along(30.3), picture, 0)).toBe(0);
 });
 test("a line that slants past a corner of the box is not in the way", () => {
   const places = labelPlaces({ x: 415, y: 97.5 }, size, room);
   // From below the box to the right of it, round its lower right corner.
-  expect(leastCovering(places, { ...none, lines: [[at(38, 10), at(46, 20)]] }, camera, 0)).toBe(0);
-  expect(leastCovering(places, { ...none, lines: [[at(30, 10), at(40, 20)]] }, camera, 0)).toBe(1);
+  expect(leastCovering(places, { ...none, lines: [[at(38, 10), at(46, 20)]] }, picture, 0)).toBe(0);
+  expect(leastCovering(places, { ...none, lines: [[at(30, 10), at(40, 20)]] }, picture, 0)).toBe(1);
 });
 test("without free space the text covers lines rather than a mark, and keeps its place", () => {
   const places = labelPlaces({ x: 415, y: 97.5 }, size, room);
   const lines = [-100, -40, 0, 5, 10, 15, 20, 25, 30, 35, 40, 45, 50].map((r) => [at(-90, r), at(60, r)]);
   const boxes = [{ x: 300, y: 60, width: 100, height: 60 }];
-  const first = leastCovering(places, { ...none, boxes, lines }, camera, 0);
+  const first = leastCovering(places, { ...none, boxes, lines }, picture, 0);
   expect(places[first]?.y === undefined || places[first].y >= 120 || places[first].y + 33 <= 60).toBe(true);
-  const free = leastCovering(places, none, camera, 3);
+  const free = leastCovering(places, none, picture, 3);
   expect(free).toBe(3);
 });
 
@@ -71,12 +72,12 @@ test.each([
   ["half of it on the work rather than all of it", { x: 100, y: 20, width: 275, height: 250 }, 339],
 ])("%s", (_, work, x) => {
   const places = labelPlaces(mark, size, room);
-  expect(places[leastCovering(places, { ...none, areas: [work] }, camera, 0)]?.x).toBe(x);
+  expect(places[leastCovering(places, { ...none, areas: [work] }, picture, 0)]?.x).toBe(x);
 });
 test("a mark stays free even if the text then covers the work", () => {
   const places = labelPlaces(mark, size, room),
     boxes = [{ x: 405, y: 0, width: 40, height: 300 }];
   expect(
-    places[leastCovering(places, { ...none, boxes, areas: [{ x: 0, y: 0, width: 480, height: 300 }] }, camera, 1)]?.x,
+    places[leastCovering(places, { ...none, boxes, areas: [{ x: 0, y: 0, width: 480, height: 300 }] }, picture, 1)]?.x,
   ).toBe(317);
 });

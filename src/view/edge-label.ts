@@ -1,6 +1,7 @@
 import type { Pt } from "../kernel/geometry/point.ts";
 import { toPlace, type Camera, type Place, type Size } from "./camera.ts";
 import type { VisibleArea } from "./edge-mark.ts";
+import { arrange } from "./help/arrange.ts";
 import { labelsOverlap, type LabelBox } from "./help/labels.ts";
 
 /**
@@ -71,8 +72,11 @@ function quartersOn(box: LabelBox, area: LabelBox): number {
   return wide > 0 && tall > 0 ? Math.ceil((4 * wide * tall) / (box.width * box.height)) : 0;
 }
 
-/** The cost of a text in a box: lines through it, areas by the share of the text on them, and other boxes. */
-function covers(box: LabelBox, { boxes, areas, lines }: Obstacles, camera: Camera): number {
+/** Cost of a quarter of a text on an area, in lines. */
+const AREA = 20;
+
+/** The cost of a text in a box: lines through it, and areas by the share of the text on them. */
+function covers(box: LabelBox, { areas, lines }: Obstacles, camera: Camera): number {
   const [a, b] = [toPlace(camera, box), toPlace(camera, { x: box.x + box.width, y: box.y + box.height })];
   const low = { z: a.z, r: a.r < b.r ? a.r : b.r },
     high = { z: b.z, r: a.r < b.r ? b.r : a.r };
@@ -81,21 +85,23 @@ function covers(box: LabelBox, { boxes, areas, lines }: Obstacles, camera: Camer
     for (let i = 1; i < line.length; i += 1) if (goesThrough(line[i - 1] as Pt, line[i] as Pt, low, high)) count += 1;
   }
   for (const area of areas) count += AREA * quartersOn(box, area);
-  return count + BOX * boxes.filter((other) => labelsOverlap(box, other)).length;
+  return count;
 }
-/** Cost of a quarter of a text on an area, and of a box, in lines. */
-const AREA = 20,
-  BOX = 1000;
 
-/** Index of the place that covers least. The previous place wins a tie, so that a moving text does not jump about. */
-export function leastCovering(places: readonly LabelBox[], busy: Obstacles, camera: Camera, before: number): number {
-  const order = [before, ...places.keys()].filter((i) => i in places);
-  let best = 0,
-    least = Infinity;
-  for (const i of order) {
-    const count = covers(places[i] as LabelBox, busy, camera);
-    if (count < least) [best, least] = [i, count];
-    if (count === 0) break;
-  }
-  return best;
+/**
+ * Index of the place that covers no mark and least else; least of the marks if all do. The previous place wins a tie,
+ * so that a moving text does not jump about.
+ */
+export function leastCovering(
+  places: readonly LabelBox[],
+  busy: Obstacles,
+  { camera, size }: { readonly camera: Camera; readonly size: Size },
+  before: number,
+): number {
+  const candidates = [before, ...places.keys()].flatMap((row) => {
+    const label = places[row];
+    return label ? [{ row, label, lines: [], cost: covers(label, busy, camera) }] : [];
+  });
+  const [best] = arrange([{ q: "", candidates, needed: true }], { ...size, avoid: [], kept: busy.boxes });
+  return best?.row ?? 0;
 }

@@ -1,5 +1,16 @@
 import { KeysButton } from "../../app/fields/keys/KeysButton.tsx";
-import { memo, useCallback, useEffect, useEffectEvent, useLayoutEffect, useRef, useState } from "react";
+import {
+  memo,
+  useCallback,
+  useEffect,
+  useEffectEvent,
+  useLayoutEffect,
+  useRef,
+  useState,
+  type CSSProperties,
+} from "react";
+import { pageLength } from "../../app/base/unit.ts";
+import { useSize } from "../../app/pictures/help/use-size.ts";
 import { texts } from "../../app/base/settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { readRows, type RowIssue } from "../../program/job/contour-rows.ts";
@@ -27,6 +38,8 @@ interface Props {
 
 /** From this many elements on, drawing and table get a digit after it is painted. */
 const LONG = 100;
+/** Until it is measured. */
+const NO_BAR = { width: 0, height: 0 };
 const NO_ISSUES: readonly RowIssue[] = [];
 
 /** The contour subprogram as a table, with its drawing unless that is on the large canvas. */
@@ -34,7 +47,9 @@ export const ContourTable = memo(Table);
 
 function Table({ rows, onChange, language, isDrawingElsewhere = false }: Props) {
   const t = texts(language).contour;
-  const table = useRef<HTMLTableElement>(null);
+  const table = useRef<HTMLTableElement>(null),
+    bar = useRef<HTMLDivElement>(null),
+    { height: barHeight } = useSize(bar, NO_BAR);
   const active = useChosenRow(rows),
     activeId = active === null ? null : (rows[active]?.id ?? null);
   const asked = useContourPlace((p) => p.keyboard);
@@ -123,8 +138,13 @@ function Table({ rows, onChange, language, isDrawingElsewhere = false }: Props) 
             <FaultList issues={reading.issues} language={language} onPick={pick} />
           </div>
         )}
-        <div className="contour-fields" {...{ [FIRST_FOCUS]: "" }}>
+        <div
+          className="contour-fields"
+          style={{ "--contour-bar": pageLength(barHeight) } as CSSProperties}
+          {...{ [FIRST_FOCUS]: "" }}
+        >
           <RowTools
+            bar={bar}
             number={active === null ? null : active + 1}
             count={rows.length}
             actions={actions}

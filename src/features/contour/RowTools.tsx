@@ -1,4 +1,4 @@
-import type { ReactNode } from "react";
+import type { ReactNode, RefObject } from "react";
 import { Toolbar } from "react-aria-components/Toolbar";
 import { texts } from "../../app/base/settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
@@ -18,6 +18,7 @@ const paths = {
 } as const;
 
 interface Props {
+  readonly bar: RefObject<HTMLDivElement | null>;
   /** The focused element, from 1; null when there is none. */
   readonly number: number | null;
   readonly count: number;
@@ -34,7 +35,18 @@ interface Props {
 }
 
 /** The actions on the rows of the contour table; each button names the element it changes. */
-export function RowTools({ number, count, actions, language, corner, onCorner, details, onDetails, children }: Props) {
+export function RowTools({
+  bar,
+  number,
+  count,
+  actions,
+  language,
+  corner,
+  onCorner,
+  details,
+  onDetails,
+  children,
+}: Props) {
   const t = texts(language).contour;
   const n = number ?? 1;
   const none = number === null;
@@ -69,7 +81,7 @@ export function RowTools({ number, count, actions, language, corner, onCorner, d
     },
   ] as const;
   return (
-    <Toolbar aria-label={t.head.actions} className="contour-tools">
+    <Toolbar ref={bar} aria-label={t.head.actions} className="contour-tools">
       {tools.map(({ icon, name, off, act }) => (
         <button
           key={icon}

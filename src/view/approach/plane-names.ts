@@ -1,7 +1,7 @@
 import { plane } from "../../kernel/plane/plane.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import type { Camera, Place, Size } from "../camera.ts";
-import { arrange } from "../help/labels.ts";
+import { arrange } from "../help/arrange.ts";
 import type { Mark } from "../help/marks.ts";
 import { contactLines, pointItem, shownPoints, type PointsOf, type ShownPoint } from "./points.ts";
 import type { ApproachWords } from "./words.ts";

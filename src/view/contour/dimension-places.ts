@@ -1,9 +1,9 @@
 import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { radians } from "../../kernel/units.ts";
 import { toScreen, type Camera, type Place, type Size } from "../camera.ts";
+import { arrange, type Item, type Spot } from "../help/arrange.ts";
 import { textWidth, type LabelBox } from "../help/labels.ts";
 import { arcPath, arrowHead, polyline } from "../help/marks.ts";
-import { boxesOn, placesOn } from "../help/sheet-grid.ts";
 
 /** What a dimension measures, and where on the part. Angles are degrees, counter-clockwise from +Z. */
 export type Measured =
@@ -221,41 +221,28 @@ function inSight({ camera, size }: DimensionSheet, { measured }: DimensionReques
   });
 }
 
-const shared = (a: LabelBox, b: LabelBox): number =>
-  Math.max(0, Math.min(a.x + a.width, b.x + b.width) - Math.max(a.x, b.x)) *
-  Math.max(0, Math.min(a.y + a.height, b.y + b.height) - Math.max(a.y, b.y));
+/** Cost of a step to the next candidate: covering a point of the contour costs two steps. */
+const STEP = 3;
 
-/** Cost of covering one point of the contour, in steps to the next candidate. */
-const COVERING = 2;
-
-/** The first candidate, unless a later one covers enough less of the contour to be worth the steps. */
-function clearest(covered: (box: LabelBox) => number, possible: readonly Candidate[]): Candidate | undefined {
-  const cost = ({ box }: Candidate, i: number) => i + COVERING * covered(box);
-  return possible.map((c, i) => ({ c, cost: cost(c, i) })).sort((a, b) => a.cost - b.cost)[0]?.c;
-}
+/** A candidate as a place of the sheet. Its lines may lie under texts, whose ground is that of the sheet. */
+type DimensionSpot = Spot & Candidate;
 
 /**
  * Places dimensions on the drawing, those of the chosen element first, each where its text covers no other. Without a
  * free place, a dimension of the chosen element takes the place that covers least; others are left out.
  */
 export function placedDimensions(sheet: DimensionSheet, asked: readonly DimensionRequest[]): PlacedDimension[] {
-  const taken: LabelBox[] = [...sheet.kept],
-    out: PlacedDimension[] = [];
-  const texts = boxesOn(sheet.size, sheet.kept),
-    covered = placesOn(sheet.size, sheet.avoid);
-  for (const one of [...asked].sort((a, b) => Number(b.needed) - Number(a.needed))) {
-    if (!one.needed && !inSight(sheet, one)) continue;
-    const possible = candidates(sheet, one);
-    const free = clearest(
-      covered,
-      possible.filter(({ box }) => !texts.isTaken(box)),
-    );
-    const covers = (box: LabelBox) => taken.reduce((sum, t) => sum + shared(t, box), 0);
-    const least = free ?? (one.needed ? possible.toSorted((a, b) => covers(a.box) - covers(b.box))[0] : undefined);
-    if (!least) continue;
-    taken.push(least.box);
-    texts.take(least.box);
-    out.push({ key: one.key, box: least.box, ...least.draw() });
-  }
-  return out;
+  const items = asked
+    .filter((one) => one.needed || inSight(sheet, one))
+    .toSorted((a, b) => Number(b.needed) - Number(a.needed))
+    .map((one): Item<DimensionSpot> => ({
+      q: one.key,
+      needed: one.needed,
+      candidates: candidates(sheet, one).map((each, i) => ({ ...each, label: each.box, lines: [], cost: STEP * i })),
+    }));
+  return arrange(items, { ...sheet.size, avoid: sheet.avoid, kept: sheet.kept }).map(({ q, box, draw }) => ({
+    key: q,
+    box,
+    ...draw(),
+  }));
 }

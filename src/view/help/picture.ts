@@ -3,22 +3,13 @@ import type { Params, Topic } from "../../cycles/params.ts";
 import type { Plan } from "../../kernel/plan/plan.ts";
 import { STEP, toDiameter } from "../../kernel/units.ts";
 import { toScreen, type Place, type Size } from "../camera.ts";
+import { arrange, forced, type Item, type Placed, type Sheet } from "./arrange.ts";
 import * as choices from "./choices.ts";
 import { numberOf, startPoint, type Context } from "./context.ts";
 import { detail, isSmall } from "./detail.ts";
 import type { Lettering } from "./dimensions.ts";
 import { outward, type HelpFrame } from "./frame.ts";
-import {
-  arrange,
-  forced,
-  labelsOverlap,
-  SIZE,
-  textBox,
-  type LabelBox,
-  type Item,
-  type Placed,
-  type Sheet,
-} from "./labels.ts";
+import { labelsOverlap, SIZE, textBox, type LabelBox } from "./labels.ts";
 import { FIRST, layoutOf } from "./layout.ts";
 import { letteringOf, positionText, type Numbers, type HelpWords } from "./lettering.ts";
 import { dense, polygon, polyline, segmentPath, type Mark } from "./marks.ts";

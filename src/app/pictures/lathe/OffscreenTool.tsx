@@ -3,6 +3,7 @@ import type { StoreApi } from "zustand";
 import { part, type Pt, type Ring } from "../../../kernel/geometry/point.ts";
 import { CHORD } from "../../../kernel/tolerance.ts";
 import type { Run } from "../../../program/state/run-types.ts";
+import { SHARED } from "../../../view/badge-places.ts";
 import { leastCovering, labelPlaces } from "../../../view/edge-label.ts";
 import { boundsOf } from "../../../view/bounds.ts";
 import { toScreen, type Camera, type Place } from "../../../view/camera.ts";
@@ -12,7 +13,7 @@ import { tipAt } from "../../../view/tip.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import { holds } from "../../base/use-media.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "./Axes.tsx";
-import { badgesOf, TOOLS } from "./PlaceButtons.tsx";
+import { badgesOf, sharedBadges, TOOLS } from "./PlaceButtons.tsx";
 import type { PicturePlace } from "./places.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { placeText } from "./running.ts";
@@ -25,11 +26,11 @@ const [INSET, TEXT, LINE, GROUND] = [14, 12, 15, 3];
 /** Half size of the marks of start points and zero, pixels. */
 const MARK = 12;
 
-const boxRound = ({ x, y }: Place, half: number): LabelBox => ({
-  x: x - half,
-  y: y - half,
-  width: 2 * half,
-  height: 2 * half,
+const boxRound = ({ x, y }: Place, width = 2 * MARK): LabelBox => ({
+  x: x - width / 2,
+  y: y - MARK,
+  width,
+  height: 2 * MARK,
 });
 
 /** Bounds of a blank in the picture, on both sides of the axis. */
@@ -113,7 +114,7 @@ export function OffscreenTool({
       row = leastCovering(
         choices,
         { boxes, areas, lines: step ? [...lines, [step.from, step.move.to]] : lines },
-        camera,
+        { camera, size: viewport.size() },
         row,
       );
       const box = choices[row];
@@ -142,13 +143,15 @@ export function OffscreenTool({
       };
       corner = isPhone ? { x: width - TOOLS, y: 0, width: TOOLS, height: TOOLS } : null;
       boxes = [
-        ...badgesOf(places, sectionProjection(viewport)).map(({ left, top }) => boxRound({ x: left, y: top }, MARK)),
+        ...sharedBadges(badgesOf(places, sectionProjection(viewport)), null).map(({ left, top, more }) =>
+          boxRound({ x: left, y: top }, more > 0 ? SHARED : undefined),
+        ),
         ...kept.getState(),
-        boxRound(toScreen(camera, datum), MARK),
+        boxRound(toScreen(camera, datum)),
       ];
       areas = [
         ...run.blank.flatMap((ring) => workBox(ring, camera) ?? []),
-        ...operations.map(({ start }) => boxRound(toScreen(camera, start), MARK)),
+        ...operations.map(({ start }) => boxRound(toScreen(camera, start))),
       ];
       paint();
     };

@@ -39,7 +39,7 @@ export function badgesOf(places: readonly PicturePlace[], { at: seenAt, size }: 
 }
 
 /** One badge for those at the same spot, preferring the chosen one, and how many more it stands for. */
-function sharedBadges(
+export function sharedBadges(
   badges: readonly Badge[],
   chosen: PicturePlace | null,
 ): readonly (Badge & { readonly more: number })[] {

@@ -5,11 +5,10 @@ import type { Lengths } from "../../../i18n/lengths.ts";
 import { formatNumber } from "../../../i18n/number.ts";
 import type { Move } from "../../../kernel/plan/move.ts";
 import type { Pt } from "../../../kernel/geometry/point.ts";
-import type { Spindle } from "../../../kernel/time/step.ts";
-import { speedAt } from "../../../kernel/time/time.ts";
 import { toDiameter } from "../../../kernel/units.ts";
 import type { Operation, Run } from "../../../program/state/run-types.ts";
 import type { Chip } from "../../../sim/chip/chip.ts";
+import { rpmAt, spindleAt } from "../../../sim/load/spindles.ts";
 import type { PlayPosition } from "../../../sim/simulation.ts";
 import { tipAt } from "../../../view/tip.ts";
 
@@ -130,16 +129,6 @@ export function mostSteps(t: Texts, { operations }: Run): number {
   );
 }
 
-/** The spindle of a step: that of its operation, or of the nearest operation for moves between them. */
-function spindleOf(run: Run, index: number): Spindle | null {
-  const own = run.steps[index]?.operation;
-  const operation =
-    typeof own === "number"
-      ? run.operations[own]
-      : (run.operations.find((o) => o.firstStep > index) ?? run.operations.at(-1));
-  return operation?.spindle ?? null;
-}
-
 /**
  * The chip of a moment in one line; empty without one. It includes the feed per revolution if the readout shows the
  * feed per minute.
@@ -161,14 +150,12 @@ export function runningText(t: Texts, lengths: Lengths, run: Run, position: Play
     tip = tipAt(run.steps, position);
   if (!step || !tip) return null;
   const operation = step.operation === null ? undefined : run.operations[step.operation],
-    spindle = spindleOf(run, index);
-  const speed = spindle ? speedAt(spindle, tip.r) : null;
+    speed = rpmAt(spindleAt(run.spindles, index), tip.r);
   const { pass } = step.move;
   return {
     ...placeText(lengths, tip),
     feed: runningFeed(t.lathe, lengths, step.move),
-    speed:
-      speed !== null && Number.isFinite(speed) ? `${formatNumber(lengths.language, speed, 0)} ${t.lathe.rpm}` : "–",
+    speed: Number.isNaN(speed) ? "–" : `${formatNumber(lengths.language, speed, 0)} ${t.lathe.rpm}`,
     phase: phaseText(t.lathe, step.move),
     pass:
       pass !== undefined && operation ? t.lathe.pass(String(pass), String(Math.max(pass, operation.plan.passes))) : "",
