@@ -119,6 +119,7 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
             type="button"
             className="button task-draw"
             aria-label={t.drawing}
+            title={t.drawing}
             aria-pressed={drawing.shown}
             // A press leaves the focus in the prompt.
             onMouseDown={(event) => event.preventDefault()}
