@@ -55,7 +55,7 @@ afterAll(() => {
 /** Shows an address, and waits for a text that only its page has. */
 async function shows(hash: string, text: string): Promise<void> {
   location.hash = hash;
-  await waitFor(() => expect(document.body.innerHTML).toContain(text), { timeout: 20000 });
+  await waitFor(() => expect(document.body.innerHTML).toContain(text));
   expect([hash, document.querySelector(".crash")]).toEqual([hash, null]);
 }
 

@@ -17,6 +17,7 @@ import {
   useSavedWorks,
 } from "./keep.ts";
 import { resume } from "../../shell/resume.ts";
+import { owns } from "./tab.ts";
 import { duplicateWork, freeName, removeWorks, renameWork } from "./works.ts";
 
 vi.mock("./device.ts", () => import("./fake-device.ts"));
@@ -26,7 +27,8 @@ const settle = () => new Promise((done) => setTimeout(done, 0));
 const other = new BroadcastChannel("turnwise");
 const answers: unknown[] = [];
 other.addEventListener("message", ({ data }: MessageEvent<unknown>) => void answers.push(data));
-const heard = () => new Promise((done) => setTimeout(done, 30));
+/** Waits for what other tabs, the delay of saving and parts of the page bring about; on a busy machine that takes long. */
+const eventually = (check: () => void) => vi.waitFor(check, { timeout: 60_000, interval: 10 });
 
 beforeEach(() => {
   emptyDevice();
@@ -87,12 +89,11 @@ test("a work requested by another tab goes there with the last key, and is close
   const stop = startAutosave();
   startWork(job);
   const { work } = useEditor.getState();
-  await heard();
+  await eventually(() => expect(device.works.has(work ?? "")).toBe(true));
   takePlace("tool", "6");
   other.postMessage({ kind: "give", work, to: "me" });
-  await heard();
+  await eventually(() => expect(answers).toContainEqual({ kind: "given", work, to: "me", state: null }));
   expect(device.works.get(work ?? "")?.job).toMatchObject({ tool: 6 });
-  expect(answers).toContainEqual({ kind: "given", work, to: "me", state: null });
   expect(useEditor.getState().work).toBeNull();
   expect(workElsewhere(usePlace.getState())).toMatchObject({ work, cause: "wasTaken" });
   expect(documentInView()).toBeNull();
@@ -106,8 +107,8 @@ test("a state that the device refused goes to the other tab in the answer", asyn
   const { work } = useEditor.getState();
   takePlace("tool", "4");
   other.postMessage({ kind: "give", work, to: "me" });
-  await heard();
-  expect(answers).toContainEqual({ kind: "given", work, to: "me", state: expect.objectContaining({ tool: 4 }) });
+  const given = { kind: "given", work, to: "me", state: expect.objectContaining({ tool: 4 }) };
+  await eventually(() => expect(answers).toContainEqual(given));
   expect(unsavedWorks()).toEqual([]);
   device.refuses = null;
   stop();
@@ -117,20 +118,19 @@ test("a work that was released while it opened is claimed again in its present s
   const stop = startAutosave();
   startWork(job);
   const { work } = useEditor.getState();
-  const rested = () => new Promise((done) => setTimeout(done, 120));
-  await rested();
+  const written = () => eventually(() => expect(device.works.has(work ?? "")).toBe(true));
+  const released = () => eventually(() => expect(owns(work ?? "")).toBe(false));
+  await written();
   open(null, null);
-  await rested();
+  await released();
   device.works.set(work ?? "", { savedAt: 9, job: { ...job, rapid: "5432" } });
   open(job, work);
-  await rested();
-  expect(useEditor.getState()).toMatchObject({ work, job: { rapid: "5432" } });
+  await eventually(() => expect(useEditor.getState()).toMatchObject({ work, job: { rapid: "5432" } }));
   device.taken.add(`turnwise ${work}`);
   open(null, null);
-  await rested();
+  await released();
   open(job, work);
-  await rested();
-  expect(workElsewhere(usePlace.getState())).toMatchObject({ work, cause: "isOpen" });
+  await eventually(() => expect(workElsewhere(usePlace.getState())).toMatchObject({ work, cause: "isOpen" }));
   expect(device.works.get(work ?? "")?.job).toMatchObject({ rapid: "5432" });
   stop();
 });
@@ -147,12 +147,10 @@ test("works are deleted only on request, and undo restores them unchanged", asyn
   expect(useSavedWorks.getState().works.map(({ work }) => work)).not.toContain("w41");
   expect(useSavedWorks.getState().works.length).toBe(148);
   undo("works");
-  await heard();
-  expect(useSavedWorks.getState().works.length).toBe(150);
+  await eventually(() => expect(useSavedWorks.getState().works.length).toBe(150));
   expect(device.works.get("w41")).toEqual({ savedAt: 41, job: { ...job, name: "N41" } });
   redo("works");
-  await heard();
-  expect(useSavedWorks.getState().works.length).toBe(148);
+  await eventually(() => expect(useSavedWorks.getState().works.length).toBe(148));
   await openWork("w0");
   expect(useEditor.getState().job).toMatchObject({ name: "N0" });
 });
@@ -164,13 +162,11 @@ test("a work is renamed in place, and duplicated under a free name", async () =>
   expect(await renameWork("a", "B.h")).toBe("done");
   expect(device.works.get("a")).toMatchObject({ savedAt: 7, job: { name: "B.h" } });
   undo("works");
-  await heard();
-  expect(device.works.get("a")).toMatchObject({ savedAt: 7, job: { name: "A.h" } });
+  await eventually(() => expect(device.works.get("a")).toMatchObject({ savedAt: 7, job: { name: "A.h" } }));
   const made = await duplicateWork("a", ["A.h", "a_2.H"]);
   expect(device.works.get(made?.work ?? "")?.job).toMatchObject({ name: "A_3.h", files: [{ name: "SUB.H" }] });
   undo("works");
-  await heard();
-  expect([...device.works.keys()]).toEqual(["a"]);
+  await eventually(() => expect([...device.works.keys()]).toEqual(["a"]));
   device.taken.add("turnwise a");
   expect(await renameWork("a", "C.h")).toBe("elsewhere");
   device.refuses = "full";
