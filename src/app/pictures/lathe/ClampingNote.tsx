@@ -1,4 +1,5 @@
 import { at } from "../../../kernel/geometry/point.ts";
+import { textWidth } from "../../../view/help/labels.ts";
 import { toScreen } from "../../../view/camera.ts";
 import type { UnstatedClamping } from "../../../view/unstated-clamping.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
@@ -25,8 +26,9 @@ export function ClampingNote({
   const left = Math.min(...hatch.flat().map(({ z }) => z));
   const { x, y } = toScreen(camera, at(left, 0));
   const place = Math.max(SCALE_LEFT + HIGH, x - GAP);
-  // A text over the workpiece would not refer to its end.
-  if (place > toScreen(camera, top).x) return null;
+  // A text over the workpiece would not refer to its end; in a low picture it would be cut.
+  const half = textWidth(note, HIGH) / 2;
+  if (place > toScreen(camera, top).x || y < half || y + half > viewport.size().height) return null;
   return (
     <text
       className="lathe-held-note"
