@@ -36,6 +36,8 @@ interface Props {
   readonly isDrawingElsewhere?: boolean;
 }
 
+/** A start point and two elements have a corner; from then on the table itself shows how a contour is written. */
+const FIRST_CORNER = 3;
 /** From this many elements on, drawing and table get a digit after it is painted. */
 const LONG = 100;
 /** Until it is measured. */
@@ -213,7 +215,7 @@ function Table({ rows, onChange, language, isDrawingElsewhere = false }: Props) 
               </tbody>
             </table>
           )}
-          <p className="small soft">{t.intro}</p>
+          {rows.length < FIRST_CORNER && <p className="small soft">{t.intro}</p>}
           <p role="status" className="unseen">
             <span key={said.times}>{said.text}</span>
           </p>
