@@ -18,34 +18,12 @@ const animationsFinished = (page: Page): Promise<void> =>
     await Promise.allSettled(ending.map(({ finished }) => finished));
   });
 
-/** The kinds of elements of a page: tags with their roles and classes. */
-const kindsOf = (page: Page): Promise<readonly string[]> =>
-  page.evaluate(() => [
-    ...new Set(
-      [...document.querySelectorAll("*")].map((element) =>
-        [element.tagName, element.getAttribute("role"), element.getAttribute("class")].join(" "),
-      ),
-    ),
-  ]);
-
-/** Kinds of elements that axe has looked at in this process, by the size of the window. */
-const looked = new Set<string>();
-const kindsInWindow = async (page: Page): Promise<readonly string[]> => {
-  const { width = 0 } = page.viewportSize() ?? {};
-  return (await kindsOf(page)).map((kind) => `${width} ${kind}`);
-};
-
-/** Whether axe has looked at every kind of element of the page, here or on other pages. */
-export const isKnownToAxe = async (page: Page): Promise<boolean> =>
-  (await kindsInWindow(page)).every((kind) => looked.has(kind));
-
 /** The axe rules that the page breaks, out of all, only some, or all but some, with the elements that break them. */
 export async function axeViolations(
   page: Page,
   { only, but = [] }: { readonly only?: string[]; readonly but?: string[] } = {},
 ): Promise<readonly string[]> {
   await animationsFinished(page);
-  if (!only) for (const kind of await kindsInWindow(page)) looked.add(kind);
   // Injected once, and reporting violations only, axe takes a fifth of the time.
   const axe = new AxeBuilder((await hasAxe(page)) ? { page, axeSource: "0;" } : { page })
     .setLegacyMode()

@@ -1,6 +1,6 @@
 import { expect, test as plain, type Page } from "@playwright/test";
 import { LANGUAGES } from "../../src/i18n/languages.ts";
-import { axeViolations, COLOUR_RULES, hasAxe, isKnownToAxe } from "./axe.ts";
+import { axeViolations, COLOUR_RULES, hasAxe } from "./axe.ts";
 import { loadWords } from "./words.ts";
 
 // Journeys change between languages and name controls in any of them.
@@ -18,9 +18,8 @@ async function slowed(page: Page): Promise<void> {
 const isShown = (page: Page): boolean => !page.isClosed() && page.url().startsWith("http");
 
 /**
- * Every spec file uses this `test`, so that all of them can run with a slowed CPU, and that axe looks at the last screen
- * of a journey, except where this journey or others have shown it all kinds of elements there. Colours are checked where
- * nothing calculates.
+ * Every spec file uses this `test`, so that all of them can run with a slowed CPU, and that the last screen of a journey
+ * passes axe where the journey has not looked itself. Colours are checked where nothing calculates.
  */
 export const test = plain.extend({
   context: async ({ context }, use) => {
@@ -29,8 +28,7 @@ export const test = plain.extend({
   },
   page: async ({ page }, use, info) => {
     await use(page);
-    if (info.status !== info.expectedStatus || !isShown(page)) return;
-    if ((await hasAxe(page)) || (await isKnownToAxe(page))) return;
+    if (info.status !== info.expectedStatus || !isShown(page) || (await hasAxe(page))) return;
     expect(await axeViolations(page, { but: COLOUR_RULES }), "axe on the last screen").toEqual([]);
   },
 });
