@@ -29,8 +29,9 @@ export const filesOf = (language: Language): readonly (readonly [Name, string])[
 
 /** Reads the texts of a language. The build has a file for each language instead. */
 export async function readWords(language: Language): Promise<Parts> {
-  const read = filesOf(language).map(async ([name, path]) => {
-    const file = (await import(path)) as Readonly<Record<string, unknown>>;
+  // The path is written here, so that a bundler finds the files.
+  const read = NAMES.map(async (name) => {
+    const file = (await import(`../../src/i18n/${language}/${name}.ts`)) as Readonly<Record<string, unknown>>;
     return [name, Object.values(file)[0]] as const;
   });
   return Object.fromEntries(await Promise.all(read)) as Parts;
