@@ -41,7 +41,7 @@ test("a program of eight operations is drawn with the sizes of its contours, not
     "chamfer 1.5×45°",
     "chamfer 1×45°",
     "chamfer 1×45°",
-    "chamfer 2× 0.3×46.5°",
+    "chamfer 2× 0.3×0.3",
     "diameter ⌀46",
     "diameter ⌀46.42",
     "diameter ⌀55.58",
