@@ -15,6 +15,9 @@ interface Props {
 /** True if the typed number is valid; a sum is, too. */
 export const isUsable = (field: Field, text: string): boolean => readText(field, text).issue === null;
 
+/** Selector of the numbers without a usable value. */
+export const OPEN_NUMBER = "[data-open=true]";
+
 /** One number of a dialog that is not part of the work yet. */
 export function AskedNumber({ name, unit, field, text, onText }: Props) {
   const t = useTexts().setup;
@@ -37,6 +40,7 @@ export function AskedNumber({ name, unit, field, text, onText }: Props) {
           }}
           selects
           aria-invalid={wrong && !isCalm}
+          data-open={wrong || undefined}
           aria-describedby={`${id}-unit`}
         />
         <span className="soft small" id={`${id}-unit`}>

@@ -27,7 +27,7 @@ import { useLengths } from "../../../app/calculation/lengths.ts";
 import { useSession } from "../../../app/fields/blocks/session.ts";
 import { useToolList } from "../../../app/document/work-tools.ts";
 import { showTools } from "../../../app/place/place.ts";
-import { AskedNumber, isUsable } from "./AskedNumber.tsx";
+import { AskedNumber, isUsable, OPEN_NUMBER } from "./AskedNumber.tsx";
 import { SpindleFields, isSpindleUsable } from "./PlaceFields.tsx";
 import { addStandardDrill, useDrills } from "./drills.ts";
 import { StockPlace } from "./StockPlace.tsx";
@@ -106,7 +106,7 @@ export function HandForm({ words, work, site, before, onBack, onInsert }: Props)
   useEffect(
     () =>
       (
-        form.current?.querySelector<HTMLElement>("[aria-invalid=true]") ??
+        form.current?.querySelector<HTMLElement>(OPEN_NUMBER) ??
         form.current?.querySelector<HTMLElement>("input, button")
       )?.focus(),
     [],

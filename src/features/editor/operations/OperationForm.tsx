@@ -28,6 +28,7 @@ import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { useSession } from "../../../app/fields/blocks/session.ts";
 import { contourTableSlot } from "../../../app/fields/slots.ts";
+import { OPEN_NUMBER } from "./AskedNumber.tsx";
 import { SpindleFields, StartFields, arePlaceFieldsUsable } from "./PlaceFields.tsx";
 import { StockPlace } from "./StockPlace.tsx";
 import { TitleField } from "./TitleField.tsx";
@@ -50,7 +51,7 @@ const listed = (sizes: Draft): string =>
 
 /** The first field that needs a value, or else the title. */
 const firstField = (form: HTMLElement | null): HTMLElement | null | undefined =>
-  form?.querySelector<HTMLElement>("[aria-invalid=true]") ?? form?.querySelector<HTMLElement>("input");
+  form?.querySelector<HTMLElement>(OPEN_NUMBER) ?? form?.querySelector<HTMLElement>("input");
 
 /** The surface on which a typed start lies. */
 const surfaceAt = (surfaces: readonly StockSurface[], { x = "", z = "" }: TypedStart): StockSurface | undefined =>
