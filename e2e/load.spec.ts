@@ -2,8 +2,11 @@ import { gzipSync } from "node:zlib";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-/** Compressed JavaScript of the first load, kB of 1000 bytes. */
-const LIMIT = 155;
+/**
+ * Compressed JavaScript, kB of 1000 bytes: the first load, whose own limit the build is held to, and the lathe of the
+ * start page, which comes before or after the first button by chance.
+ */
+const LIMIT = 165;
 
 test("the first load is small, and asks no other host", async ({ page, baseURL }) => {
   const scripts: Promise<number>[] = [];
