@@ -103,7 +103,7 @@ const begunText = (task: Task): string | null =>
 function predictionProblems(task: Task): string[] {
   if (!task.predict?.length) return [];
   const begun = begunText(task);
-  if (begun === null) return ["nothing lies open that could be foretold"];
+  if (begun === null) return ["nothing is left to predict"];
   const answer = answerOf(begun);
   return task.predict.flatMap((prediction, i) => {
     const truth = truthOf(prediction, task, answer);
@@ -124,7 +124,7 @@ export function taskProblems(task: Task, file: string): string[] {
   const out = stem(file) === task.id ? [] : [`the id is ${task.id}`];
   out.push(...wordProblems(task), ...startProblems(task), ...predictionProblems(task));
   if (task.kind === "predict") {
-    if (!task.predict?.length) out.push("nothing is foretold");
+    if (!task.predict?.length) out.push("nothing is predicted");
   } else out.push(...answerProblems(task));
   if (task.kind === "drawing" && !(task.part && task.par)) out.push("a drawing needs a part and a par");
   return out;

@@ -4,7 +4,7 @@ import { setSchema, type TaskSet } from "./task-set.ts";
 
 /*
  * An exam as the learner's device records it: when it began, the checks of each task, and what was handed in. The record
- * outlives the set and its programs, so that neither a reload nor removing and opening the set again starts it anew.
+ * outlives the set and its programs, so that neither a reload nor removing and opening the set again starts it again.
  */
 
 const count = z.int().check(z.gte(0), z.lte(1_000_000));

@@ -3,7 +3,7 @@ import type { Task, TaskRules, TaskSize } from "./task.ts";
 
 /** One goal of a task, a line of its list of goals. */
 export type TaskGoal =
-  | { readonly kind: "foretold"; readonly entry: number; readonly of: number }
+  | { readonly kind: "predicted"; readonly entry: number; readonly of: number }
   | { readonly kind: "part"; readonly residue: number | null }
   | { readonly kind: "size"; readonly entry: number; readonly size: TaskSize }
   | {
@@ -21,15 +21,15 @@ const UNMENTIONED_RESIDUE = 0.05;
 
 /** The goals of a task, in the order of its list. */
 export function goalsOf({ kind, part, sizes = [], rules, predict = [] }: Task): readonly TaskGoal[] {
-  const foretold = predict.map((_, entry): TaskGoal => ({ kind: "foretold", entry, of: predict.length }));
-  if (kind === "predict") return foretold;
+  const predicted = predict.map((_, entry): TaskGoal => ({ kind: "predicted", entry, of: predict.length }));
+  if (kind === "predict") return predicted;
   const residue = rules.residue ?? 0;
   const limits = (["depth", "speed", "passes", "seconds", "mostTools"] as const).flatMap((name): TaskGoal[] => {
     const limit = rules[name];
     return limit === undefined ? [] : [{ kind: name, limit }];
   });
   return [
-    ...foretold,
+    ...predicted,
     ...(part ? [{ kind: "part" as const, residue: residue > UNMENTIONED_RESIDUE ? residue : null }] : []),
     ...sizes.map((size, entry): TaskGoal => ({ kind: "size", entry, size })),
     ...(rules.rz ?? []).map((asked, entry): TaskGoal => ({ kind: "rz", entry, asked })),
@@ -53,7 +53,7 @@ const TOGETHER: Readonly<Partial<Record<TaskGoal["kind"], readonly RuleName[]>>>
 function isAbout(goal: TaskGoal, mark: TaskMark): boolean {
   const { rule, size, entry, about } = mark;
   switch (goal.kind) {
-    case "foretold":
+    case "predicted":
       return false;
     case "part":
     case "safe":
@@ -114,7 +114,7 @@ export function groupGoals(
 }
 
 /** Whether a goal is met: by the predictions (each right or not), or else by the judgement of the program. */
-export const isMet = (goal: TaskGoal, judgement: TaskJudgement | null, foretold: readonly boolean[]): boolean =>
-  goal.kind === "foretold"
-    ? foretold[goal.entry] === true
+export const isMet = (goal: TaskGoal, judgement: TaskJudgement | null, predicted: readonly boolean[]): boolean =>
+  goal.kind === "predicted"
+    ? predicted[goal.entry] === true
     : judgement !== null && marksOn(goal, judgement).length === 0;

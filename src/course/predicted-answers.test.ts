@@ -61,8 +61,8 @@ describe("goals", () => {
 
   test("a prediction is a goal of its own, and the only one where nothing is made", () => {
     expect(goalsOf(taskOf("l03-how-many-passes"))).toEqual([
-      { kind: "foretold", entry: 0, of: 2 },
-      { kind: "foretold", entry: 1, of: 2 },
+      { kind: "predicted", entry: 0, of: 2 },
+      { kind: "predicted", entry: 1, of: 2 },
     ]);
     const [goal] = goalsOf(taskOf("l20-minus"));
     expect(goal && [isMet(goal, null, [true]), isMet(goal, null, [false]), isMet(goal, null, [])]).toEqual([

@@ -44,7 +44,7 @@ test.each([
     [expect.stringMatching(/^predict\[0\]\.ask oneOf passes, infeed, .*block$/)],
   ],
   ["a question without its place", { predict: [{ ask: "diameter" }] }, ["predict[0].at missing"]],
-  ["nothing that is foretold", { kind: "predict" }, ["predict missing"]],
+  ["nothing that is predicted", { kind: "predict" }, ["predict missing"]],
   ["a question without words", { predict: [{ ask: "passes" }] }, ["words.en.questions count 1"]],
   [
     "a choice that is not offered",

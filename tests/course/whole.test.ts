@@ -83,7 +83,7 @@ describe("a task that ships with the page", () => {
       },
       "en: choices of prediction 1",
     ],
-    ["nothing to foretell", { kind: "predict", start: { program: whole.solution ?? [] } }, "nothing is foretold"],
+    ["nothing to predict", { kind: "predict", start: { program: whole.solution ?? [] } }, "nothing is predicted"],
     ["a drawing without a par", { kind: "drawing" }, "a drawing needs a part and a par"],
   ] as readonly (readonly [string, Partial<Task>, string])[])("with %s is not", (_, change, problem) => {
     expect(problems(change).some((said) => said.startsWith(problem))).toBe(true);

@@ -324,7 +324,7 @@ export const courseTeach = {
     counts: "Zählt",
     notKept: "Dieser Browser speichert die Ergebnisse nicht. Speichern Sie die Tabelle, bevor Sie die Seite verlassen.",
     stopped: "nicht beendet",
-    foretold: "nichts zu simulieren",
+    predicted: "nichts zu simulieren",
     score: "Punkte",
 
     title: (name: string) => (name === "" ? "Ergebnisse ohne Namen" : `Ergebnisse von ${name}`),

@@ -314,7 +314,7 @@ export const courseTeach = {
     counts: "Counts",
     notKept: "This browser does not store the results. Save the table before you leave the page.",
     stopped: "did not finish",
-    foretold: "nothing to run",
+    predicted: "nothing to run",
     score: "Points",
 
     title: (name: string) => (name === "" ? "Results without a name" : `Results of ${name}`),

@@ -325,7 +325,7 @@ export const courseTeach = {
     counts: "Compte",
     notKept: "Ce navigateur n’enregistre pas les résultats. Enregistrez le tableau avant de quitter la page.",
     stopped: "n’a pas abouti",
-    foretold: "rien à simuler",
+    predicted: "rien à simuler",
     score: "Points",
 
     title: (name: string) => (name === "" ? "Résultats sans nom" : `Résultats de ${name}`),

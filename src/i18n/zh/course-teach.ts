@@ -301,7 +301,7 @@ export const courseTeach = {
     counts: "计入",
     notKept: "此浏览器不保存结果。离开页面前请保存表格。",
     stopped: "运行未结束",
-    foretold: "无需仿真",
+    predicted: "无需仿真",
     score: "得分",
 
     title: (name: string) => (name === "" ? "无姓名的结果" : `${name} 的结果`),

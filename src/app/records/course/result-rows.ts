@@ -3,10 +3,10 @@ import type { RuleName } from "../../../course/judge/judgement.ts";
 import { stateOfTask, type TaskState } from "../../../course/progress.ts";
 
 /**
- * Result of running a program here; "unknown": this device does not have its task, "foretold": the task has no program,
+ * Result of running a program here; "unknown": this device does not have its task, "predicted": the task has no program,
  * "stopped": the run did not finish.
  */
-export type RerunOutcome = "passes" | "fails" | "unknown" | "foretold" | "none" | "stopped";
+export type RerunOutcome = "passes" | "fails" | "unknown" | "predicted" | "none" | "stopped";
 
 /** What an answer misses: a rule of the task, or the right answers to its questions. */
 export type MissedGoal = RuleName | "answers";
@@ -110,7 +110,7 @@ export type ResultColumn = (typeof RESULT_COLUMNS)[number];
 export const NUMBERS: readonly ResultColumn[] = ["tries", "hints", "time", "steps", "machining", "score"];
 
 const STATES: readonly TaskState[] = ["alone", "hints", "solution", "tried", "new"];
-const RERUN_ORDER: readonly RerunOutcome[] = ["passes", "fails", "foretold", "none", "unknown", "stopped"];
+const RERUN_ORDER: readonly RerunOutcome[] = ["passes", "fails", "predicted", "none", "unknown", "stopped"];
 
 type Sorted = string | number;
 

@@ -107,7 +107,7 @@ export function PredictForm({
   return (
     <form
       ref={form}
-      className="task-now task-foretell"
+      className="task-now task-predict"
       onSubmit={(event) => {
         event.preventDefault();
         goOn();

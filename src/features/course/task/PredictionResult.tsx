@@ -57,22 +57,22 @@ export function PredictionResult({
   readonly words: TaskWords;
 }) {
   const language = useSettings((s) => s.language);
-  const foretold = useTaskView((v) => v.comparedAnswers);
-  if (!foretold) return null;
+  const predicted = useTaskView((v) => v.comparedAnswers);
+  if (!predicted) return null;
   return (
-    <div className="task-now task-foretold">
+    <div className="task-now task-predicted">
       <ul>
-        {foretold.map((compared, i) => (
+        {predicted.map((compared, i) => (
           <li key={i} className={compared.right ? "task-passed" : "task-failed"}>
             <Icon name={compared.right ? "check" : "close"} />
             <span>
-              {foretold.length > 1 && <span className="soft">{words.questions?.[i]} </span>}
+              {predicted.length > 1 && <span className="soft">{words.questions?.[i]} </span>}
               {comparedText(compared, t, language, words.choices?.[i] ?? [], task.kind === "predict")}
             </span>
           </li>
         ))}
       </ul>
-      {foretold.some(({ right }) => !right) && (
+      {predicted.some(({ right }) => !right) && (
         <button type="button" className="button" onClick={() => void retryPredictions(task)}>
           {t.predict.again}
         </button>

@@ -117,7 +117,7 @@ export function TaskGoals({ task, t, hasDrawing }: Props & { readonly hasDrawing
     groups = groupGoals(all, live);
   const isGathered = hasDrawing && groups.drawn.length > 1;
   const row = (goal: TaskGoal, i: number) => {
-    const known = goal.kind === "foretold" ? comparedAnswers !== null : live !== null;
+    const known = goal.kind === "predicted" ? comparedAnswers !== null : live !== null;
     const met = known ? isMet(goal, live, rights) : undefined;
     return (
       <li key={`${goal.kind} ${i}`} data-met={met}>

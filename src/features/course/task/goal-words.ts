@@ -55,7 +55,7 @@ export function goalText(t: CourseTaskTexts, duration: DurationWords, language: 
   const number = (value: number) => formatNumber(language, value);
   const { is } = t;
   switch (goal.kind) {
-    case "foretold":
+    case "predicted":
       return is.answered(goal.entry + 1, goal.of);
     case "part":
       return goal.residue === null ? is.part : is.partLeaving(writer(language).area(goal.residue));

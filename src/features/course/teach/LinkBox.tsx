@@ -17,10 +17,10 @@ const QrSection = lazyPart(async () => ({ default: await qrSlot.fetch() }));
 
 interface Props {
   readonly link: string;
-  /** What is handed on, for people and for its file. */
+  /** What is shared, for people and for its file. */
   readonly name: string;
   readonly file: { readonly name: string; readonly text: string; readonly label: string };
-  /** Called before anything is handed on. */
+  /** Called before anything is shared. */
   readonly before?: () => void;
 }
 

@@ -8,7 +8,7 @@ import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { NumberInput } from "../../../app/fields/number/NumberInput.tsx";
 import { keepSet } from "../../../app/records/course/saved-sets.ts";
-import { LanguageChoice } from "./LanguageChoice.tsx";
+import { Choice, languageNames } from "./Choice.tsx";
 import { SetHandOut } from "./SetHandOut.tsx";
 import { SetTasks } from "./SetTasks.tsx";
 import { TeachText } from "./WordFields.tsx";
@@ -50,41 +50,6 @@ function WholeNumber({
   );
 }
 
-/** A choice of one, each in words. */
-function Choice<T extends string>({
-  label,
-  names,
-  all,
-  value,
-  change,
-}: {
-  readonly label: string;
-  readonly names: Readonly<Record<T, string>>;
-  readonly all: readonly T[];
-  readonly value: T;
-  readonly change: (value: T) => void;
-}) {
-  return (
-    <label className="teach-text">
-      {label}
-      <select
-        className="select"
-        value={value}
-        onChange={(event) => {
-          const chosen = all.find((each) => each === event.currentTarget.value);
-          if (chosen) change(chosen);
-        }}
-      >
-        {all.map((each) => (
-          <option key={each} value={each}>
-            {names[each]}
-          </option>
-        ))}
-      </select>
-    </label>
-  );
-}
-
 /** Title and text of a set, in one language after the other. */
 function SetWords({ set, change }: { readonly set: TaskSet; readonly change: (some: Partial<TaskSet>) => void }) {
   const t = useTexts("course-set");
@@ -113,11 +78,11 @@ function SetWords({ set, change }: { readonly set: TaskSet; readonly change: (so
   return (
     <fieldset>
       <legend>{teach.words}</legend>
-      <LanguageChoice
+      <Choice
         label={t.language}
+        names={languageNames((each) => set.words[each] !== undefined)}
         all={LESSON_LANGUAGES}
         value={language}
-        has={(each) => set.words[each] !== undefined}
         change={(chosen) => {
           speak(chosen);
           name(null);

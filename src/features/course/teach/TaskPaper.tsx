@@ -91,7 +91,7 @@ function Sheet({ task, heading }: { readonly task: Task; readonly heading: strin
           <h3>{t.goals}</h3>
           <ul className="set-terms">
             {goalsOf(task)
-              .filter(({ kind }) => kind !== "foretold")
+              .filter(({ kind }) => kind !== "predicted")
               .map((goal, i) => (
                 <li key={i}>{goalText(t, duration, language, goal)}</li>
               ))}

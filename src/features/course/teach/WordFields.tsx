@@ -3,7 +3,7 @@ import type { TaskForm, WordsDraft } from "../../../course/made/task-form.ts";
 import { hasQuestions } from "../../../course/made/task-from-form.ts";
 import { LESSON_LANGUAGES, SCREEN_LANGUAGES, type LessonLanguage } from "../../../i18n/languages.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
-import { LanguageChoice } from "./LanguageChoice.tsx";
+import { Choice, languageNames } from "./Choice.tsx";
 
 /** Props of each part of the form: its current state, and the setter. */
 export interface FormPart {
@@ -103,11 +103,11 @@ function Translations({ made, change, first }: FormPart & { readonly first: Less
     <details className="teach-more">
       <summary>{t.translations}</summary>
       <p className="small soft">{t.translationsHint}</p>
-      <LanguageChoice
+      <Choice
         label={t.language}
+        names={languageNames((each) => translations[each] !== undefined)}
         all={others}
         value={language}
-        has={(each) => translations[each] !== undefined}
         change={speak}
       />
       <OneLanguage

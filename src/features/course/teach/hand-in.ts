@@ -48,7 +48,7 @@ export async function examCheckHere(task: Task, program: string): Promise<Omit<E
   const answer = await answerHere(task, program);
   if (!answer?.run.steps.some(({ move }) => move.kind !== "rapid")) return null;
   const judgement = judge(task, answer);
-  const goals = goalsOf(task).filter(({ kind }) => kind !== "foretold");
+  const goals = goalsOf(task).filter(({ kind }) => kind !== "predicted");
   const met = goals.filter((goal) => isMet(goal, judgement, [])).length;
   return { passed: judgement.passed, met, of: goals.length };
 }
@@ -67,7 +67,7 @@ export async function rerunResult({ id, program, told }: TaskResult): Promise<Re
   const none: readonly MissedGoal[] = [];
   const task = await taskOfId(id);
   const isAsked = task?.predict !== undefined && told !== undefined;
-  if (task?.kind === "predict" && !isAsked) return { is: "foretold", missed: none };
+  if (task?.kind === "predict" && !isAsked) return { is: "predicted", missed: none };
   if (program === null && task?.kind !== "predict") return { is: "none", missed: none };
   if (!task) return { is: "unknown", missed: none };
   const answers = isAsked ? await areAnswersRight(task, told) : true;

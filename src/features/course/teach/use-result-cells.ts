@@ -36,7 +36,7 @@ export function useResultCells(again: ReadonlyMap<string, RerunOutcome>) {
     passes: words.againPasses,
     fails: words.againFails,
     unknown: words.unknown,
-    foretold: words.foretold,
+    predicted: words.predicted,
     none: words.none,
     stopped: words.stopped,
   };
