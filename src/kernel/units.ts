@@ -61,6 +61,8 @@ export const angleUnder = (angle: number) => (Math.ceil(angle * ANGLE_STEPS - SA
 
 /** An inch in mm. */
 export const INCH = 25.4;
+/** The unit of a feed in an inch program, mm: inches per revolution, or tenths of an inch per minute. */
+export const inchFeedUnit = (perRevolution: boolean): number => (perRevolution ? INCH : INCH / 10);
 /** Unit of the numbers of a program, and its length in mm. */
 export type LengthUnit = "mm" | "inch";
 export const IN_MM: Readonly<Record<LengthUnit, number>> = { mm: 1, inch: INCH };

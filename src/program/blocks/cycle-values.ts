@@ -2,7 +2,7 @@ import type { Cycle } from "../../cycles/define.ts";
 import type { Param, Params, Values } from "../../cycles/params.ts";
 import { issue, type Issue } from "../../kernel/plan/issue.ts";
 import { checkNumber, roundedTo } from "../values/field.ts";
-import { INCH, roundedInch } from "../../kernel/units.ts";
+import { INCH, inchFeedUnit, roundedInch } from "../../kernel/units.ts";
 import type { Machine } from "../state/machine.ts";
 
 /** Decimals an inch program keeps beyond those of a millimetre program. */
@@ -26,8 +26,9 @@ const hasInches = (p: { readonly kind: string }) => isLength(p) || p.kind === "f
 export const decimalsInInches = (p: { readonly kind: string; readonly decimals: number }): number =>
   hasInches(p) ? p.decimals + INCH_DECIMALS : p.decimals;
 
-/** Tenths of an inch, mm: the unit of a feed per minute in an inch program. */
-const INCH_TENTH = INCH / 10;
+/** The unit of a parameter in an inch program, mm. */
+const inchUnit = (p: { readonly kind: string }, perRevolution: boolean): number =>
+  p.kind === "feed" ? inchFeedUnit(perRevolution) : INCH;
 
 /** A parameter value in mm as the program writes it, in inches where it counts in inches. */
 export function valueInProgram(
@@ -37,14 +38,13 @@ export function valueInProgram(
   perRevolution = true,
 ): number {
   if (!inches || !p || !hasInches(p)) return mm;
-  return roundedInch(mm / (p.kind === "feed" && !perRevolution ? INCH_TENTH : INCH));
+  return roundedInch(mm / inchUnit(p, perRevolution));
 }
 
 /** A number of an inch program in the unit of the parameter, rounded to the control's resolution before conversion. */
 export function valueFromInches(p: Param, n: number, perRevolution: boolean): number {
   if (!hasInches(p)) return roundedTo(n, CONVERTED_DECIMALS);
-  const per = p.kind === "feed" && !perRevolution ? INCH_TENTH : INCH;
-  return roundedTo(roundedTo(n, decimalsInInches(p)) * per, CONVERTED_DECIMALS);
+  return roundedTo(roundedTo(n, decimalsInInches(p)) * inchUnit(p, perRevolution), CONVERTED_DECIMALS);
 }
 
 const inMillimetres = ({ now }: Machine, p: Param, n: number): number =>

@@ -1,7 +1,7 @@
 import type { FeedUnit, Move } from "../../kernel/plan/move.ts";
 import type { Pt } from "../../kernel/geometry/point.ts";
 import type { Spindle, Step } from "../../kernel/time/step.ts";
-import { INCH, type Feed } from "../../kernel/units.ts";
+import { INCH, inchFeedUnit, type Feed } from "../../kernel/units.ts";
 import type { Statement } from "../../nc/statement.ts";
 import type { Label, Value } from "../../nc/words.ts";
 import { valueOf, type EvaluationError } from "../values/formula.ts";
@@ -222,9 +222,9 @@ export class Machine {
     return this.now.inch ? n * INCH : n;
   }
 
-  /** A feed word as mm/rev or mm/min; inch programs count tenths of an inch per minute, or inches per revolution. */
+  /** A feed word as mm/rev or mm/min. */
   feedOf(n: number): Feed {
-    return (this.now.inch ? n * (this.now.perRevolution ? INCH : INCH / 10) : n) as Feed;
+    return (this.now.inch ? n * inchFeedUnit(this.now.perRevolution) : n) as Feed;
   }
 
   /** The programmed spindle, limited to the machine's maximum speed. */
