@@ -157,6 +157,26 @@ const taskWords = z.object({
   learned: z.optional(words),
 });
 
+/** The same questions with other values. A learner who answered wrongly gets the next ones at each try. */
+const variant = z.object({
+  /** Lines that replace those of the program which begin with the same block number or parameter. */
+  with: lines,
+  /** Numbers in the assignment, the questions and the choices, with what replaces them. */
+  numbers: z._default(z.record(typed, typed), {}),
+  /** The right choices and blocks that differ, by the index of the question. */
+  right: z._default(z.record(z.string().check(z.regex(/^\d+$/)), rightChoice), {}),
+  /** Texts that differ. Questions and choices: by the index of the question. */
+  words: z.optional(
+    inLanguages(
+      z.object({
+        ask: z.optional(words),
+        questions: z.optional(z.record(z.string(), words)),
+        choices: z.optional(z.record(z.string(), listed(words))),
+      }),
+    ),
+  ),
+});
+
 /** An answer that must fail. */
 const wrong = z.object({
   program: lines,
@@ -183,6 +203,8 @@ export const taskSchema = z.object({
   /** The drawing takes its surface marks from `rules.rz`. */
   rules: z._default(rules, {}),
   predict: z.optional(listed(taskPrediction)),
+  /** For a "predict" that starts with a program. Where there are none left, the kernel looks for other numbers. */
+  variants: z.optional(listed(variant)),
   /** What a good answer of a "drawing" needs: seconds and tools for full marks. */
   par: z.optional(z.object({ seconds: finite, tools: z.int() })),
   words: inLanguages(taskWords),
@@ -209,4 +231,5 @@ export type WrongAnswer = z.infer<typeof wrong>;
 export type TaskSize = z.infer<typeof size>;
 export type SizeKind = TaskSize["kind"];
 export type Prediction = z.infer<typeof taskPrediction>;
+export type TaskVariant = z.infer<typeof variant>;
 export type TaskWords = z.infer<typeof taskWords>;

@@ -170,7 +170,8 @@ export const courseTask = {
     wrongAgain: (told) => `Ihre Antwort: ${told}. Nicht richtig. Ablauf ansehen, dann erneut versuchen.`,
     decides: (block) => `Entscheidend ist Satz ${block}.`,
     kept: "Schon richtig beantwortet",
-    otherNumbers: "Das Programm hat jetzt andere Zahlen. Die Tipps gelten für die ursprünglichen.",
+    otherNumbers: (places: readonly string[]) =>
+      `Neue Zahlen in ${places.join(", ")}. Lesen Sie das Programm neu; die Tipps gelten für die ursprünglichen Zahlen.`,
     sameNumbers:
       "Die Lösung wurde gezeigt, andere Zahlen gibt es nicht: Das zählt jetzt als mit gezeigter Lösung gelöst.",
     again: "Erneut versuchen",

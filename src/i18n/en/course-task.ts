@@ -176,7 +176,8 @@ export const courseTask = {
     wrongAgain: (told: string) => `Your answer: ${told}. Not correct. Watch the run, then try again.`,
     decides: (block: string) => `Block ${block} decides.`,
     kept: "Answered correctly before",
-    otherNumbers: "The program now has other numbers. Hints still use the original ones.",
+    otherNumbers: (places: readonly string[]) =>
+      `New numbers in ${places.join(", ")}. Read the program again; the hints keep the original numbers.`,
     sameNumbers:
       "The answer was shown and there are no other numbers: this now counts as passed after the solution was shown.",
     again: "Try again",

@@ -171,7 +171,8 @@ export const courseTask = {
     wrongAgain: (told) => `Votre réponse : ${told}. Incorrect. Observez l’exécution, puis réessayez.`,
     decides: (block) => `La séquence ${block} est décisive.`,
     kept: "Déjà répondu correctement",
-    otherNumbers: "Le programme a maintenant d’autres valeurs. Les aides gardent celles d’origine.",
+    otherNumbers: (places: readonly string[]) =>
+      `Nouvelles valeurs : ${places.join(", ")}. Relisez le programme ; les aides gardent celles d’origine.`,
     sameNumbers:
       "La solution a été montrée et il n’y a pas d’autres valeurs : l’exercice compte maintenant comme réussi, solution montrée.",
     again: "Réessayer",
