@@ -139,6 +139,8 @@ export const courseTask = {
     doubled: (name, is, better) => `Durchmesser verdoppelt? ${name} ist ${is}, das Doppelte von ${better}`,
     exchanged: (one, other) => `Vertauscht? ${one} und ${other}`,
     reversed: "Kontur in falscher Richtung? Sie beginnt am falschen Ende",
+    tools: (one, other) => `Werkzeuge vertauscht? ${one} und ${other}`,
+    tool: (name) => `Falsches Werkzeug für diese Bearbeitung? ${name}`,
     where: (what, block) => `${what} (${block})`,
   },
   where: {

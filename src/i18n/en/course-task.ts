@@ -144,6 +144,8 @@ export const courseTask = {
     doubled: (name: string, is: string, better: string) => `Diameter doubled? ${name} is ${is}, twice ${better}`,
     exchanged: (one: string, other: string) => `Exchanged? ${one} and ${other}`,
     reversed: "Contour in the wrong direction? It begins at the wrong end",
+    tools: (one: string, other: string) => `Tools exchanged? ${one} and ${other}`,
+    tool: (name: string) => `Wrong tool for this operation? ${name}`,
     where: (what: string, block: string) => `${what} (${block})`,
   },
   where: {

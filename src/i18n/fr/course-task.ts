@@ -139,6 +139,8 @@ export const courseTask = {
     doubled: (name, is, better) => `Diamètre doublé ? ${name} vaut ${is}, le double de ${better}`,
     exchanged: (one, other) => `Valeurs inversées ? ${one} et ${other}`,
     reversed: "Contour dans le mauvais sens ? Il commence par la mauvaise extrémité",
+    tools: (one, other) => `Outils inversés ? ${one} et ${other}`,
+    tool: (name) => `Mauvais outil pour cet usinage ? ${name}`,
     where: (what, block) => `${what} (${block})`,
   },
   where: {

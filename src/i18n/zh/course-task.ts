@@ -124,6 +124,8 @@ export const courseTask = {
     doubled: (name, is, better) => `直径加倍了？${name} 为 ${is}，是 ${better} 的两倍`,
     exchanged: (one, other) => `数值互换？${one} 与 ${other}`,
     reversed: "轮廓方向相反？起点在错误的一端",
+    tools: (one, other) => `刀具互换？${one} 与 ${other}`,
+    tool: (name) => `这道工序用错了刀具？${name}`,
     where: (what, block) => `${what}（${block}）`,
   },
   where: {

@@ -84,7 +84,9 @@ async function withSlipNamed(task: Task, answer: Answer, judgement: TaskJudgemen
   const found = await findSlip(task, answer, judgement, runOf);
   if (!found) return withoutSlip(judgement);
   const isAsked = task.kind === "fault" && !areFixesShown(progressOfTask(progressRecord.now(), task.id));
-  return isAsked && hasSlip(asProgram(workOfTask(task)).text, found.slip) ? judgement : withSlip(judgement, found);
+  return isAsked && hasSlip(task, asProgram(workOfTask(task)).text, found.slip)
+    ? judgement
+    : withSlip(judgement, found);
 }
 
 /** Waits for a paint, so that a long check shows its progress text. */
