@@ -122,6 +122,8 @@ const measured = [
   /** A place on the part: residual material, contour damage, or the first rapid through material. Tolerance in mm. */
   z.object({ ask: z.enum(["residuePlace", "gougePlace", "rapidPlace"]), within: z._default(finite, 3) }),
 ] as const;
+/** The element of the contour that a parameter shapes, as a place. Tolerance in mm. */
+const elementPlace = z.object({ ask: z.literal("elementPlace"), q: typed, within: z._default(finite, 1) });
 /** The right one of `words.choices`, from 0. */
 const rightChoice = z.int();
 /** Blocks with the fault: any of these numbers is right. */
@@ -130,6 +132,7 @@ const rightBlocks = listed(z.int()).check(z.minLength(1));
 /** A question about a run; for `choice` and `block` it states the right answer. */
 export const prediction = z.union([
   ...measured,
+  elementPlace,
   z.object({ ask: z.literal("choice"), right: rightChoice }),
   z.object({ ask: z.literal("block"), right: rightBlocks }),
 ]);
@@ -230,6 +233,8 @@ export type TaskRules = z.infer<typeof rules>;
 export type WrongAnswer = z.infer<typeof wrong>;
 export type TaskSize = z.infer<typeof size>;
 export type SizeKind = TaskSize["kind"];
-export type Prediction = z.infer<typeof taskPrediction>;
+export type TaskPrediction = z.infer<typeof taskPrediction>;
+/** A question of a task, or on the page of a lesson. */
+export type Prediction = TaskPrediction | z.infer<typeof prediction>;
 export type TaskVariant = z.infer<typeof variant>;
 export type TaskWords = z.infer<typeof taskWords>;
