@@ -153,7 +153,7 @@ export function LatheView({
     pointed.set(at && toPlace(viewport.get(), at));
   };
   const look = measuring.on ? measuring : { tap, hover: point, drag: null };
-  const solid = useSolid({ run, shown: proved, moving, waiting, measures: measuring.on });
+  const solid = useSolid({ run, shown: proved, moving, waiting, chuck: scene.chuck, measures: measuring.on });
   // With enough room, section and 3D view are next to each other.
   const beside = useMedia("vast") && solid.drawn !== null,
     alone = beside ? null : solid.drawn;
