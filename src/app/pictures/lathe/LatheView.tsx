@@ -1,9 +1,11 @@
 import { Suspense, useEffect, useId, useMemo, useState } from "react";
+import { createStore } from "zustand";
 import type { PartialWork } from "../../../program/job/partial-work.ts";
 import { NO_TIMING } from "../../../program/run/run-times.ts";
 import type { Run } from "../../../program/state/run-types.ts";
 import type { Ring } from "../../../kernel/geometry/point.ts";
 import { toPlace, type Place } from "../../../view/camera.ts";
+import type { LabelBox } from "../../../view/help/labels.ts";
 import { datumAt, datumIndex } from "../../../view/datum.ts";
 import { trackOf } from "../../../view/playback.ts";
 import { sceneOf } from "../../../view/scene.ts";
@@ -144,6 +146,9 @@ export function LatheView({
   const held = useMemo(() => run.steps.some((step) => step.tool.holder), [run]);
   const starts = useMemo(() => (waiting?.start ? [waiting.start] : run.operations.map((o) => o.start)), [run, waiting]);
   const measuring = useMeasuring();
+  const [taken] = useState(() => createStore<readonly LabelBox[]>(() => []));
+  const kepts = useMemo(() => [measuring.labels, taken], [measuring, taken]),
+    around = { viewport, run, playback, waiting, taken };
   const source = useLatheSource({ run, stockAt: shown?.simulation && moving ? moving.stockAt : null, playback });
   const path = useShownPath(run, passes.stretches, playback);
   const { hover, over, tap } = usePicking({ run, viewport, shown: path.has, onMove });
@@ -277,8 +282,8 @@ export function LatheView({
                 {scene.chuck?.unstated && <ClampingNote viewport={viewport} plane={scene.chuck.unstated} />}
                 <Marks viewport={viewport} starts={starts} datum={datum} />
                 <LoadPart.Mark run={run} seeing={sectionProjection(viewport)} />
-                {typed && <KnownMarks viewport={viewport} known={typed} />}
-                {!typed && known && <AskedMarks viewport={viewport} known={known} />}
+                {typed && <KnownMarks {...around} known={typed} />}
+                {!typed && known && <AskedMarks {...around} known={known} />}
                 {run.steps.length > 0 && (
                   <OffscreenTool
                     viewport={viewport}
@@ -286,7 +291,7 @@ export function LatheView({
                     run={run}
                     places={seen}
                     datum={datum}
-                    kept={measuring.labels}
+                    kept={kepts}
                   />
                 )}
                 {leads.length > 0 && (
