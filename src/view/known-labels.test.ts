@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import { at } from "../kernel/geometry/point.ts";
 import { shippedTools } from "../program/tools/shipped-tools.ts";
 import { labelsOverlap, type LabelBox } from "./help/labels.ts";
-import { namedLines, toolBox, type NamedLine } from "./known-labels.ts";
+import { namedLines, toolArea, type NamedLine } from "./known-labels.ts";
 
 const ROOM: LabelBox = { x: 46, y: 44, width: 613, height: 371 };
 const level = (text: string, at: number): NamedLine => ({ text, way: "level", at });
@@ -41,8 +41,8 @@ describe("texts of lines across the picture", () => {
 test("the box of a tool holds its holder, wherever its tip is and whichever way X points", () => {
   const tool = shippedTools.find((each) => each.holder) ?? expect.fail("a tool has a holder");
   const camera = { scale: 3, zero: { x: 400, y: 210 }, xUp: true };
-  const up = toolBox(tool, at(10, 20), camera) ?? expect.fail("it has a shape"),
-    down = toolBox(tool, at(10, 20), { ...camera, xUp: false }) ?? expect.fail("it has a shape");
+  const up = toolArea(tool, at(10, 20), camera) ?? expect.fail("it has a shape"),
+    down = toolArea(tool, at(10, 20), { ...camera, xUp: false }) ?? expect.fail("it has a shape");
   expect(up.height).toBeGreaterThan(3 * 20);
   expect(down.x).toBe(up.x);
   expect(down.y).toBeCloseTo(2 * 210 - up.y - up.height, 6);

@@ -78,7 +78,7 @@ function toolBounds(tool: Tool): Bounds | null {
 }
 
 /** The box on the screen round a tool with its tip at a place. */
-export function toolBox(tool: Tool, tip: Pt, camera: Camera): LabelBox | null {
+export function toolArea(tool: Tool, tip: Pt, camera: Camera): LabelBox | null {
   const box = toolBounds(tool);
   if (!box) return null;
   const corner = (z: number, r: number) => toScreen(camera, { z: (tip.z + z) as Pt["z"], r: (tip.r + r) as Pt["r"] });

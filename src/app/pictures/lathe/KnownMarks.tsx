@@ -1,22 +1,20 @@
 import { useEffect, useMemo, useState } from "react";
 import type { StoreApi } from "zustand";
-import type { KnownOutline, KnownPosition } from "../../../cycles/known-outline.ts";
 import type { PartialWork } from "../../../program/job/partial-work.ts";
-import type { Lengths } from "../../../i18n/lengths.ts";
 import type { Pt } from "../../../kernel/geometry/point.ts";
 import type { Tool } from "../../../kernel/plan/tool.ts";
 import type { Run } from "../../../program/state/run-types.ts";
 import { axial, diameter, radius, toRadius } from "../../../kernel/units.ts";
 import { toScreen } from "../../../view/camera.ts";
 import type { LabelBox } from "../../../view/help/labels.ts";
-import { namedLines, toolBox, type NamedLine } from "../../../view/known-labels.ts";
+import { namedLines, toolArea, type NamedLine } from "../../../view/known-labels.ts";
 import { tipAt } from "../../../view/tip.ts";
-import type { Texts } from "../../../i18n/index.ts";
 import { usePlace } from "../../place/place.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import type { InitialScene } from "../../calculation/moving.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "./Axes.tsx";
+import { positionText, valueText } from "./known-text.ts";
 import { useCamera } from "./use-camera.ts";
 import { usePlayback } from "./use-playback.ts";
 import type { Viewport } from "./viewport.ts";
@@ -28,23 +26,6 @@ const NOTES = { large: 32, small: 6 };
 /** From the top of a text's box to its baseline, pixels. */
 const BASELINE = 12;
 const NO_TOOL = { tool: null, tip: null };
-
-const valueText = (lengths: Lengths, { axis, value }: KnownPosition): string =>
-  `${axis === "x" ? "⌀" : "Z"}${lengths.number(value)}`;
-/** A typed position as a drawing writes it, with its Q: Q491 ⌀61.37. */
-const positionText = (lengths: Lengths, p: KnownPosition): string => `${p.q} ${valueText(lengths, p)}`;
-
-/** The known data of a contour, in words. */
-export function knownText(
-  t: Texts["lathe"],
-  lengths: Lengths,
-  { positions, contour, sketch, whole }: KnownOutline,
-): string {
-  const said = positions.map((p) => positionText(lengths, p));
-  if (contour.length > 0) said.push(whole ? t.known.whole : t.known.elements(contour.length));
-  else if (sketch.length > 0) said.push(t.known.sketch);
-  return said.length > 0 ? t.known.soFar(said.join(", ")) : t.known.nothing;
-}
 
 /** What may move under the texts, and the areas that they take, for others. */
 interface Around {
@@ -119,7 +100,7 @@ export function KnownMarks({
   );
   const { tool, tip } = resting ?? NO_TOOL;
   const labels = useMemo(() => {
-    const box = tool && tip && toolBox(tool, tip, camera);
+    const box = tool && tip && toolArea(tool, tip, camera);
     return namedLines(
       lines,
       { x: SCALE_LEFT, y: top, width: width - SCALE_LEFT, height: floor - top },

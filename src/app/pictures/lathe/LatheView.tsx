@@ -28,7 +28,7 @@ import { useMedia } from "../../base/use-media.ts";
 import { ChosenPath, HoveredMove } from "./Chosen.tsx";
 import { GlyphButton } from "./GlyphButton.tsx";
 import { pressKey } from "./keys.ts";
-import { AskedMarks, KnownMarks, knownText } from "./KnownMarks.tsx";
+import { knownText } from "./known-text.ts";
 import { ClampingNote } from "./ClampingNote.tsx";
 import { Legend } from "./Legend.tsx";
 import { Marks } from "./Marks.tsx";
@@ -62,6 +62,9 @@ import { Outdated } from "./Outdated.tsx";
 
 /** Loaded for a program with approaches. */
 const TurnPoints = lazyPart(async () => ({ default: (await import("../plane/TurnPoints.tsx")).TurnPoints }));
+/** Loaded for a dialog: its typed positions. */
+const KnownMarks = lazyPart(async () => ({ default: (await import("./KnownMarks.tsx")).KnownMarks }));
+const AskedMarks = lazyPart(async () => ({ default: (await import("./KnownMarks.tsx")).AskedMarks }));
 /** Loaded on demand: paths of other settings, the 3D view. */
 const GhostPaths = lazyPart(async () => ({ default: (await import("./GhostPaths.tsx")).GhostPaths }));
 const SolidView = lazyPart(async () => ({ default: (await import("../solid/SolidView.tsx")).SolidView }));
@@ -282,8 +285,11 @@ export function LatheView({
                 {scene.chuck?.unstated && <ClampingNote viewport={viewport} plane={scene.chuck.unstated} />}
                 <Marks viewport={viewport} starts={starts} datum={datum} />
                 <LoadPart.Mark run={run} seeing={sectionProjection(viewport)} />
-                {typed && <KnownMarks {...around} known={typed} />}
-                {!typed && known && <AskedMarks {...around} known={known} />}
+                {known && (
+                  <Suspense>
+                    {typed ? <KnownMarks {...around} known={typed} /> : <AskedMarks {...around} known={known} />}
+                  </Suspense>
+                )}
                 {run.steps.length > 0 && (
                   <OffscreenTool
                     viewport={viewport}
