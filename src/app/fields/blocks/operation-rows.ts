@@ -3,6 +3,7 @@ import type { Severity } from "../../../kernel/plan/issue.ts";
 import type { Tool } from "../../../kernel/plan/tool.ts";
 import { canBeFinished } from "../../../program/edits/finishing-operation.ts";
 import { isOff, operationsOf, wholeOf, type FixedReason } from "../../../program/edits/operations.ts";
+import { planeThumbnailOf, type Thumbnail } from "../../../view/thumbnail.ts";
 import type { Outcome } from "../../calculation/outcome.ts";
 import { doneByLine, firstLine, type Done } from "./program-parts.ts";
 import type { FindingEntry } from "../../findings/entry.ts";
@@ -30,6 +31,8 @@ export interface OperationRow {
   readonly to: number;
   /** Block that the row opens: its cycle, or its first block. */
   readonly opens: number;
+  /** What it mills, seen from above; null if it mills nothing. */
+  readonly plan: Thumbnail | null;
   /** Result of its calls; null if none was run. */
   readonly done: Done | null;
   readonly findings: { readonly count: number; readonly severity: Severity } | null;
@@ -95,7 +98,7 @@ export function operationRows(
     const worst = (["error", "warning", "info"] as const).find((each) => here.includes(each));
     const did = added(own.definitions.map((index) => done?.get(lines[index] ?? 0)));
     const seconds = outcome && file === null ? secondsIn(outcome, from, to) : 0;
-    const isMilled = file === null && outcome?.run.plane.some(({ index }) => index >= from && index < to);
+    const milled = file === null && outcome ? outcome.run.plane.filter(({ index }) => index >= from && index < to) : [];
     return {
       unit,
       title: own.title,
@@ -105,7 +108,7 @@ export function operationRows(
       }),
       tool,
       // A milling cutter may have the number of a turning tool.
-      known: isMilled ? null : (tools.find(({ T, NAME }) => String(T) === tool || NAME === tool) ?? null),
+      known: milled.length > 0 ? null : (tools.find(({ T, NAME }) => String(T) === tool || NAME === tool) ?? null),
       inherits: own.inherits,
       isOff: isOff(program, own),
       canBeFinished: canBeFinished(program, own),
@@ -113,6 +116,7 @@ export function operationRows(
       from,
       to,
       opens: own.definitions[0] ?? own.from,
+      plan: planeThumbnailOf(milled, outcome?.run.cuboid),
       done: did
         ? { ...did, seconds: Math.max(seconds, did.seconds) }
         : seconds > 0
