@@ -56,7 +56,7 @@ export const contour = {
     "Pfeiltasten wählen ein Element, Tab geht durch seine Maße, Enter öffnet eines. R rundet die Ecke, C fast sie, Plus und Minus zoomen, 0 zeigt alles, Umschalt mit Pfeilen verschiebt die Zeichnung.",
   dimension: (name, value) => `${name}: ${value}`,
   inDrawing: (name) => `${name}, in der Zeichnung`,
-  emptyDrawing: "Dort tippen, wo die Kontur beginnt, oder den ersten Punkt eingeben.",
+  emptyDrawing: "Ersten Punkt der Kontur hier setzen oder eingeben.",
   typeFirst: "Ersten Punkt eingeben",
   modes: {
     move: "Punkte und Zeichnung verschieben",

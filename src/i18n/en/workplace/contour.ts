@@ -56,7 +56,7 @@ export const contour = {
     "Arrow keys choose an element, Tab goes through its dimensions, Enter opens one. R rounds the corner, C chamfers the corner, plus and minus zoom, 0 shows all, Shift with arrows moves the drawing.",
   dimension: (name: string, value: string) => `${name}: ${value}`,
   inDrawing: (name: string) => `${name}, in the drawing`,
-  emptyDrawing: "Tap where the contour begins, or type the first point.",
+  emptyDrawing: "Set the first point of the contour here, or type it.",
   typeFirst: "Type the first point",
   modes: {
     move: "Move points and the drawing",

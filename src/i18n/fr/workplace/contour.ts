@@ -56,7 +56,7 @@ export const contour = {
     "Les flèches choisissent un élément, Tab parcourt ses cotes, Entrée en ouvre une. R arrondit l’angle, C le chanfreine, plus et moins zooment, 0 montre tout, Maj avec les flèches déplace le dessin.",
   dimension: (name, value) => `${name} : ${value}`,
   inDrawing: (name) => `${name}, dans le dessin`,
-  emptyDrawing: "Toucher l’endroit où le contour commence, ou saisir le premier point.",
+  emptyDrawing: "Placer ici le premier point du contour, ou le saisir.",
   typeFirst: "Saisir le premier point",
   modes: {
     move: "Déplacer les points et le dessin",

@@ -12,15 +12,24 @@ export const approach = {
   otherForm: "更换功能",
   incremental: "前加 I：增量",
   parameter: "Q 参数没有数值，暂无图形。",
+  ends: {
+    PA: {
+      label: "点 PA",
+      prompt: (axis) => `第一个轮廓点 PA 的 ${axis} 坐标？`,
+      about: "轮廓上开始切削的点，与图纸一致；不是刀具中心。",
+    },
+    PN: {
+      label: "点 PN",
+      prompt: (axis) => `终点 PN 的 ${axis} 坐标？`,
+      about: "离开后的位置，在轮廓之外，无半径补偿。",
+    },
+  },
   words: {
-    X: { label: "点", prompt: "轮廓点的 X 坐标？", about: "APPR：第一个轮廓点 PA。DEP LCT：轮廓外的终点 PN。" },
-    Y: { label: "点", prompt: "轮廓点的 Y 坐标？", about: "APPR：第一个轮廓点 PA。DEP LCT：轮廓外的终点 PN。" },
     Z: {
       label: "刀具轴",
       prompt: "刀具轴的深度或高度？",
       about: "省略时刀具保持原高度。TNC 640 先在加工面内移动，TNC7 各轴同时移动。",
     },
-    turningZ: { label: "点", prompt: "轮廓点的 Z 坐标？", about: "APPR：第一个轮廓点 PA。DEP LCT：轮廓外的终点 PN。" },
     PR: { label: "极半径", prompt: "到极点 CC 的距离？", about: "极点由前面的 CC 程序段给出。" },
     PA: { label: "极角", prompt: "绕极点 CC 的角度？", about: "从第一轴起算，逆时针为正。" },
     LEN: { label: "长度", prompt: "直线段的长度？", about: "从辅助点 PH 到 PA，或从 PE 到 PN。LN 中负号选择另一侧。" },
@@ -47,8 +56,15 @@ export const approach = {
   drag: "拖动点可改变数值，也可在提问中输入。",
   noPicture: "点坐标完整且程序段旁有轮廓元素时显示图形。",
   stale: "上一张有效图形",
+  dots: { contour: "轮廓上的点", centre: "刀具中心" },
   pointTable: "刀具中心的各点",
   lines: { centre: "刀具中心路径", block: "本程序段进给", before: "上一进给", rapid: "快移" },
+  coordinates: {
+    title: "点的坐标",
+    cartesian: "直角坐标",
+    polar: "极坐标",
+    noPole: "极坐标功能（PLT、PLN、PCT、PLCT）需要极点：请在此程序段之前插入 CC。",
+  },
   choose: "选择功能",
   chooseAbout: "同一轮廓、同一刀具下的全部八种功能。",
   take: (block, name) => `${block}：${name}`,

@@ -55,7 +55,7 @@ export const contour = {
     "方向键选择元素，Tab 依次到各尺寸，回车打开尺寸。R 倒圆拐角，C 倒角，加减号缩放，0 显示全部，Shift 加方向键移动图形。",
   dimension: (name, value) => `${name}：${value}`,
   inDrawing: (name) => `${name}，图中`,
-  emptyDrawing: "点按轮廓的起点位置，或输入第一个点。",
+  emptyDrawing: "在此处设定轮廓的第一个点，或输入坐标。",
   typeFirst: "输入第一个点",
   modes: { move: "移动点和图形", draw: "绘制：添加点、分割元素", round: "倒圆：拖动拐角", chamfer: "倒角：拖动拐角" },
   grid: "栅格",
