@@ -12,7 +12,7 @@ import { nearby } from "../../view/approach/forms.ts";
 import { cameraFor, onScreen, planeFrameOf } from "../../view/approach/frame.ts";
 import { px } from "../../view/help/marks.ts";
 import { approachWords } from "../../app/fields/blocks/approach-words.ts";
-import { PointDot } from "../../app/pictures/plane/PointDot.tsx";
+import { PointDots } from "../../app/pictures/plane/PointDot.tsx";
 import { approachSpeech } from "../../app/pictures/plane/speech.ts";
 import { HelpMarks } from "../../app/pictures/help/HelpMarks.tsx";
 import { useIssueText } from "../../app/calculation/issue-text.ts";
@@ -133,9 +133,7 @@ function FormValue({ word, form, source, frame, size }: CardProps) {
       >
         <HelpMarks marks={drawing.marks} id={id} />
         {pole && named && <PolarPlace from={onScreen(drawing.camera, pole)} to={onScreen(drawing.camera, named)} />}
-        {drawing.points.map(({ at, place, onContour }) => (
-          <PointDot key={`${at.x} ${at.y}`} {...place} onContour={onContour} />
-        ))}
+        <PointDots points={drawing.points} />
       </svg>
       <dl className="value-facts">
         <div>

@@ -9,7 +9,7 @@ import { polyline, px } from "../../../view/help/marks.ts";
 import { HelpMarks } from "../help/HelpMarks.tsx";
 import { useCamera } from "../lathe/use-camera.ts";
 import type { Viewport } from "../lathe/viewport.ts";
-import { PointDot } from "./PointDot.tsx";
+import { contourLast, PointDot } from "./PointDot.tsx";
 
 const Names = memo(function Names({
   x,
@@ -66,11 +66,7 @@ export function PlanePoints({
     () => (choose ? choose(approaches, drawn) : approaches).map((a) => ({ ...pointsOf(a), isNamed: isNamed(a) })),
     [choose, approaches, isNamed, drawn],
   );
-  /* A point on the contour covers the tool that touches it. */
-  const names = useMemo(
-    () => planeNames(shown, drawn, size, speech).toSorted((a, b) => Number(a.onContour) - Number(b.onContour)),
-    [shown, drawn, size, speech],
-  );
+  const names = useMemo(() => contourLast(planeNames(shown, drawn, size, speech)), [shown, drawn, size, speech]);
   return (
     <g className="plane-points" aria-hidden="true">
       <path className="approach-contact" d={contactLines(shown, camera).map(polyline).join("")} />

@@ -14,7 +14,7 @@ import { HelpMarks } from "../../../app/pictures/help/HelpMarks.tsx";
 import { useSize } from "../../../app/pictures/help/use-size.ts";
 import { useLengths } from "../../../app/calculation/lengths.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
-import { PointDot } from "../../../app/pictures/plane/PointDot.tsx";
+import { PointDots } from "../../../app/pictures/plane/PointDot.tsx";
 import { approachSpeech } from "../../../app/pictures/plane/speech.ts";
 import { gridOf, useDrag } from "../../../app/pictures/plane/use-drag.ts";
 import "../../../app/pictures/help/help.css";
@@ -130,9 +130,7 @@ export function ApproachPicture({
             )}
           </g>
         ))}
-        {drawing.points.map(({ at, place, onContour }) => (
-          <PointDot key={`${at.x} ${at.y}`} {...place} onContour={onContour} />
-        ))}
+        <PointDots points={drawing.points} />
       </svg>
       {!ready && (
         <p className="help-note" aria-hidden="true">

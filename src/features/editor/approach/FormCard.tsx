@@ -9,7 +9,7 @@ import type { PlaneSegment } from "../../../kernel/plane/plane.ts";
 import { HelpMarks } from "../../../app/pictures/help/HelpMarks.tsx";
 import { useLengths } from "../../../app/calculation/lengths.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
-import { PointDot } from "../../../app/pictures/plane/PointDot.tsx";
+import { PointDots } from "../../../app/pictures/plane/PointDot.tsx";
 import { approachSpeech } from "../../../app/pictures/plane/speech.ts";
 
 const SIZE = { width: 132, height: 88 };
@@ -70,9 +70,7 @@ export function FormCard({
           viewBox={`0 0 ${SIZE.width} ${SIZE.height}`}
         >
           <HelpMarks marks={drawing.marks} id={name.replace(" ", "")} />
-          {drawing.points.map(({ at, place, onContour }) => (
-            <PointDot key={`${at.x} ${at.y}`} {...place} onContour={onContour} />
-          ))}
+          <PointDots points={drawing.points} />
         </svg>
         <b className="number">{name}</b>
         <span className="small soft">{words.name}</span>

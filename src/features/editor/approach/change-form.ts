@@ -17,11 +17,14 @@ const text = (n: number | undefined, unit: number) => (n === undefined ? "" : po
 /** Words of the point of a block. */
 const POINT = { XY: ["X", "Y", "PR", "PA"], ZX: ["X", "Z", "PR", "PA"] } as const;
 
-/** A form as its word: polar where it names a point and there is a pole. */
-export const formOf = (
-  { shape, departing }: Pick<SuggestedForm, "shape" | "departing">,
-  polar: boolean,
-): ApproachForm => (polar && (!departing || shape === "LCT") ? `P${shape}` : shape);
+type Form = Pick<SuggestedForm, "shape" | "departing">;
+
+/** An approach names PA; of the departures only LCT names a point. */
+const namesPoint = ({ shape, departing }: Form): boolean => !departing || shape === "LCT";
+
+/** A form as its word: polar where it names a point. */
+export const formOf = (form: Form, polar: boolean): ApproachForm =>
+  polar && namesPoint(form) ? `P${form.shape}` : form.shape;
 
 /**
  * The block with another form. Values common to both forms stay as typed; new ones get values that fit the contour. A
@@ -48,17 +51,18 @@ export function withForm(
   const isNew =
     turnedOver ||
     isPolar(form) !== isPolar(statement.form) ||
-    (taken.departing && taken.shape === "LCT" && (old.X ?? "") === "" && (old.PR ?? "") === "");
-  const dropped: readonly string[] = isNew ? POINT[context.plane] : [];
+    (taken.departing && namesPoint(taken) && (old.X ?? "") === "" && (old.PR ?? "") === "");
+  const dropped: readonly string[] = isNew || !namesPoint(taken) ? POINT[context.plane] : [];
   const kept = Object.fromEntries(
     Object.entries(old).filter(([word, value]) => value !== "" && !dropped.includes(word)),
   );
+  const words = { ...statement.words, axes: statement.words.axes.filter(({ axis }) => !dropped.includes(axis)) };
   const side =
     taken.shape === "CT" && old.SIDE !== "RL" && old.SIDE !== "RR"
       ? { SIDE: request.side === "right" ? "RR" : "RL" }
       : {};
   return approachStatement(
-    { ...statement, form, departing: taken.departing },
+    { ...statement, words, form, departing: taken.departing },
     context.plane,
     { ...fresh, ...(isNew && point ? wordsOfPoint(form, point, context) : {}), ...kept, ...side },
     context.parameters,

@@ -21,7 +21,7 @@ export const approach = {
     PN: {
       label: "Punkt PN",
       prompt: (axis) => `${axis} des Endpunkts PN?`,
-      about: "Position nach dem Wegfahren, außerhalb der Kontur und ohne Radiuskorrektur.",
+      about: "Position nach dem Wegfahren, außerhalb der Kontur, ohne Radiuskorrektur.",
     },
   },
   words: {

@@ -26,7 +26,7 @@ export const approach = {
     PN: {
       label: "point PN",
       prompt: (axis: string) => `${axis} of the end point PN?`,
-      about: "Where the tool is after the departure, outside the contour and without radius compensation.",
+      about: "Position after the departure, outside the contour, without radius compensation.",
     },
   },
   /* one prompt each */

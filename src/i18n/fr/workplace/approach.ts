@@ -21,7 +21,7 @@ export const approach = {
     PN: {
       label: "point PN",
       prompt: (axis) => `${axis} du point final PN ?`,
-      about: "Position après la sortie, hors du contour et sans correction de rayon.",
+      about: "Position après la sortie, hors du contour, sans correction de rayon.",
     },
   },
   words: {
