@@ -4,6 +4,7 @@ import { cuttingCycles } from "../../cycles/index.ts";
 import { isRecalled } from "../../cycles/params.ts";
 import { exampleJob } from "../../program/job/job.ts";
 import { openText } from "../../app/fields/open/open-program.ts";
+import { chooseOpenBlock } from "../../app/fields/blocks/choose-block.ts";
 import { openBlockWhenRead } from "../../app/fields/blocks/session.ts";
 import { showTextBlock } from "../../app/fields/blocks/show-text-block.ts";
 import { showComparison, showDrawing, showGuide, showSection, showShare } from "../../app/place/place.ts";
@@ -67,5 +68,8 @@ export async function showApproach(): Promise<void> {
   if (text === undefined) return;
   const first = parse(text).blocks.findIndex(({ statement }) => statement.kind === "approach");
   openText(text);
-  openBlockWhenRead(first, () => showSection("block"));
+  openBlockWhenRead(first, () => {
+    chooseOpenBlock();
+    showSection("block");
+  });
 }

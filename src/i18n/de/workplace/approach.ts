@@ -84,7 +84,7 @@ export const approach = {
   noPicture: "Die Zeichnung erscheint, sobald der Punkt vollständig ist und ein Konturelement an den Satz anschließt.",
   stale: "Letzte gültige Zeichnung",
   dots: { contour: "auf der Kontur", centre: "Werkzeugmittelpunkt" },
-  pointTable: "Punkte des Werkzeugmittelpunkts",
+  pointTable: "Punkte von APPR und DEP",
   lines: {
     centre: "Mittelpunktsbahn",
     block: "Vorschub des Satzes",

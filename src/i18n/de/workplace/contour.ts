@@ -49,7 +49,7 @@ export const contour = {
   round: (element) => `Ecke nach Element ${element} runden`,
   chamfer: (element) => `Ecke nach Element ${element} fasen`,
   drawTools: "Zeichenwerkzeuge",
-  views: { label: "Bild", draw: "Zeichnen", lathe: "Drehen" },
+  views: { label: "Bild", draw: "Kontur", lathe: "Drehen" },
   modeShort: { move: "Schieben", draw: "Zeichnen", round: "Runden", chamfer: "Fasen" },
   canvas: "Konturzeichnung",
   canvasKeys:
@@ -65,9 +65,6 @@ export const contour = {
     chamfer: "Ecken fasen: Ecke ziehen",
   },
   grid: "Raster",
-  zoomIn: "Vergrößern",
-  zoomOut: "Verkleinern",
-  fit: "Ganze Kontur zeigen",
   faults: "Konturfehler",
   formOf: (element) => `Element ${element}, Form`,
   wordOf: (element, word) => `Element ${element}, ${word}`,

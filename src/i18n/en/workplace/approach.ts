@@ -90,7 +90,7 @@ export const approach = {
   noPicture: "The drawing appears when the point is complete and the block is next to a contour element.",
   stale: "Last valid drawing",
   dots: { contour: "on the contour", centre: "tool centre" },
-  pointTable: "Points of the tool centre",
+  pointTable: "Points of APPR and DEP",
   lines: { centre: "path of the tool centre", block: "feed of the block", before: "previous feed", rapid: "rapid" },
   /* choosing */
   coordinates: {

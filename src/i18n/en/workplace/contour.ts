@@ -49,7 +49,7 @@ export const contour = {
   round: (element: number) => `Round the corner after element ${element}`,
   chamfer: (element: number) => `Chamfer the corner after element ${element}`,
   drawTools: "Drawing tools",
-  views: { label: "Picture", draw: "Draw", lathe: "Lathe" },
+  views: { label: "Picture", draw: "Contour", lathe: "Lathe" },
   modeShort: { move: "Move", draw: "Draw", round: "Round", chamfer: "Chamfer" },
   canvas: "Contour drawing",
   canvasKeys:
@@ -65,9 +65,6 @@ export const contour = {
     chamfer: "Chamfer corners: drag a corner",
   },
   grid: "Grid",
-  zoomIn: "Zoom in",
-  zoomOut: "Zoom out",
-  fit: "Show the whole contour",
   faults: "Contour errors",
   formOf: (element: number) => `Element ${element}, form`,
   wordOf: (element: number, word: string) => `Element ${element}, ${word}`,

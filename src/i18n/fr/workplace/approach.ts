@@ -88,7 +88,7 @@ export const approach = {
   noPicture: "Le dessin apparaît dès que le point est complet et que la séquence touche un élément de contour.",
   stale: "Dernier dessin valide",
   dots: { contour: "sur le contour", centre: "centre d’outil" },
-  pointTable: "Points du centre d’outil",
+  pointTable: "Points de APPR et DEP",
   lines: {
     centre: "trajectoire du centre",
     block: "avance de la séquence",

@@ -49,7 +49,7 @@ export const contour = {
   round: (element) => `Arrondir l’angle après l’élément ${element}`,
   chamfer: (element) => `Chanfreiner l’angle après l’élément ${element}`,
   drawTools: "Outils de dessin",
-  views: { label: "Image", draw: "Dessin", lathe: "Tour" },
+  views: { label: "Image", draw: "Contour", lathe: "Tour" },
   modeShort: { move: "Déplacer", draw: "Dessiner", round: "Arrondir", chamfer: "Chanfreiner" },
   canvas: "Dessin du contour",
   canvasKeys:
@@ -65,9 +65,6 @@ export const contour = {
     chamfer: "Chanfreiner : tirer un angle",
   },
   grid: "Grille",
-  zoomIn: "Agrandir",
-  zoomOut: "Réduire",
-  fit: "Montrer tout le contour",
   faults: "Erreurs de contour",
   formOf: (element) => `Élément ${element}, forme`,
   wordOf: (element, word) => `Élément ${element}, ${word}`,

@@ -57,7 +57,7 @@ export const approach = {
   noPicture: "点坐标完整且程序段旁有轮廓元素时显示图形。",
   stale: "上一张有效图形",
   dots: { contour: "轮廓上的点", centre: "刀具中心" },
-  pointTable: "刀具中心的各点",
+  pointTable: "APPR 和 DEP 的各点",
   lines: { centre: "刀具中心路径", block: "本程序段进给", before: "上一进给", rapid: "快移" },
   coordinates: {
     title: "点的坐标",

@@ -48,7 +48,7 @@ export const contour = {
   round: (element) => `将元素 ${element} 后的角倒圆`,
   chamfer: (element) => `将元素 ${element} 后的角倒角`,
   drawTools: "绘图工具",
-  views: { label: "图形", draw: "绘图", lathe: "车削" },
+  views: { label: "图形", draw: "轮廓", lathe: "车削" },
   modeShort: { move: "移动", draw: "绘制", round: "倒圆", chamfer: "倒角" },
   canvas: "轮廓图",
   canvasKeys:
@@ -59,9 +59,6 @@ export const contour = {
   typeFirst: "输入第一个点",
   modes: { move: "移动点和图形", draw: "绘制：添加点、分割元素", round: "倒圆：拖动拐角", chamfer: "倒角：拖动拐角" },
   grid: "栅格",
-  zoomIn: "放大",
-  zoomOut: "缩小",
-  fit: "显示整个轮廓",
   faults: "轮廓错误",
   formOf: (element) => `元素 ${element}，形式`,
   wordOf: (element, word) => `元素 ${element}，${word}`,
