@@ -1,9 +1,11 @@
+import { planePoint } from "../../../kernel/plane/plane.ts";
+import type { Run } from "../../../program/state/run-types.ts";
+import { planeThumbnailOf, type Thumbnail } from "../../../view/thumbnail.ts";
 import { blockNumbers, startLines, type Program } from "../../../nc/program.ts";
 import type { Severity } from "../../../kernel/plan/issue.ts";
 import type { Tool } from "../../../kernel/plan/tool.ts";
 import { canBeFinished } from "../../../program/edits/finishing-operation.ts";
 import { isOff, operationsOf, wholeOf, type FixedReason } from "../../../program/edits/operations.ts";
-import { planeThumbnailOf, type Thumbnail } from "../../../view/thumbnail.ts";
 import type { Outcome } from "../../calculation/outcome.ts";
 import { doneByLine, firstLine, type Done } from "./program-parts.ts";
 import type { FindingEntry } from "../../findings/entry.ts";
@@ -22,6 +24,8 @@ export interface OperationRow {
   /** The row of the tool table. */
   readonly known: Tool | null;
   readonly inherits: boolean;
+  /** Its path where it has no cycle: milled, or turned block by block. */
+  readonly path: Thumbnail | null;
   readonly isOff: boolean;
   /** Its cycle roughs, so the same sizes can be finished with another tool. */
   readonly canBeFinished: boolean;
@@ -31,8 +35,6 @@ export interface OperationRow {
   readonly to: number;
   /** Block that the row opens: its cycle, or its first block. */
   readonly opens: number;
-  /** What it mills, seen from above; null if it mills nothing. */
-  readonly plan: Thumbnail | null;
   /** Result of its calls; null if none was run. */
   readonly done: Done | null;
   readonly findings: { readonly count: number; readonly severity: Severity } | null;
@@ -52,6 +54,22 @@ function secondsIn({ run }: Outcome, from: number, to: number): number {
     return block >= from && block < to ? sum + step.seconds : sum;
   }, 0);
   return run.plane.reduce((sum, step) => (step.index >= from && step.index < to ? sum + step.seconds : sum), turned);
+}
+
+/** The path of a block range as a small picture: milled in X/Y, or turned in Z/X. */
+export function pathPicture({ plane, cuboid, steps, stepBlocks }: Run, from: number, to: number): Thumbnail | null {
+  const milled = planeThumbnailOf(
+    plane.filter(({ index }) => index >= from && index < to),
+    cuboid,
+  );
+  if (milled) return milled;
+  const turned = steps.flatMap(({ from: start, move: { kind, to: end } }, i) => {
+    const block = stepBlocks[i] ?? -1;
+    if (block < from || block >= to) return [];
+    // A line without width: in a section, the tool is no disc.
+    return [{ kind, from: { ...planePoint(start), z: null }, to: { ...planePoint(end), z: null }, radius: 0 }];
+  });
+  return planeThumbnailOf(turned);
 }
 
 function added(all: readonly (Done | undefined)[]): Done | null {
@@ -98,17 +116,19 @@ export function operationRows(
     const worst = (["error", "warning", "info"] as const).find((each) => here.includes(each));
     const did = added(own.definitions.map((index) => done?.get(lines[index] ?? 0)));
     const seconds = outcome && file === null ? secondsIn(outcome, from, to) : 0;
-    const milled = file === null && outcome ? outcome.run.plane.filter(({ index }) => index >= from && index < to) : [];
+    const isMilled = file === null && outcome?.run.plane.some(({ index }) => index >= from && index < to);
+    const cycles = own.definitions.flatMap((index) => {
+      const s = program.blocks[index]?.statement;
+      return s?.kind === "cycle" || s?.kind === "cycleLine" ? [s.cycle] : [];
+    });
     return {
       unit,
       title: own.title,
-      cycles: own.definitions.flatMap((index) => {
-        const s = program.blocks[index]?.statement;
-        return s?.kind === "cycle" || s?.kind === "cycleLine" ? [s.cycle] : [];
-      }),
+      cycles,
+      path: outcome && file === null && cycles.length === 0 ? pathPicture(outcome.run, from, to) : null,
       tool,
       // A milling cutter may have the number of a turning tool.
-      known: milled.length > 0 ? null : (tools.find(({ T, NAME }) => String(T) === tool || NAME === tool) ?? null),
+      known: isMilled ? null : (tools.find(({ T, NAME }) => String(T) === tool || NAME === tool) ?? null),
       inherits: own.inherits,
       isOff: isOff(program, own),
       canBeFinished: canBeFinished(program, own),
@@ -116,7 +136,6 @@ export function operationRows(
       from,
       to,
       opens: own.definitions[0] ?? own.from,
-      plan: planeThumbnailOf(milled, outcome?.run.cuboid),
       done: did
         ? { ...did, seconds: Math.max(seconds, did.seconds) }
         : seconds > 0

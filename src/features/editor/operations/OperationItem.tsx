@@ -79,8 +79,8 @@ export function OperationItem({ row, last, isCurrent, isOpen, index, onAct, onDr
         >
           <span className="number operation-number">{row.unit + 1}</span>
           <span className="pictograms">
-            {row.plan && !cycle ? (
-              <PartPicture of={row.plan} />
+            {row.path ? (
+              <PartPicture of={row.path} />
             ) : (
               <Drawing of={cycle?.pictograms[0]} id={`op${row.unit}`} turned={cycle?.group === "transverse"} />
             )}
