@@ -78,5 +78,5 @@ export const IDLE = {
 /** How long notices stay that leave by themselves. */
 export const NOTICES = {
   /** A change elsewhere is read and undone within this; its document keeps the undo. */
-  change: 15_000,
+  change: 10_000,
 } as const;
