@@ -1,4 +1,4 @@
-import { Suspense, useCallback, useEffect, useId, useMemo } from "react";
+import { Suspense, useCallback, useEffect, useId, useMemo, useRef } from "react";
 import type { TaskMark } from "../../../course/judge/judgement.ts";
 import type { Task } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
@@ -82,6 +82,12 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
   useFindingsOfTask(task, t, marks, say);
   /** With little room, the assignment replaces the work. */
   const alone = useMedia("narrow") && open;
+  const wasAlone = useRef(alone);
+  useEffect(() => {
+    // Where the page scrolls, the work would begin below the line of the task.
+    if (wasAlone.current && !alone) document.getElementById("prompts")?.scrollIntoView?.({ block: "start" });
+    wasAlone.current = alone;
+  }, [alone]);
   const asks = task.predict !== undefined && task.predict.length > 0;
   useEffect(() => {
     if (asks && !veiled) void comparePredictions(task);
