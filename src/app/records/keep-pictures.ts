@@ -17,9 +17,7 @@ export function startKeepingPictures(): () => void {
     if (work === null || !shown || dimmed || shown.isBeginning) return;
     const { operations, plane, blank, cuboid } = shown.run;
     const made =
-      operations.length > 0
-        ? thumbnailOf(blank, producedParts(shown.simulation))
-        : planeThumbnailOf(plane, cuboid);
+      operations.length > 0 ? thumbnailOf(blank, producedParts(shown.simulation)) : planeThumbnailOf(plane, cuboid);
     if (made) keepPicture(work, made);
   };
   const stops = [
