@@ -63,6 +63,8 @@ export const courseSet = {
   withoutExam:
     "Solutions, hints and right choices are not in what you hand out: nobody can read them there. " +
     "Your device judges the programs when the results come back, so keep this set.",
+  courseHasAnswers:
+    "Exercises of the course have their solution in the course as well: use your own where that matters.",
   withAnswers: "What you hand out contains the solution; anyone who reads the file can see it.",
   includeSolution: "Include the solution",
   onlyIn: (language: string) => `Only in ${language} (a shorter link, for the QR code)`,

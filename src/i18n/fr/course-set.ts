@@ -63,6 +63,7 @@ export const courseSet = {
   withoutExam:
     "Solutions, indices et bonnes réponses ne sont pas dans ce que vous distribuez : personne ne peut les y lire. " +
     "Votre appareil juge les programmes au retour des résultats : conservez donc cette série.",
+  courseHasAnswers: "Les exercices du cours ont aussi leur solution dans le cours ; prenez les vôtres si cela compte.",
   withAnswers: "Ce que vous distribuez contient la solution ; qui lit le fichier peut la voir.",
   includeSolution: "Joindre la solution",
   onlyIn: (language) => `Seulement en ${language} (lien plus court, pour le code QR)`,

@@ -60,6 +60,7 @@ export const courseSet = {
     none: "分发的内容中没有提示和答案，谁也无法从中读到。",
   },
   withoutExam: "分发的内容中没有答案、提示和正确选项，谁也无法从中读到。结果交回后由您的设备评判程序，请保留此练习组。",
+  courseHasAnswers: "课程中的练习在课程里也有答案；如有必要，请使用自己的练习。",
   withAnswers: "分发的内容包含答案，读取文件的人可以看到。",
   includeSolution: "附上答案",
   onlyIn: (language) => `仅 ${language}（链接更短，便于二维码）`,
