@@ -1,0 +1,60 @@
+import { defineConfig, devices } from "@playwright/test";
+import { browserFlags, findBrowser } from "./scripts/browser.mjs";
+
+/** Journeys run on the built page, as it is served to users. `npm run e2e` builds first. */
+const port = Number(process.env["PORT"] ?? 4179);
+const executablePath = process.env["CHROMIUM_PATH"] ?? findBrowser();
+const launchOptions = { args: browserFlags, ...(executablePath ? { executablePath } : {}) };
+
+/**
+ * Room for a machine many times slower than this and busy: a limit is for what never comes, not for what comes late,
+ * ms.
+ */
+const PATIENCE = { journey: 300_000, step: 20_000 };
+
+export default defineConfig({
+  testDir: "e2e",
+  snapshotPathTemplate: "{testDir}/{arg}{ext}",
+  outputDir: "test-results",
+  fullyParallel: true,
+  workers: 2,
+  retries: process.env["CI"] ? 1 : 0,
+  forbidOnly: Boolean(process.env["CI"]),
+  timeout: PATIENCE.journey,
+  expect: { timeout: PATIENCE.step },
+  reporter: process.env["PLAYWRIGHT_JSON_OUTPUT_FILE"] ? [["list"], ["json"]] : [["list"]],
+  use: {
+    baseURL: `http://127.0.0.1:${port}/`,
+    launchOptions,
+    actionTimeout: PATIENCE.step,
+    navigationTimeout: PATIENCE.step,
+    trace: "off",
+    permissions: ["clipboard-read", "clipboard-write"],
+    // Only the journeys without a network keep the page; the others would fetch all of it every time.
+    serviceWorkers: "block",
+  },
+  webServer: {
+    command: `node node_modules/vite/bin/vite.js preview --port ${port} --strictPort --logLevel warn`,
+    port,
+    reuseExistingServer: false,
+    stdout: "ignore",
+    stderr: "pipe",
+  },
+  projects: [
+    {
+      name: "desktop",
+      testIgnore: /touch\.spec\.ts/,
+      use: { ...devices["Desktop Chrome"], viewport: { width: 1280, height: 800 } },
+    },
+    {
+      name: "tablet",
+      testMatch: /(touch|screens)\.spec\.ts/,
+      use: { ...devices["Desktop Chrome"], viewport: { width: 1024, height: 768 }, hasTouch: true },
+    },
+    {
+      name: "phone",
+      testMatch: /screens\.spec\.ts/,
+      use: { ...devices["Desktop Chrome"], viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true },
+    },
+  ],
+});
