@@ -145,6 +145,7 @@ export const courseSet = {
     name: "Name",
     group: "Klasse",
     day: "Datum",
+    minutes: (n) => `Zeit: ${n} Minuten`,
     blank: "Rohteil",
     program: "Programm",
     questions: "Fragen",

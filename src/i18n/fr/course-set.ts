@@ -145,6 +145,7 @@ export const courseSet = {
     name: "Nom",
     group: "Classe",
     day: "Le",
+    minutes: (n) => `Durée : ${n} minutes`,
     blank: "Pièce brute",
     program: "Programme",
     questions: "Questions",

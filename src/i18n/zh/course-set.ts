@@ -141,6 +141,7 @@ export const courseSet = {
     name: "姓名",
     group: "班级",
     day: "日期",
+    minutes: (n) => `时间：${n} 分钟`,
     blank: "毛坯",
     program: "程序",
     questions: "问题",
