@@ -33,7 +33,16 @@ export type OpenedCourseFile =
   | { readonly kind: "results"; readonly leftOut: readonly FileLeftOut[] }
   | { readonly kind: "problem"; readonly file: string; readonly problem: CourseFileProblem };
 
-export const useOpenedCourseFile = create<{ readonly shown: OpenedCourseFile | null }>(() => ({ shown: null }));
+/** The program of a learner that the table of results opened last: its work, and whose it is. */
+interface OpenedSubmission {
+  readonly work: string | null;
+  readonly said: string;
+}
+
+export const useOpenedCourseFile = create<{
+  readonly shown: OpenedCourseFile | null;
+  readonly submission: OpenedSubmission | null;
+}>(() => ({ shown: null, submission: null }));
 
 export const showTask = (task: Task, left: readonly string[] = []): void =>
   useOpenedCourseFile.setState({ shown: { kind: "task", task, left } });

@@ -17,6 +17,7 @@ import { comparePredictions } from "./predict.ts";
 import { TaskPlace } from "./TaskPlace.tsx";
 import { useFindingsOfTask } from "./use-task-result.ts";
 import { withNumbers } from "../../../course/varied-numbers.ts";
+import { DrawingButton } from "./DrawingButton.tsx";
 import { FoldButton } from "./FoldButton.tsx";
 import { PredictForm } from "./PredictForm.tsx";
 import { PredictionResult } from "./PredictionResult.tsx";
@@ -120,20 +121,7 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
             <Icon name="check" /> {t.check}
           </button>
         )}
-        {drawing.exists && (
-          <button
-            type="button"
-            className="button task-draw"
-            aria-label={t.drawing}
-            title={t.drawing}
-            aria-pressed={drawing.shown}
-            // A press leaves the focus in the prompt.
-            onMouseDown={(event) => event.preventDefault()}
-            onClick={drawing.toggle}
-          >
-            <Icon name="drawing" /> <span>{t.drawing}</span>
-          </button>
-        )}
+        <DrawingButton drawing={drawing} t={t} />
         <FoldButton body={body} t={t} />
       </div>
       {!open && !veiled && comparedAnswers && !marks?.length && !(passed && makes) && (

@@ -8,8 +8,8 @@ import {
 } from "../../../app/records/course/opened-course-file.ts";
 
 /** Shows the task or the results of a link, or why it has none. */
-export function openTaughtLink(hash: string): void {
-  show("", readTaughtLink(hash));
+export async function openTaughtLink(hash: string): Promise<void> {
+  show("", await readTaughtLink(hash));
 }
 
 function show(file: string, read: ReadTaught): void {
