@@ -139,6 +139,8 @@ export const courseTask = {
     doubled: (name, is, better) => `Durchmesser verdoppelt? ${name} ist ${is}, das Doppelte von ${better}`,
     exchanged: (one, other) => `Vertauscht? ${one} und ${other}`,
     reversed: "Kontur in falscher Richtung? Sie beginnt am falschen Ende",
+    tools: (one, other) => `Werkzeuge vertauscht? ${one} und ${other}`,
+    tool: (name) => `Falsches Werkzeug für diese Bearbeitung? ${name}`,
     where: (what, block) => `${what} (${block})`,
   },
   where: {
@@ -170,7 +172,8 @@ export const courseTask = {
     wrongAgain: (told) => `Ihre Antwort: ${told}. Nicht richtig. Ablauf ansehen, dann erneut versuchen.`,
     decides: (block) => `Entscheidend ist Satz ${block}.`,
     kept: "Schon richtig beantwortet",
-    otherNumbers: "Das Programm hat jetzt andere Zahlen. Die Tipps gelten für die ursprünglichen.",
+    otherNumbers: (places: readonly string[]) =>
+      `Neue Zahlen in ${places.join(", ")}. Lesen Sie das Programm neu; die Tipps gelten für die ursprünglichen Zahlen.`,
     sameNumbers:
       "Die Lösung wurde gezeigt, andere Zahlen gibt es nicht: Das zählt jetzt als mit gezeigter Lösung gelöst.",
     again: "Erneut versuchen",
