@@ -5,6 +5,7 @@ import { blockNumbers, startLines, type Program } from "../../nc/program.ts";
 import type { Statement } from "../../nc/statement.ts";
 import { FieldMessage } from "../../app/fields/number/FieldMessage.tsx";
 import type { FindingEntry } from "../../app/findings/entry.ts";
+import { FIRST_FOCUS } from "../../app/base/focus-guard.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { Message } from "../../app/base/Message.tsx";
 import { CalledTool } from "./operations/CalledTool.tsx";
@@ -84,7 +85,7 @@ export function BlockForm({ problems }: { readonly problems: readonly FindingEnt
       : -1;
   const numbers = definition >= 0 ? blockNumbers(program) : [];
   return (
-    <div className="block-form" ref={form} role="form" aria-label={t.form}>
+    <div className="block-form" ref={form} role="form" aria-label={t.form} {...{ [FIRST_FOCUS]: "" }}>
       <code className="number block-text">{block.raw.trimEnd()}</code>
       {(s.kind === "unknown" || (s.kind === "cycle" && isUnsimulated(s.cycle))) &&
         !problems.some(({ issue }) => NOT_SIMULATED_CODES.has(issue.code)) && <Message tone="info">{t.kept}</Message>}

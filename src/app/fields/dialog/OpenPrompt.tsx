@@ -60,6 +60,16 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
       {...(entry.at !== null && isSetupPlace(entry.at) && { onTake: takeAt(entry.at) })}
     />
   );
+  const ofField = (entry: FindingEntry) => (
+    <FieldMessage
+      key={entry.id}
+      problem={entry}
+      calm={calm(entry)}
+      decimals={prompt.decimals}
+      onTake={(n) => take(String(n))}
+      parameterField={session.asksParameters}
+    />
+  );
   useLayoutEffect(() => {
     const { current } = card;
     // In a short window the field is pinned and its card has no box: the dialog scrolls back to its beginning.
@@ -142,7 +152,6 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
       </div>
       <div
         className="about"
-        id={`${id}-about`}
         tabIndex={0}
         role="group"
         aria-label={t.dialog.aboutPrompt(prompt.letter)}
@@ -150,21 +159,16 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
         <div role="status" aria-label={t.findings.title}>
           {[
             ...besides.filter(({ entry }) => isError(entry)).map(beside),
-            ...own.map((entry, i) => (
-              <FieldMessage
-                key={i}
-                problem={entry}
-                calm={calm(entry)}
-                decimals={prompt.decimals}
-                onTake={(n) => take(String(n))}
-                parameterField={session.asksParameters}
-              />
-            )),
+            ...own.filter((entry) => !calm(entry)).map(ofField),
             ...besides.filter(({ entry }) => !isError(entry)).map(beside),
           ]}
           {waits && <Message tone="info">{t.approach.parameter}</Message>}
         </div>
-        <p className="explanation">{prompt.about}</p>
+        {/* That a value is missing is no news where the prompt asks for it: not announced. */}
+        {own.filter(calm).map(ofField)}
+        <p className="explanation" id={`${id}-about`}>
+          {prompt.about}
+        </p>
       </div>
     </section>
   );

@@ -117,6 +117,7 @@ export function ExamPanel({ task, exam, t }: Props) {
         <p className="task-status" role="status" lang={language}>
           <span>{status()}</span>
         </p>
+        <FoldButton body={body} t={t} />
         {canCheck && (
           <button
             type="button"
@@ -131,7 +132,6 @@ export function ExamPanel({ task, exam, t }: Props) {
             <Icon name="check" /> {left === null ? t.check : words.exam.checkLeft(left)}
           </button>
         )}
-        <FoldButton body={body} t={t} />
       </div>
       <div id={body} className="task-body" hidden={!open}>
         {open && (

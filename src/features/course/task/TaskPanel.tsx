@@ -104,16 +104,6 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
           <TaskPlace task={task} t={t} />
         </Suspense>
         <TaskStatus task={task} t={t} />
-        {makes && !veiled && (
-          <button
-            type="button"
-            className="button primary"
-            aria-disabled={checking}
-            onClick={({ currentTarget }) => !checking && void checkTask(task).then(() => focusResult(currentTarget))}
-          >
-            <Icon name="check" /> {t.check}
-          </button>
-        )}
         {drawing.exists && (
           <button
             type="button"
@@ -129,6 +119,17 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
           </button>
         )}
         <FoldButton body={body} t={t} />
+        {/* Last: its result, and the way on, follow in the order of Tab. */}
+        {makes && !veiled && (
+          <button
+            type="button"
+            className="button primary"
+            aria-disabled={checking}
+            onClick={({ currentTarget }) => !checking && void checkTask(task).then(() => focusResult(currentTarget))}
+          >
+            <Icon name="check" /> {t.check}
+          </button>
+        )}
       </div>
       {!open && !veiled && comparedAnswers && !marks?.length && !(passed && makes) && (
         <PredictionResult task={task} t={t} words={words} />

@@ -76,7 +76,7 @@ export const findings = {
         `Le porte-outil n’a pas été contrôlé pour l’outil ${tools} : le tableau n’en décrit aucun.`,
       flanksUnknown: (tools) =>
         `Les flancs n’ont pas été contrôlés pour l’outil ${tools} : T-ANGLE ou P-ANGLE est vide.`,
-      curvatureUnknown: (tools) => `Aucune plage de diamètres n’est indiquée pour la lame axiale de l’outil ${tools}.`,
+      curvatureUnknown: (tools) => `Outil ${tools} : plage de diamètres de la lame axiale manquante.`,
     },
   },
   leaving: {
