@@ -85,7 +85,7 @@ export function BlockForm({ problems }: { readonly problems: readonly FindingEnt
       : -1;
   const numbers = definition >= 0 ? blockNumbers(program) : [];
   return (
-    <div className="block-form" ref={form} role="form" aria-label={t.form} {...{ [FIRST_FOCUS]: "" }}>
+    <div className="block-form" ref={form} role="form" aria-label={t.form}>
       <code className="number block-text">{block.raw.trimEnd()}</code>
       {(s.kind === "unknown" || (s.kind === "cycle" && isUnsimulated(s.cycle))) &&
         !problems.some(({ issue }) => NOT_SIMULATED_CODES.has(issue.code)) && <Message tone="info">{t.kept}</Message>}
@@ -105,36 +105,39 @@ export function BlockForm({ problems }: { readonly problems: readonly FindingEnt
           <Icon name="question" /> {t.moreOnWords}
         </button>
       )}
-      {fields.map((field) => (
-        <BlockField
-          key={`${index} ${field.id}`}
-          field={field}
-          statement={s}
-          change={change}
-          isTurned={isTurned}
-          more={
-            hasPages && (hasLinks || fields.length <= FEW_LINKS) && <BlockMore kind={kind} field={field} line={line} />
-          }
-        />
-      ))}
-      {definition >= 0 && (
-        <button type="button" className="button" onClick={() => openBlock(definition)}>
-          {t.goToDefinition(String(numbers[definition] ?? 0))}
-        </button>
-      )}
-      {away && (
-        <button
-          type="button"
-          className="button"
-          onClick={() => {
-            showFile(away.file);
-            readWhole();
-            openBlock(startLines(useSession.getState().reading.program).indexOf(away.line));
-          }}
-        >
-          {t.goToDefinitionIn(String(away.block), away.file)}
-        </button>
-      )}
+      <div className="block-words" {...{ [FIRST_FOCUS]: "" }}>
+        {fields.map((field) => (
+          <BlockField
+            key={`${index} ${field.id}`}
+            field={field}
+            statement={s}
+            change={change}
+            isTurned={isTurned}
+            more={
+              hasPages &&
+              (hasLinks || fields.length <= FEW_LINKS) && <BlockMore kind={kind} field={field} line={line} />
+            }
+          />
+        ))}
+        {definition >= 0 && (
+          <button type="button" className="button" onClick={() => openBlock(definition)}>
+            {t.goToDefinition(String(numbers[definition] ?? 0))}
+          </button>
+        )}
+        {away && (
+          <button
+            type="button"
+            className="button"
+            onClick={() => {
+              showFile(away.file);
+              readWhole();
+              openBlock(startLines(useSession.getState().reading.program).indexOf(away.line));
+            }}
+          >
+            {t.goToDefinitionIn(String(away.block), away.file)}
+          </button>
+        )}
+      </div>
       <div role="status">
         {problems.map((problem, i) => (
           <FieldMessage

@@ -150,12 +150,7 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
           </Suspense>
         )}
       </div>
-      <div
-        className="about"
-        tabIndex={0}
-        role="group"
-        aria-label={t.dialog.aboutPrompt(prompt.letter)}
-      >
+      <div className="about" tabIndex={0} role="group" aria-label={t.dialog.aboutPrompt(prompt.letter)}>
         <div role="status" aria-label={t.findings.title}>
           {[
             ...besides.filter(({ entry }) => isError(entry)).map(beside),

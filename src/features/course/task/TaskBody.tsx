@@ -1,4 +1,4 @@
-import { useEffect, useState } from "react";
+import { useDeferredValue } from "react";
 import type { Task, TaskWords } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import { formatNumber } from "../../../i18n/number.ts";
@@ -67,13 +67,12 @@ export function TaskBody({ task, t, words }: Props) {
   // Where the assignment takes the place of the work, the drawing is part of it.
   const isAlone = useMedia("narrow");
   // A live region announces what comes into it, not what it is made with.
-  const [isMade, make] = useState(false);
-  useEffect(() => make(true), []);
+  const ask = useDeferredValue(words.ask, "");
   return (
     <>
       <section className="task-part task-ask" aria-label={t.unfold}>
         <div className="task-ask-text" aria-live="polite">
-          {isMade && <Paragraphs text={words.ask} before={NOTHING} />}
+          {ask !== "" && <Paragraphs text={ask} before={NOTHING} />}
         </div>
         {hasDrawing && isAlone && (
           <details className="task-drawing" open>
