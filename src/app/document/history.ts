@@ -43,7 +43,7 @@ export const dialogOf = (document: DocumentId) => ({ [OF_DIALOG]: document });
 
 /** Whether a dialog of a document is open: its changes are seen there, wherever the focus is. */
 export const hasOpenDialog = (of: DocumentId): boolean =>
-  document.querySelector(`dialog[open][${OF_DIALOG}="${CSS.escape(of)}"]`) !== null;
+  [...document.querySelectorAll("dialog[open]")].some((dialog) => dialog.getAttribute(OF_DIALOG) === of);
 
 /** The document of an element, such as the one with the focus: that of its dialog, or of the page. */
 export const documentAt = (element: EventTarget | null): DocumentId | null =>

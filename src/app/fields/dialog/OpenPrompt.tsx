@@ -41,6 +41,7 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
     reading.written !== null;
   const untouched = opened.before.trim() === "";
   const calm = (entry: FindingEntry) => isOpen(entry) && (untouched || entry.issue.code === "unknownParameter");
+  const isAsked = (entry: FindingEntry) => calm(entry) && entry.issue.code === "missing";
   const suggested = suggestionFor(session, prompt);
   const takeAt = (id: string) => (nearest: number) => {
     closeStep();
@@ -154,13 +155,13 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
         <div role="status" aria-label={t.findings.title}>
           {[
             ...besides.filter(({ entry }) => isError(entry)).map(beside),
-            ...own.filter((entry) => !calm(entry)).map(ofField),
+            ...own.filter((entry) => !isAsked(entry)).map(ofField),
             ...besides.filter(({ entry }) => !isError(entry)).map(beside),
           ]}
           {waits && <Message tone="info">{t.approach.parameter}</Message>}
         </div>
         {/* That a value is missing is no news where the prompt asks for it: not announced. */}
-        {own.filter(calm).map(ofField)}
+        {own.filter(isAsked).map(ofField)}
         <p className="explanation" id={`${id}-about`}>
           {prompt.about}
         </p>

@@ -32,7 +32,8 @@ export function LiveSentence({
       const now = moment();
       if (told.step === now.step && told.playing === now.playing) return;
       if (now.playing && clock.now() - last.current < PAUSE) return;
-      const isHeard = now.playing || told.playing || place.current?.closest("section")?.matches(":focus-within");
+      const view = place.current?.closest("section");
+      const isHeard = now.playing || told.playing || view?.contains(document.activeElement);
       told = now;
       if (!isHeard) return;
       last.current = clock.now();
