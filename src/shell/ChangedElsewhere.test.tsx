@@ -1,4 +1,4 @@
-import { act, cleanup, fireEvent, render, screen } from "@testing-library/react";
+import { act, cleanup, fireEvent, render, screen, waitFor } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { afterEach, beforeEach, expect, onTestFinished, test, vi } from "vitest";
 import { NOTICES } from "../app/base/waits.ts";
@@ -65,5 +65,12 @@ test("the buttons name the next step of each way, and are off without one", asyn
   const undo = await screen.findByRole("button", { name: /^Undo: Q463 .* → 5$/ });
   expect(undo.title).toMatch(/^Undo: Q463 .* → 5 \(Ctrl\+Z\)$/);
   await userEvent.click(undo);
-  expect(await screen.findByRole("button", { name: /^Redo: Q463 .* → 5$/ })).toHaveProperty("disabled", false);
+  const redo = await screen.findByRole("button", { name: /^Redo: Q463 .* → 5$/ });
+  expect(redo).toHaveProperty("disabled", false);
+  const said = () => screen.getByRole("status").textContent;
+  await waitFor(() => expect(said()).toMatch(/^Undone: Q463 .* → 5$/));
+  await userEvent.click(redo);
+  await waitFor(() => expect(said()).toMatch(/^Redone: Q463 .* → 5$/));
+  act(() => setPrompt("Q463", "6"));
+  expect(said()).toBe("");
 });

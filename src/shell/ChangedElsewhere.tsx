@@ -3,7 +3,7 @@ import { Icon } from "../app/base/Icon.tsx";
 import { NOTICES } from "../app/base/waits.ts";
 import { useTexts } from "../app/base/settings/use-texts.ts";
 import { workOfDocument } from "../app/document/documents.ts";
-import { documentAt, undoStep, useDocumentInView } from "../app/document/history.ts";
+import { documentAt, hasOpenDialog, undoStep, useDocumentInView } from "../app/document/history.ts";
 import { useIsLastStep, useSteps, type HistoryStep } from "../app/document/steps.ts";
 import { useStepWords } from "../app/document/use-step-words.ts";
 import type { HistoryTexts } from "../i18n/en/history.ts";
@@ -63,8 +63,9 @@ export function ChangedElsewhere() {
   useEffect(
     () =>
       useSteps.subscribe(({ newest }, before) => {
-        if (newest === null || newest === before.newest || newest.document === documentAt(document.activeElement))
-          return;
+        if (newest === null || newest === before.newest) return;
+        // Texts of another language that are still fetched take the focus from the dialog that asked for them.
+        if (newest.document === documentAt(document.activeElement) || hasOpenDialog(newest.document)) return;
         put((now) => new Map(now).set(newest.document, newest));
       }),
     [],

@@ -67,7 +67,7 @@ export function thumbnailOf(blank: readonly Ring[], part: readonly Ring[]): Thum
 
 /** A move of a mill. */
 interface PlaneMove {
-  readonly kind: "rapid" | "feed" | "arc";
+  readonly kind: "rapid" | "feed" | "arc" | "thread";
   readonly from: PlanePoint & { readonly z: number | null };
   readonly to: PlanePoint & { readonly z: number | null };
   readonly centre?: PlanePoint;

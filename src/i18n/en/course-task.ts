@@ -12,7 +12,7 @@ export const courseTask = {
   met: "met",
   notMet: "not met",
   check: "Check",
-  checking: "Checking …",
+  checking: "Checking",
   passed: "Passed",
   passedFor: {
     alone: "Passed unaided",

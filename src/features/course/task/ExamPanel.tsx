@@ -123,6 +123,8 @@ export function ExamPanel({ task, exam, t }: Props) {
         <p className="task-status" role="status" lang={language}>
           <span>{status()}</span>
         </p>
+        <DrawingButton drawing={drawing} t={t} />
+        <FoldButton body={body} t={t} />
         {canCheck && (
           <button
             type="button"
@@ -137,8 +139,6 @@ export function ExamPanel({ task, exam, t }: Props) {
             <Icon name="check" /> {left === null ? t.check : words.exam.checkLeft(left)}
           </button>
         )}
-        <DrawingButton drawing={drawing} t={t} />
-        <FoldButton body={body} t={t} />
       </div>
       <div id={body} className="task-body" hidden={!open}>
         {open && (

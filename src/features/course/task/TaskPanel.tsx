@@ -111,6 +111,9 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
           <TaskPlace task={task} t={t} />
         </Suspense>
         <TaskStatus task={task} t={t} />
+        <DrawingButton drawing={drawing} t={t} />
+        <FoldButton body={body} t={t} />
+        {/* Last: its result, and the way on, follow in the order of Tab. */}
         {makes && !veiled && (
           <button
             type="button"
@@ -121,8 +124,6 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
             <Icon name="check" /> {t.check}
           </button>
         )}
-        <DrawingButton drawing={drawing} t={t} />
-        <FoldButton body={body} t={t} />
       </div>
       {!open && !veiled && comparedAnswers && !marks?.length && !(passed && makes) && (
         <PredictionResult task={task} t={t} words={words} />
