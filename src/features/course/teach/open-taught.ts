@@ -1,11 +1,6 @@
 import { LARGEST_TAUGHT, readTaught, readTaughtLink, isTaughtText, type ReadTaught } from "./taught-files.ts";
-import {
-  showProblem,
-  showResults,
-  showSet,
-  showTask,
-  type NamedResult,
-} from "../../../app/records/course/opened-course-file.ts";
+import { showProblem, showSet, showTask } from "../../../app/records/course/opened-course-file.ts";
+import { showResults, type NamedResult } from "../../../app/records/course/show-results.ts";
 
 /** Shows the task or the results of a link, or why it has none. */
 export async function openTaughtLink(hash: string): Promise<void> {
