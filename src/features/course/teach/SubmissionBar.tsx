@@ -1,6 +1,6 @@
 import { Icon } from "../../../app/base/Icon.tsx";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
-import { showResults } from "../../../app/records/course/opened-course-file.ts";
+import { showResults } from "../../../app/records/course/show-results.ts";
 import "./set.css";
 
 /** Whose program is open, and the way back to the table of results. */
