@@ -3,6 +3,8 @@ import { expectAccessible, expectFineInBothThemes } from "./pages/layout-checks.
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
+test.use({ reducedMotion: "no-preference" });
+
 interface TaskFile {
   readonly words: Readonly<
     Record<"en" | "de", { readonly title: string; readonly hints: readonly string[]; readonly learned: string }>

@@ -104,7 +104,7 @@ const fr: Banned = [
   [/\btransmettre\b/i, "partager"],
   [/\bau travail\b/i, "vers l’éditeur"],
   [/\bla gorge en peigne\b/i, "plongeage en peigne"],
-  [/\bvaleur utilisable\b/i, "question ouverte"],
+  [/\bvaleur utilisable\b/i, "valeur à renseigner"],
   [/\bréalise(?:nt)? (?:le|ce) contour\b/i, "approprié"],
   [/\bGlissez à\b/i, "mettez le curseur sur"],
   [/\bquel (?:cycle|outil) l’enlève/i, "trouver un cycle, un outil"],

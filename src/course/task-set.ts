@@ -85,6 +85,9 @@ export const isForLearners = ({ tasks }: TaskSet): boolean =>
       : solution === undefined,
   );
 
+/** The part of a set's id that ends the ids of its tasks. */
+export const markOfSet = (id: string): string => id.slice(id.lastIndexOf("-") + 1);
+
 /** Longest id of a task that leaves room for the mark of its set. */
 const LONGEST_STEM = 48;
 

@@ -4,7 +4,7 @@ import { useEditor } from "../app/document/store.ts";
 import { taskOfWork } from "../app/document/work-task.ts";
 import { guidePath, shownPage, usePlace } from "../app/place/place.ts";
 
-/** The name of the page on top; null for the course, which names its lessons and exercises itself. */
+/** The name of the page on top; null for the course and the glossary, which name their lessons and terms themselves. */
 function usePageName(): string | null {
   const { page: t, start, menu } = useTexts("first");
   const name = useEditor((s) => s.job?.name ?? s.program?.name ?? "");
@@ -23,7 +23,7 @@ function usePageName(): string | null {
     case "sheet":
       return `${t.text.setupSheet}, ${name}`;
     case "guide": {
-      if (kind === "glossary") return start.doors.glossary;
+      if (kind === "glossary") return null;
       if (of === "advice") return start.beyondAll.advice.what;
       const cycle = menu.of[Number(of)]?.name;
       return cycle === undefined ? start.doors.guide : [of, more, cycle].filter((part) => part !== undefined).join(" ");

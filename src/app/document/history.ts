@@ -41,6 +41,10 @@ export function useDocumentInView(): DocumentId | null {
 const OF_DIALOG = "data-document";
 export const dialogOf = (document: DocumentId) => ({ [OF_DIALOG]: document });
 
+/** Whether a dialog of a document is open: its changes are seen there, wherever the focus is. */
+export const hasOpenDialog = (of: DocumentId): boolean =>
+  [...document.querySelectorAll("dialog[open]")].some((dialog) => dialog.getAttribute(OF_DIALOG) === of);
+
 /** The document of an element, such as the one with the focus: that of its dialog, or of the page. */
 export const documentAt = (element: EventTarget | null): DocumentId | null =>
   (element instanceof Element && element.closest(`[${OF_DIALOG}]`)?.getAttribute(OF_DIALOG)) || documentInView();

@@ -42,11 +42,15 @@ export function useStepWords(step: HistoryStep | undefined, way: Way): StepWords
   return step && made?.step === step ? made : null;
 }
 
-/** Name of a button that takes the next step of a document: "Undo: Q463 3 → 5", or only "Undo". */
-export function useStepName(document: DocumentId | null, way: Way, label: string): string {
-  const made = useStepWords(
+/** The next step of a document on one side, in words; null for none, and until they are made. */
+export const useNextStepWords = (document: DocumentId | null, way: Way): StepWords | null =>
+  useStepWords(
     useSteps((s) => historyOf(document, s)[way].at(-1)),
     way,
   );
+
+/** Name of a button that takes the next step of a document: "Undo: Q463 3 → 5", or only "Undo". */
+export function useStepName(document: DocumentId | null, way: Way, label: string): string {
+  const made = useNextStepWords(document, way);
   return made ? made.t.step(label, made.words) : label;
 }

@@ -13,7 +13,8 @@ export function StripStatus({ otherwise = "" }: { readonly otherwise?: string })
   const { open } = useVerdict();
   const worst = listed[0]?.issue.severity ?? "info";
   return (
-    <p className="effect-status" role="status">
+    // The count of open prompts falls with each value: only findings are announced.
+    <p className="effect-status" role="status" aria-live={listed.length > 0 ? "polite" : "off"}>
       {(listed.length > 0 || open > 0) && (
         <button type="button" className={`problem-button ${worst}`} onClick={() => enterSection("findings")}>
           <Icon name={worst} /> {listed.length > 0 ? t.count(listed.length) : done.open(open)}

@@ -54,12 +54,15 @@ export function LessonFacts({
   played,
   told,
   old,
+  spoken,
 }: {
   readonly outcome: Outcome;
   readonly played: StepRange;
   readonly told: LoadQuantity | null;
   /** These are the results of the previous value. */
   readonly old: boolean;
+  /** A value was changed on this page: what came of it is announced. */
+  readonly spoken: boolean;
 }) {
   const {
     page: { effect: t },
@@ -93,6 +96,9 @@ export function LessonFacts({
           </div>
         ))}
       </dl>
+      <p className="unseen" role="status">
+        {spoken && !old && facts.map((fact) => fact.join(" ")).join(", ")}
+      </p>
       {told && (
         <Suspense>
           <ColourMapFacts of={told} run={run} />

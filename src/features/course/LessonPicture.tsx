@@ -231,7 +231,7 @@ export function LessonPicture({
           </div>
           <LessonBar playback={playback} stretch={stretch} run={run} lines={page.program} />
         </div>
-        <LessonFacts outcome={outcome} played={played} told={told} old={isLong || failed} />
+        <LessonFacts outcome={outcome} played={played} told={told} old={isLong || failed} spoken={slid && !waits} />
       </section>
     </CountedIn>
   );

@@ -38,7 +38,8 @@ export function LessonSlide({
       <label htmlFor={id}>
         <span className="number">{q}</span> {words?.label}
       </label>
-      <output className="number" htmlFor={id}>
+      {/* The slider itself says its value. */}
+      <output className="number" htmlFor={id} aria-live="off">
         {number}
       </output>
       {choice && <p className="lesson-choice small">{choice}</p>}

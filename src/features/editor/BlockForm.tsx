@@ -5,6 +5,7 @@ import { blockNumbers, startLines, type Program } from "../../nc/program.ts";
 import type { Statement } from "../../nc/statement.ts";
 import { FieldMessage } from "../../app/fields/number/FieldMessage.tsx";
 import type { FindingEntry } from "../../app/findings/entry.ts";
+import { FIRST_FOCUS } from "../../app/base/focus-guard.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { Message } from "../../app/base/Message.tsx";
 import { CalledTool } from "./operations/CalledTool.tsx";
@@ -104,36 +105,39 @@ export function BlockForm({ problems }: { readonly problems: readonly FindingEnt
           <Icon name="question" /> {t.moreOnWords}
         </button>
       )}
-      {fields.map((field) => (
-        <BlockField
-          key={`${index} ${field.id}`}
-          field={field}
-          statement={s}
-          change={change}
-          isTurned={isTurned}
-          more={
-            hasPages && (hasLinks || fields.length <= FEW_LINKS) && <BlockMore kind={kind} field={field} line={line} />
-          }
-        />
-      ))}
-      {definition >= 0 && (
-        <button type="button" className="button" onClick={() => openBlock(definition)}>
-          {t.goToDefinition(String(numbers[definition] ?? 0))}
-        </button>
-      )}
-      {away && (
-        <button
-          type="button"
-          className="button"
-          onClick={() => {
-            showFile(away.file);
-            readWhole();
-            openBlock(startLines(useSession.getState().reading.program).indexOf(away.line));
-          }}
-        >
-          {t.goToDefinitionIn(String(away.block), away.file)}
-        </button>
-      )}
+      <div className="block-words" {...{ [FIRST_FOCUS]: "" }}>
+        {fields.map((field) => (
+          <BlockField
+            key={`${index} ${field.id}`}
+            field={field}
+            statement={s}
+            change={change}
+            isTurned={isTurned}
+            more={
+              hasPages &&
+              (hasLinks || fields.length <= FEW_LINKS) && <BlockMore kind={kind} field={field} line={line} />
+            }
+          />
+        ))}
+        {definition >= 0 && (
+          <button type="button" className="button" onClick={() => openBlock(definition)}>
+            {t.goToDefinition(String(numbers[definition] ?? 0))}
+          </button>
+        )}
+        {away && (
+          <button
+            type="button"
+            className="button"
+            onClick={() => {
+              showFile(away.file);
+              readWhole();
+              openBlock(startLines(useSession.getState().reading.program).indexOf(away.line));
+            }}
+          >
+            {t.goToDefinitionIn(String(away.block), away.file)}
+          </button>
+        )}
+      </div>
       <div role="status">
         {problems.map((problem, i) => (
           <FieldMessage

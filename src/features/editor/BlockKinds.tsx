@@ -24,7 +24,7 @@ interface Row {
 /** All kinds of blocks by group; typing filters them by word and name, and finds cycles. */
 export function BlockKinds({ choose, chooseCycle }: Props) {
   const t = useTexts();
-  const { menu } = useTexts("first");
+  const { menu, page } = useTexts("first");
   const language = useSettings((s) => s.language);
   const [typed, type] = useState("");
   const box = useRef<HTMLDivElement>(null);
@@ -95,6 +95,11 @@ export function BlockKinds({ choose, chooseCycle }: Props) {
       />
       <p className="small soft palette-none" role="status">
         {first === undefined && t.editor.nothing}
+        {first && sought !== "" && (
+          <span className="unseen">
+            {page.start.found(shown.length + cycles.length)} {t.chooser.enter(`${first.word} ${first.name}`)}
+          </span>
+        )}
       </p>
       {groups.map((group) =>
         section(

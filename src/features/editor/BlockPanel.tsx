@@ -1,4 +1,4 @@
-import { Suspense, useRef, useState } from "react";
+import { Suspense, useId, useState } from "react";
 import { blockNumbers, startLines } from "../../nc/program.ts";
 import { cycleByNumber, type CycleNumber } from "../../cycles/index.ts";
 import { isUnsimulated } from "../../cycles/unsimulated-cycles.ts";
@@ -36,7 +36,7 @@ export function BlockPanel() {
   const { read, own, problems } = useOpenBlock();
   const sizes = useSuggestedSizes(index, read?.cycle.number ?? null);
   const [choosing, choose] = useState(false);
-  const panel = useRef<HTMLDivElement>(null);
+  const title = useId();
   const block = program.blocks[index];
   const last = program.blocks.length - 1;
 
@@ -89,9 +89,10 @@ export function BlockPanel() {
   );
 
   return (
-    <div className="block-panel" ref={panel}>
+    // Named as a group, so that a jump to one of its controls says which block it is.
+    <div className="block-panel" role="group" aria-labelledby={title}>
       <header className="block-head">
-        <h2>{t.editor.heading(number, kind)}</h2>
+        <h2 id={title}>{t.editor.heading(number, kind)}</h2>
       </header>
       <div className="block-tools" role="group" aria-label={t.editor.tools}>
         <button type="button" className="button" aria-label={t.editor.insertLong} onClick={() => choose(true)}>

@@ -27,7 +27,10 @@ const FORM = ".block-panel [role=form]";
 const enterForm = (): void =>
   focusPart(FORM, () => {
     usePlace.setState((p) => ({ focus: p.focus + 1 }));
-    document.querySelector<HTMLElement>(`${FORM} :is(input, select, textarea)`)?.focus({ preventScroll: true });
+    const field = document.querySelector<HTMLElement>(`${FORM} :is(input, select, textarea)`);
+    field?.focus({ preventScroll: true });
+    // As with Tab: typing replaces the value that the new block begins with.
+    if (field instanceof HTMLInputElement) field.select();
   });
 
 /** All kinds of blocks; a click inserts one after the open block and opens its dialog. */

@@ -19,6 +19,11 @@ export function GlossaryPage({ term }: { readonly term: string | null }) {
   useEffect(() => {
     asked.current?.focus();
   }, [term]);
+  const name = term !== null && Object.hasOwn(words, term) ? words[term as TermId].name : null;
+  const title = [name, t.title, "Turnwise"].filter((part) => part !== null).join(" · ");
+  useEffect(() => {
+    document.title = title;
+  }, [title]);
   const all = TERMS.map((id) => ({ id, ...words[id] })).sort((a, b) => a.name.localeCompare(b.name, language));
   const found = all.filter(({ name, text }) => plain(`${name} ${text}`).includes(plain(sought.trim())));
   const byName = found.toSorted(

@@ -17,7 +17,7 @@ export const which = {
   },
   stock: {
     label: "Material",
-    of: { solid: "vollem Material", preturned: "einem vorgedrehten Teil", now: "dem aktuellen Material" },
+    of: { solid: "dem Vollen", preturned: "einem vorgedrehten Teil", now: "dem aktuellen Material" },
   },
   measures: {
     d1: "Von ⌀",
@@ -74,7 +74,7 @@ export const which = {
     nothingCut: "Trägt nichts ab.",
     unproved: "Nicht vollständig prüfbar.",
     leavesMost: "Lässt das meiste Material stehen.",
-    finishingInsert: "Schlichtplatte: zu viel Material für sie.",
+    finishingInsert: "Schlichtplatte: zu viel Material.",
   },
   reasons: {
     insertRadius: "Schneidenradius",

@@ -4,6 +4,8 @@ import type { Shape } from "../shape.ts";
 export const history = {
   /** "Undo: Q463 3 → 5" */
   step: (way: string, change: string) => `${way}: ${change}`,
+  /** What became of a step: it can be redone, or undone. */
+  taken: { future: "Undone", past: "Redone" },
   value: (of: string, from: string, to: string) => `${of} ${from} → ${to}`.trim(),
   within: (of: string, change: string) => `${of}: ${change}`,
   empty: "–",

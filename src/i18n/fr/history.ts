@@ -10,6 +10,8 @@ const agreed = (participle: string, thing: string, count: number): string =>
 
 export const history: HistoryTexts = {
   step: (way, change) => `${way} : ${change}`,
+  /** What became of a step: it can be redone, or undone. */
+  taken: { future: "Annulé", past: "Rétabli" },
   value: (name, from, to) => `${name} ${from} → ${to}`.trim(),
   within: (thing, change) => `${thing} : ${change}`,
   empty: "–",

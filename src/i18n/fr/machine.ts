@@ -12,7 +12,7 @@ export const machineTexts = typeset<MachineTexts>({
     large: "Grand tour (exemple)",
     own: "Valeurs personnalisées",
   },
-  examples: "Valeurs d’exemple pour une machine de cette classe. Remplacez-les par celles de votre machine.",
+  examples: "Valeurs d’exemple pour une machine de cette classe. Les remplacer par celles de la machine.",
   newName: "Ma machine",
   name: "Nom de la machine",
   values: "Valeurs",

@@ -11,7 +11,7 @@ export const find: FindTexts = {
   previous: "上一处",
   next: "下一处",
   close: "关闭",
-  position: (n: number, of: number) => `第 ${n} 处，共 ${of} 处`,
+  position: (n: number, of: number) => `${n} / ${of}`,
   count: (n: number) => (n === 0 ? "未找到" : `${n} 处`),
   replaced: (n: number) => `已替换 ${n} 处`,
   goTo: "转到",

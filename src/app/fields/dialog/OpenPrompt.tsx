@@ -41,6 +41,7 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
     reading.written !== null;
   const untouched = opened.before.trim() === "";
   const calm = (entry: FindingEntry) => isOpen(entry) && (untouched || entry.issue.code === "unknownParameter");
+  const isAsked = (entry: FindingEntry) => calm(entry) && entry.issue.code === "missing";
   const suggested = suggestionFor(session, prompt);
   const takeAt = (id: string) => (nearest: number) => {
     closeStep();
@@ -58,6 +59,16 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
       decimals={prompt.decimals}
       {...(place !== undefined && { place })}
       {...(entry.at !== null && isSetupPlace(entry.at) && { onTake: takeAt(entry.at) })}
+    />
+  );
+  const ofField = (entry: FindingEntry) => (
+    <FieldMessage
+      key={entry.id}
+      problem={entry}
+      calm={calm(entry)}
+      decimals={prompt.decimals}
+      onTake={(n) => take(String(n))}
+      parameterField={session.asksParameters}
     />
   );
   useLayoutEffect(() => {
@@ -140,31 +151,20 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
           </Suspense>
         )}
       </div>
-      <div
-        className="about"
-        id={`${id}-about`}
-        tabIndex={0}
-        role="group"
-        aria-label={t.dialog.aboutPrompt(prompt.letter)}
-      >
+      <div className="about" tabIndex={0} role="group" aria-label={t.dialog.aboutPrompt(prompt.letter)}>
         <div role="status" aria-label={t.findings.title}>
           {[
             ...besides.filter(({ entry }) => isError(entry)).map(beside),
-            ...own.map((entry, i) => (
-              <FieldMessage
-                key={i}
-                problem={entry}
-                calm={calm(entry)}
-                decimals={prompt.decimals}
-                onTake={(n) => take(String(n))}
-                parameterField={session.asksParameters}
-              />
-            )),
+            ...own.filter((entry) => !isAsked(entry)).map(ofField),
             ...besides.filter(({ entry }) => !isError(entry)).map(beside),
           ]}
           {waits && <Message tone="info">{t.approach.parameter}</Message>}
         </div>
-        <p className="explanation">{prompt.about}</p>
+        {/* That a value is missing is no news where the prompt asks for it: not announced. */}
+        {own.filter(isAsked).map(ofField)}
+        <p className="explanation" id={`${id}-about`}>
+          {prompt.about}
+        </p>
       </div>
     </section>
   );

@@ -46,6 +46,10 @@ function nextFrom(matches: readonly Match[], shown: Match | null, selection: Mat
   return nextMatch(matches, step > 0 && isShown ? from + 1 : from, step < 0);
 }
 
+/** The line of an occurrence. */
+const lineAt = (text: string, at: number): string =>
+  text.slice(text.lastIndexOf("\n", at - 1) + 1).split(/\r?\n/, 1)[0] ?? "";
+
 /** Finds and replaces in a program text. A new one is made each time it is opened. */
 export function FindBar({ bar, of, version }: Props) {
   const t = useTexts("find");
@@ -151,6 +155,7 @@ export function FindBar({ bar, of, version }: Props) {
         />
         <span className="small soft text-bar-count" role="status">
           {status()}
+          {shown && at >= 0 && <span className="unseen">: {lineAt(of.text(), shown.from)}</span>}
         </span>
         <button
           type="button"

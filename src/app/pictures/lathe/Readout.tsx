@@ -7,7 +7,8 @@ import { useTexts } from "../../base/settings/use-texts.ts";
 import type { PlayedScene } from "../../calculation/moving.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { chipText, runningText, type Running } from "./running.ts";
-import { useMomentTexts, useThrottledStatus } from "./use-moment-texts.ts";
+import { LiveSentence } from "./LiveSentence.tsx";
+import { useMomentTexts } from "./use-moment-texts.ts";
 
 const FIELDS = ["x", "z", "feed", "speed"] as const;
 
@@ -65,7 +66,7 @@ export function Readout({
   );
 }
 
-/** The same in a sentence for screen readers: at once after an input, now and then during playback. */
+/** The same in a sentence for screen readers. */
 export function SpokenStatus({
   run,
   playback,
@@ -78,12 +79,7 @@ export function SpokenStatus({
   const texts = useTexts(),
     lengths = useLengths();
   const sentence = useCallback(() => statusText(texts, lengths, run, playback), [texts, lengths, run, playback]);
-  const said = useThrottledStatus(playback, clock, sentence);
-  return (
-    <p className="unseen" role="status">
-      {said}
-    </p>
-  );
+  return <LiveSentence playback={playback} clock={clock} sentence={sentence} />;
 }
 
 /** One sentence about the shown moment. */

@@ -1,5 +1,4 @@
-import { useCallback, useEffect, useRef, useState, type RefObject } from "react";
-import type { Clock } from "../../base/clock.ts";
+import { useCallback, useRef, type RefObject } from "react";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { useEachReading } from "./use-playback.ts";
 
@@ -34,30 +33,4 @@ export function useMomentTexts<T>(
     }, [moment, textOf]),
   );
   return group;
-}
-
-/** Shortest time between two sentences for a screen reader during playback, ms. */
-const PAUSE = 2500;
-
-/** A sentence about the moment for screen readers: at once after an input, now and then during playback. */
-export function useThrottledStatus(playback: PlaybackStore, clock: Clock, sentence: () => string): string {
-  const [said, say] = useState("");
-  const last = useRef(-PAUSE);
-  useEffect(() => {
-    let told: { readonly step: number; readonly playing: boolean } | null = null;
-    const tell = () => {
-      const {
-        position: { step },
-        playing,
-      } = playback.get();
-      if (told?.step === step && told.playing === playing) return;
-      if (playing && clock.now() - last.current < PAUSE) return;
-      told = { step, playing };
-      last.current = clock.now();
-      say(sentence());
-    };
-    tell();
-    return playback.subscribeReader(tell);
-  }, [playback, clock, sentence]);
-  return said;
 }

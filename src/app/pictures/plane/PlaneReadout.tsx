@@ -7,7 +7,8 @@ import { spotAt } from "../../../view/approach/plane-scene.ts";
 import { isRapid } from "../../../kernel/plane/mill-motion.ts";
 import type { Clock } from "../../base/clock.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
-import { useMomentTexts, useThrottledStatus } from "../lathe/use-moment-texts.ts";
+import { LiveSentence } from "../lathe/LiveSentence.tsx";
+import { useMomentTexts } from "../lathe/use-moment-texts.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
@@ -100,7 +101,7 @@ export const momentSentence = (...given: Parameters<typeof momentText>): string 
     : given[0].lathe.pictureEmpty;
 };
 
-/** The same for screen readers: at once after an input, now and then during playback. */
+/** The same for screen readers. */
 export function SpokenMoment({
   steps,
   approaches,
@@ -118,10 +119,5 @@ export function SpokenMoment({
     () => momentSentence(t, lengths, steps, approaches, playback.shown()),
     [t, lengths, steps, approaches, playback],
   );
-  const said = useThrottledStatus(playback, clock, sentence);
-  return (
-    <p className="unseen" role="status">
-      {said}
-    </p>
-  );
+  return <LiveSentence playback={playback} clock={clock} sentence={sentence} />;
 }

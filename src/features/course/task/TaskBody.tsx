@@ -1,3 +1,4 @@
+import { useDeferredValue } from "react";
 import type { Task, TaskWords } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import { formatNumber } from "../../../i18n/number.ts";
@@ -65,10 +66,14 @@ export function TaskBody({ task, t, words }: Props) {
   const hasDrawing = useHasDrawing(task);
   // Where the assignment takes the place of the work, the drawing is part of it.
   const isAlone = useMedia("narrow");
+  // A live region announces what comes into it, not what it is made with.
+  const ask = useDeferredValue(words.ask, "");
   return (
     <>
       <section className="task-part task-ask" aria-label={t.unfold}>
-        <Paragraphs text={words.ask} before={NOTHING} />
+        <div className="task-ask-text" aria-live="polite">
+          {ask !== "" && <Paragraphs text={ask} before={NOTHING} />}
+        </div>
         {hasDrawing && isAlone && (
           <details className="task-drawing" open>
             <summary>{t.drawing}</summary>

@@ -113,9 +113,10 @@ export function OperationList({ filter }: { readonly filter: ReactNode }) {
         <button
           type="button"
           className={`button${rows.length === 0 ? " primary" : ""}`}
+          aria-label={words.insert}
           onClick={() => askForOperation(rows.length === 0 ? null : current >= 0 ? current : rows.length - 1)}
         >
-          <Icon name="add" /> {words.insert}
+          <Icon name="add" /> {rows.length === 0 ? words.insert : t.editor.insert}
         </button>
       </div>
       <p role="status" className="operations-status small">

@@ -76,7 +76,7 @@ export const findings = {
       holderUnknown: (tools) => `Der Halter von Werkzeug ${tools} wurde nicht geprüft: Die Tabelle beschreibt keinen.`,
       flanksUnknown: (tools) =>
         `Die Flanken von Werkzeug ${tools} wurden nicht geprüft: T-ANGLE oder P-ANGLE ist leer.`,
-      curvatureUnknown: (tools) => `Für den Axialstecher von Werkzeug ${tools} ist kein Durchmesserbereich angegeben.`,
+      curvatureUnknown: (tools) => `Werkzeug ${tools}: Durchmesserbereich des Axialstechers fehlt.`,
     },
   },
   leaving: {

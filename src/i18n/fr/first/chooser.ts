@@ -15,7 +15,7 @@ export const chooser = {
   recentOne: (cycle) => `Utilisé récemment : ${cycle}`,
   count: (n) => (n === 1 ? "1 cycle" : `${n} cycles`),
   evidence: (cycles) =>
-    `Les listes de paramètres de ${cycles} sont vérifiées d’après le manuel. Vérifiez celles des autres cycles sur votre commande.`,
+    `Les listes de paramètres de ${cycles} sont vérifiées d’après le manuel. Celles des autres cycles sont à vérifier sur la commande.`,
   evidenceLink: "Listes de paramètres dans l’aide",
   empty: "Sans valeurs",
   insert: "Insérer",

@@ -107,9 +107,9 @@ export const dialog = {
   },
   done: {
     checking: "Vérification en cours …",
-    title: "Toutes les questions sont traitées",
+    title: "Toutes les valeurs sont renseignées",
     nothing: "Ce cycle n’a pas de questions",
-    open: (n) => (n === 1 ? "1 question ouverte" : `${n} questions ouvertes`),
+    open: (n) => (n === 1 ? "1 valeur à renseigner" : `${n} valeurs à renseigner`),
     first: "Retour à la première question",
     takeAll: (n) => (n === 1 ? "Utiliser 1 suggestion" : `Utiliser ${n} suggestions`),
     firstOpen: "Aller à la question",

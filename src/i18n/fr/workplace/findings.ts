@@ -52,7 +52,7 @@ export const findings = {
     noOperation: "Non vérifié",
     milling: "Fraisage non vérifié",
     flanksUnknown: "Trajectoire vérifiée, flancs non contrôlés",
-    curvatureUnknown: "Trajectoire vérifiée, courbure de lame non contrôlée",
+    curvatureUnknown: "Vérifié, sauf la courbure de la lame",
     faultsIn: (n, file) => (n === 1 ? `1 erreur, dans ${file}` : `${n} erreurs, la première dans ${file}`),
     unprovedIn: (file) => `Simulation incomplète de ${file}`,
     notes: "Trajectoire vérifiée, avec remarques",
@@ -67,7 +67,7 @@ export const findings = {
       unproved: (what, block) => `Non vérifié à partir de la séquence ${block} : ${what} n’est pas simulé.`,
       unprovedAnywhere: (what) => `Non vérifié : ${what} n’est pas simulé.`,
       nothingCut: (cycle, block) => `Le cycle ${cycle}, appelé dans la séquence ${block}, n’a rien enlevé.`,
-      milling: (block) => `Le fraisage à partir de la séquence ${block} modifie le brut et n’est pas vérifié.`,
+      milling: (block) => `Le fraisage dès la séquence ${block} modifie le brut : non vérifié.`,
       noCycle:
         "Aucun cycle de tournage n’a été exécuté : les avances rapides sont contrôlées, mais aucun contour ne permet de contrôler la pièce.",
       noOperation: "Aucun cycle de tournage n’a été exécuté : il n’y a rien à contrôler.",
@@ -76,7 +76,7 @@ export const findings = {
         `Le porte-outil n’a pas été contrôlé pour l’outil ${tools} : le tableau n’en décrit aucun.`,
       flanksUnknown: (tools) =>
         `Les flancs n’ont pas été contrôlés pour l’outil ${tools} : T-ANGLE ou P-ANGLE est vide.`,
-      curvatureUnknown: (tools) => `Aucune plage de diamètres n’est indiquée pour la lame axiale de l’outil ${tools}.`,
+      curvatureUnknown: (tools) => `Outil ${tools} : plage de ⌀ de la lame axiale manquante.`,
     },
   },
   leaving: {
@@ -101,6 +101,6 @@ export const findings = {
     contour: "Le contour manque encore",
     toContour: "Saisir le contour",
     faults: (n) =>
-      n === 1 ? "Questions traitées, mais 1 erreur trouvée" : `Questions traitées, mais ${n} erreurs trouvées`,
+      n === 1 ? "Valeurs renseignées, mais 1 erreur trouvée" : `Valeurs renseignées, mais ${n} erreurs trouvées`,
   },
 } satisfies FindingsTexts;

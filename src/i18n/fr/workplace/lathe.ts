@@ -55,7 +55,7 @@ export const lathe = {
   },
   colours: {
     title: "Carte de couleurs",
-    none: "Sans carte de couleurs",
+    none: "Sans couleurs",
     roughness: "Rugosité Rz",
     depth: "Profondeur de passe",
     chip: "Section de copeau",

@@ -35,7 +35,7 @@ export const setup = {
     takeNamed: (number, name) => `使用刀具 ${number}：${name}`,
     choose: "选择其他刀具",
     edit: "编辑此刀具",
-    drawing: "按比例的刀片",
+    drawing: "刀片（按比例）",
   },
   parameters: {
     title: "使用的Q参数",
