@@ -30,6 +30,8 @@ export default defineConfig({
     navigationTimeout: PATIENCE.step,
     trace: "off",
     permissions: ["clipboard-read", "clipboard-write"],
+    // Journeys about motion ask for it; in the others the lathe of the start page would play as long as they wait.
+    reducedMotion: "reduce",
     // Only the journeys without a network keep the page; the others would fetch all of it every time.
     serviceWorkers: "block",
   },

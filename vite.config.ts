@@ -129,7 +129,9 @@ const besides: Plugin = {
 
 /** What the build knows of a module that it asks about. */
 interface Modules {
-  getModuleInfo(id: string): { readonly importedIds: readonly string[] } | null;
+  getModuleInfo(
+    id: string,
+  ): { readonly importedIds: readonly string[]; readonly dynamicallyImportedIds: readonly string[] } | null;
 }
 
 const module = (path: string) => new URL(path, import.meta.url).pathname;
@@ -146,31 +148,107 @@ const EARLY = [
   "src/app/records/files/kept-handles.ts",
 ].map(module);
 
-/** The modules that some cannot start without, however deep. */
-function neededBy(begun: readonly string[], modules: Modules): ReadonlySet<string> {
+/** Where the page begins, and the worker that calculates: both in one build, so that neither brings what the other has. */
+const PAGE = module("src/shell/main.tsx"),
+  WORKER = module("src/app/calculation/worker.ts");
+
+/** The worker as a part of the page's build; otherwise it would be a build of its own, with a second kernel. */
+const sharedWorker: Plugin = {
+  name: "shared-worker",
+  apply: (_, { command, isSsrBuild }) => command === "build" && !isSsrBuild,
+  enforce: "pre",
+  transform(code) {
+    const wanted = 'new URL("./worker.ts", import.meta.url)';
+    if (!code.includes(wanted)) return undefined;
+    const emitted = this.emitFile({ type: "chunk", id: WORKER, name: "worker" });
+    return code.replace(wanted, `import.meta.ROLLUP_FILE_URL_${emitted}`);
+  },
+  generateBundle(_, bundle) {
+    const seen = new Set<string>();
+    const check = (file: string): void => {
+      const part = bundle[file];
+      if (seen.has(file) || part?.type !== "chunk") return;
+      seen.add(file);
+      const drawing = part.moduleIds.find((id) => /\.(tsx|css)$|\/react-dom\//.test(id));
+      if (drawing) this.error(`${drawing} is in ${file}, which the worker loads, and it has no document`);
+      [...part.imports, ...part.dynamicImports].forEach(check);
+    };
+    for (const [file, part] of Object.entries(bundle))
+      if (part.type === "chunk" && part.facadeModuleId === WORKER) check(file);
+    if (seen.size === 0) this.error("the worker is not in the build");
+  },
+};
+
+/** Which file each module of this project is in, for the size check: the manifest does not name what shares a file. */
+const whereabouts: Plugin = {
+  name: "whereabouts",
+  apply: (_, { command, isSsrBuild }) => command === "build" && !isSsrBuild,
+  generateBundle(_, bundle) {
+    const root = `${this.environment.config.root}/`;
+    const files = Object.values(bundle).flatMap((part) =>
+      part.type === "chunk" ? part.moduleIds.map((id) => [id.replace(root, "").replace("\0", ""), part.fileName]) : [],
+    );
+    this.emitFile({ type: "asset", fileName: ".vite/modules.json", source: JSON.stringify(Object.fromEntries(files)) });
+  },
+};
+
+/** The modules that some cannot start without, however deep; with `later`, also those that they fetch when asked. */
+function neededBy(begun: readonly string[], modules: Modules, later = false): ReadonlySet<string> {
   const found = new Set<string>();
   const visit = (id: string): void => {
     if (found.has(id)) return;
     found.add(id);
-    modules.getModuleInfo(id)?.importedIds.forEach(visit);
+    const info = modules.getModuleInfo(id);
+    info?.importedIds.forEach(visit);
+    if (later) info?.dynamicallyImportedIds.forEach(visit);
   };
   begun.forEach(visit);
   return found;
 }
 
-let known: { readonly work: ReadonlySet<string>; readonly early: ReadonlySet<string> } | null = null;
-/** The file that a module belongs to when what the first screen waits for is taken out. */
-function partOf(id: string, modules: Modules): "work" | "shared" | null {
-  known ??= { work: neededBy(WORK, modules), early: neededBy(EARLY, modules) };
-  if (!known.work.has(id) || WORK.includes(id)) return null;
-  return known.early.has(id) ? "shared" : "work";
+/** In an order in which each takes none of the modules that a later one imports. */
+const PARTS = ["base", "kernel", "engine", "first", "shared", "work"] as const;
+type Part = (typeof PARTS)[number];
+type Known = Readonly<Record<"page" | "worker" | "workerLater" | "work" | "early", ReadonlySet<string>>>;
+let known: Known | null = null;
+
+/**
+ * The file that a module belongs to. What the worker needs is in files of its own, by who else does: it must never get
+ * what draws.
+ */
+function partOf(id: string, modules: Modules): Part | null {
+  known ??= {
+    page: neededBy([PAGE], modules),
+    worker: neededBy([WORKER], modules),
+    workerLater: neededBy([WORKER], modules, true),
+    work: neededBy(WORK, modules),
+    early: neededBy(EARLY, modules),
+  };
+  const { page, worker, workerLater, work, early } = known;
+  if (id === WORKER || WORK.includes(id)) return null;
+  if (workerLater.has(id) && (page.has(id) || early.has(id))) return "base";
+  if (workerLater.has(id) && work.has(id)) return "kernel";
+  if (worker.has(id)) return "engine";
+  if (page.has(id)) return "first";
+  if (work.has(id)) return early.has(id) ? "shared" : "work";
+  return null;
 }
-const only = (part: "work" | "shared") => (id: string, modules: Modules) =>
-  partOf(id, modules) === part ? part : null;
 
 export default defineConfig({
   base: "./",
-  plugins: [react(), policyOfPage, pageStyles, cycleMenu, startPictures, courseIndex, gallery, besides, offline()],
+  plugins: [
+    react(),
+    sharedWorker,
+    whereabouts,
+    policyOfPage,
+    pageStyles,
+    cycleMenu,
+    startPictures,
+    courseIndex,
+    gallery,
+    besides,
+    offline(),
+  ],
   worker: { format: "es" },
   build: {
     target: "es2023",
@@ -178,19 +256,17 @@ export default defineConfig({
     manifest: true,
     assetsInlineLimit: 0,
     chunkSizeWarningLimit: 900,
+    // The worker has no document to preload into.
+    modulePreload: { resolveDependencies: (_, parts, { hostId }) => (/\/worker-/.test(hostId) ? [] : parts) },
     // All that the start page waits for is one file: one request, and 2 kB less than the same in nine. So is what a
     // dialog waits for.
     rolldownOptions: {
       output: {
         codeSplitting: {
-          groups: [
-            { name: "first", tags: ["$initial"], priority: 2 },
-            { name: only("shared"), priority: 1 },
-            {
-              name: only("work"),
-              priority: 0,
-            },
-          ],
+          groups: PARTS.map((part, i) => ({
+            name: (id: string, modules: Modules) => (partOf(id, modules) === part ? part : null),
+            priority: PARTS.length - i,
+          })),
         },
       },
     },
@@ -222,6 +298,8 @@ export default defineConfig({
         extends: true,
         test: {
           name: "node",
+          // A thread starts in less time than a process, and is as fresh.
+          pool: "threads",
           environment: "node",
           setupFiles: ["./tests/seed.ts"],
           exclude,
@@ -232,6 +310,7 @@ export default defineConfig({
         extends: true,
         test: {
           name: "jsdom",
+          pool: "threads",
           environment: "jsdom",
           setupFiles: ["./tests/seed.ts", "./tests/jsdom.ts"],
           exclude,

@@ -8,7 +8,10 @@ test("a milled program shows its plane; its approach is edited by prompt, by dra
 }) => {
   const { editor, t } = await Turnwise.open(page);
   await editor.openExample("plate");
-  await expect(page.getByRole("region", { name: t.approach.view })).toBeVisible();
+  const view = page.getByRole("region", { name: t.approach.view });
+  await expect(view).toBeVisible();
+  // The first approach is named before anything is chosen.
+  await expect(view.locator(".plane-points text")).toHaveText(["PS", "X−10 Y−10", "PH", "X−5 Y−5", "PA", "X+5 Y+5"]);
   await editor.line("APPR LT").click();
   await editor.show("block");
   await expect(page.getByRole("img", { name: /PH at X−5 Y−5, PA at X\+5 Y\+5/ })).toBeVisible();

@@ -4,6 +4,8 @@ import { settledBox } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
+test.use({ reducedMotion: "no-preference" });
+
 test("the course by keyboard: a lesson to its end, a slider moved, example and task opened, all resumed", async ({
   page,
 }) => {

@@ -4,6 +4,8 @@
 import { Turnwise } from "./pages/index.ts";
 import { expect, test } from "./pages/test.ts";
 
+test.use({ reducedMotion: "no-preference" });
+
 // example: a shoulder
 test("a shoulder", async ({ page }) => {
   const turnwise = await Turnwise.open(page, { language: "de", heldClock: "2026-11-21T08:00", seed: 7 });

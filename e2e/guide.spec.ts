@@ -5,6 +5,8 @@ import { expectFineInBothThemes } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
+test.use({ reducedMotion: "no-preference" });
+
 test("from a prompt to its parameter page, to a term, and back; advice is marked and applied", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   await turnwise.start.beginWithExample(812);

@@ -5,6 +5,8 @@ import { built } from "./pages/built.ts";
 import { ambiguous, controls } from "./pages/controls.ts";
 import { expect, test } from "./pages/test.ts";
 
+test.use({ reducedMotion: "no-preference" });
+
 /* Uses names only: the page objects that other test projects get, and nothing else of this project. */
 const { Turnwise } = built;
 

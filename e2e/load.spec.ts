@@ -2,6 +2,9 @@ import { gzipSync } from "node:zlib";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
+// As most users see the page, with what moves.
+test.use({ reducedMotion: "no-preference" });
+
 /**
  * Compressed JavaScript, kB of 1000 bytes: the first load, whose own limit the build is held to, and the lathe of the
  * start page, which comes before or after the first button by chance.

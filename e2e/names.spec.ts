@@ -5,6 +5,8 @@ import { ambiguous, controls, kinds } from "./pages/controls.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
+test.use({ reducedMotion: "no-preference" });
+
 /** The snapshot, and the time a screen gets to show its names, ms; a changed name takes all of it. */
 const LIST = new URL("names.txt", import.meta.url),
   LATEST = 15_000;

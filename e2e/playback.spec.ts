@@ -2,6 +2,8 @@ import { frames } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
+test.use({ reducedMotion: "no-preference" });
+
 /**
  * The painted material, one letter for each small square of the canvas, so that rounding of single edge pixels does not
  * count.

@@ -3,6 +3,8 @@ import { pictureAt } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
+test.use({ reducedMotion: "no-preference" });
+
 const FLANGE = readFileSync(new URL("../src/examples/flange.h", import.meta.url), "utf8");
 /** The mistyped infeed of the first roughing cycle: far larger than the others. */
 const WRONG = FLANGE.replace("Q463=+3 ;MAX. CUTTING DEPTH", "Q463=+0.3 ;MAX. CUTTING DEPTH");

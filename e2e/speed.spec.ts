@@ -2,6 +2,9 @@ import { editTimes, heap, quantile } from "./pages/measure.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
+// As most users see the page, with what moves.
+test.use({ reducedMotion: "no-preference" });
+
 /*
  * Every changed value has to reach the picture. The times are printed, not judged: they depend on the machine more than
  * on the page (docs/performance.md has times of a quiet one). Only results that do not depend on the machine are

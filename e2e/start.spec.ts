@@ -3,6 +3,8 @@ import { settledBox } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
+test.use({ reducedMotion: "no-preference" });
+
 const SIZES = [
   [390, 844],
   [768, 1024],

@@ -3,22 +3,23 @@
  * language: all JavaScript of the first screen, and everything that is fetched until the dialog of a cycle works,
  * including its calculation in the worker.
  */
-import { readdirSync, readFileSync } from "node:fs";
+import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { root } from "./packages.mjs";
 
 /** kB of 1000 bytes, compressed. */
-const LIMITS = { first: 150, dialog: 625 };
+const LIMITS = { first: 150, dialog: 520 };
 
 const dist = join(root, "dist");
 const read = (path) => readFileSync(join(dist, path), "utf8");
 const weight = (path) => gzipSync(read(path)).length;
-const manifest = JSON.parse(read(".vite/manifest.json"));
+const manifest = JSON.parse(read(".vite/manifest.json")),
+  modules = JSON.parse(read(".vite/modules.json"));
 
-/** A chunk of the build by its name in the manifest. */
+/** A chunk of the build by its name in the manifest, or by a module in it. */
 function part(name) {
-  const found = manifest[name];
+  const found = manifest[name] ?? Object.values(manifest).find(({ file }) => file === modules[name]);
   if (!found) throw new Error(`The build has no ${name}: build first, and keep the names of this script in step.`);
   return found;
 }
@@ -34,22 +35,11 @@ function filesOf(name, seen = new Set()) {
 const sum = (files) => [...files].reduce((total, file) => total + weight(file), 0);
 const union = (names) => new Set(names.flatMap((name) => [...filesOf(name)]));
 
-const languages = Object.keys(manifest).flatMap((name) => /^src\/i18n\/(\w+)\/first\.ts$/.exec(name)?.[1] ?? []);
+const languages = Object.keys(modules).flatMap((name) => /^src\/i18n\/(\w+)\/first\.ts$/.exec(name)?.[1] ?? []);
 /** The language with the largest texts. */
 function largest(namesOf) {
   const sets = languages.map((language) => union(namesOf(language)));
   return sets.sort((a, b) => sum(b) - sum(a))[0];
-}
-
-const worker = readdirSync(join(dist, "assets")).find((name) => /^worker-[\w-]+\.js$/.test(name));
-if (!worker) throw new Error("The worker is not where it is looked for.");
-
-/** A file and its static imports: the worker is in no manifest. */
-function withImports(file, seen = new Set()) {
-  if (seen.has(file)) return seen;
-  seen.add(file);
-  for (const [, next] of read(file).matchAll(/\bfrom"\.\/([\w-]+\.js)"/g)) withImports(`assets/${next}`, seen);
-  return seen;
 }
 
 const first = new Set([
@@ -58,8 +48,7 @@ const first = new Set([
 ]);
 const dialog = new Set([
   ...first,
-  ...union(["src/features/start/begin.ts", "src/shell/Workplace.tsx"]),
-  ...withImports(`assets/${worker}`),
+  ...union(["src/features/start/begin.ts", "src/shell/Workplace.tsx", "src/app/calculation/worker.ts"]),
   ...largest((l) => [`src/i18n/${l}/parts.ts`, `src/i18n/${l}/workplace.ts`, `virtual:cycle-menu/${l}`]),
 ]);
 

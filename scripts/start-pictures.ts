@@ -38,7 +38,7 @@ const rounded = (v: number) => Math.round(v * 100) / 100;
 /** The finished part of a program; null where nothing is turned. */
 const thumbnail = (made: Run, simulation?: Simulation): Thumbnail | null =>
   made.operations.length === 0
-    ? planeThumbnailOf(made.plane)
+    ? planeThumbnailOf(made.plane, made.cuboid)
     : thumbnailOf(made.blank, (simulation ?? simulate(made)).final);
 
 /** The hero is turned in a chuck, so that jaws and tool holder show as on a machine. */

@@ -1,7 +1,7 @@
 import type { Locator } from "@playwright/test";
 import type { Context } from "./context.ts";
 
-/** The menus below the program text. */
+/** The menus below the program text, and that of the header. */
 export class Menus {
   constructor(private readonly context: Context) {}
 
@@ -16,5 +16,16 @@ export class Menus {
   async choose(menu: "export" | "program", item: string | RegExp): Promise<void> {
     await this.button(menu).click();
     await this.context.page.getByRole("menuitem", { name: item, exact: true }).click();
+  }
+
+  /** Presses a button of the header; on a phone it is an item of the header's menu. */
+  async header(name: string): Promise<void> {
+    const { page, t } = this.context;
+    const button = (each: string) => page.getByRole("banner").getByRole("button", { name: each, exact: true });
+    const menu = button(t.helpMenu.menu);
+    await menu.or(button(name)).waitFor();
+    if ((await menu.count()) === 0) return button(name).click();
+    await menu.click();
+    await page.getByRole("menuitem", { name, exact: true }).click();
   }
 }

@@ -167,9 +167,8 @@ export class ProgramEditor {
   /** Creates a program with its blank, from the start page or the top line, and skips its first operation. */
   async create(from: "start" | "top" = "start"): Promise<void> {
     const { page, t } = this.context;
-    await page
-      .getByRole("button", { name: from === "top" ? t.page.newProgram : t.page.programs.create, exact: true })
-      .click();
+    if (from === "top") await new Menus(this.context).header(t.page.newProgram);
+    else await page.getByRole("button", { name: t.page.programs.create, exact: true }).click();
     const dialog = page.getByRole("dialog", { name: t.operations.newProgram, exact: true });
     await dialog.getByRole("button", { name: t.operations.create, exact: true }).click();
     await this.inserting.getByRole("button", { name: t.page.close, exact: true }).click();

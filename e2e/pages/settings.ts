@@ -1,6 +1,7 @@
 import type { Download, Locator } from "@playwright/test";
 import { SCREEN_LANGUAGES, type Language } from "../../src/i18n/languages.ts";
 import type { Context } from "./context.ts";
+import { Menus } from "./menus.ts";
 import { words } from "./words.ts";
 
 /** Language, appearance and motion, and the data stored on the device. */
@@ -13,7 +14,7 @@ export class SettingsPage {
 
   /** Opens the dialog, and waits for it. */
   async open(): Promise<void> {
-    await this.context.page.getByRole("button", { name: this.context.t.page.settings, exact: true }).click();
+    await new Menus(this.context).header(this.context.t.page.settings);
     await this.dialog.waitFor();
   }
 

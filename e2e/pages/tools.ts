@@ -2,6 +2,7 @@ import type { Locator } from "@playwright/test";
 import type { CellName, HolderCell, ToolColumn } from "../../src/program/tools/tool-columns.ts";
 import { plainText } from "./pattern.ts";
 import { words } from "./words.ts";
+import { Menus } from "./menus.ts";
 import type { Context } from "./context.ts";
 
 /** The tool table: the tools of the device on one side, the columns of the open tool on the other. */
@@ -10,7 +11,7 @@ export class ToolTable {
 
   /** Opens the table from anywhere. */
   async open(): Promise<void> {
-    await this.button(this.context.t.page.tools.openLong).click();
+    await new Menus(this.context).header(this.context.t.page.tools.openLong);
     await this.table.or(this.context.page.getByText(this.context.t.tools.none)).waitFor();
   }
 

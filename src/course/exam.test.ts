@@ -49,6 +49,10 @@ test("time runs down to zero, and a clock that is set back gains nothing", () =>
   expect(timeLeft(exam, START + 31 * MINUTE)).toBe(14 * MINUTE);
   expect(timeLeft(exam, START - 99 * MINUTE)).toBe(15 * MINUTE);
   expect(timeLeft(exam, START + 99 * MINUTE)).toBe(0);
+  // Set back while the page is open: time goes on from the latest moment seen.
+  expect(timeLeft(exam, START - 99 * MINUTE, 4 * MINUTE)).toBe(11 * MINUTE);
+  expect(timeLeft(exam, START - 99 * MINUTE, 16 * MINUTE)).toBe(0);
+  expect(seenAt(exam, START - 99 * MINUTE, 4 * MINUTE).seen).toBe(START + 34 * MINUTE);
   expect(seenAt(exam, START)).toBe(exam);
 });
 

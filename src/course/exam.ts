@@ -49,14 +49,23 @@ export function endOfExam({ set: { exam, due }, begun }: Pick<Exam, "set" | "beg
   return ends.length === 0 ? null : Math.min(...ends);
 }
 
+/**
+ * The moment in an exam, ms since 1970: that of the clock, or of the latest moment seen and the `passed` time since, if
+ * the clock is behind it. A clock that is set back gains nothing while the page is open.
+ */
+export const momentIn = ({ seen }: Pick<Exam, "seen">, now: number, passed = 0): number => Math.max(now, seen + passed);
+
 /** Time left, ms, never negative; null without a limit. */
-export function timeLeft(exam: Exam, now: number): number | null {
+export function timeLeft(exam: Exam, now: number, passed = 0): number | null {
   const end = endOfExam(exam);
-  return end === null ? null : Math.max(0, end - Math.max(now, exam.seen));
+  return end === null ? null : Math.max(0, end - momentIn(exam, now, passed));
 }
 
-/** The latest moment seen moves on; the same record where the clock was set back. */
-export const seenAt = (exam: Exam, now: number): Exam => (now > exam.seen ? { ...exam, seen: now } : exam);
+/** The latest moment seen moves on. */
+export const seenAt = (exam: Exam, now: number, passed = 0): Exam => {
+  const seen = momentIn(exam, now, passed);
+  return seen > exam.seen ? { ...exam, seen } : exam;
+};
 
 /** Whether an exam can still be begun. */
 export const canBegin = ({ due }: TaskSet, now: number): boolean => due === undefined || now < due;

@@ -51,10 +51,10 @@ export function withoutAnswer({ solution: _, wrong: __, ...task }: Task, hints: 
 
 /** A task of an exam: nor does it say which choice or block is right, or what was learned. */
 function examTask(task: Task): Task {
-  const { words: said, predict, ...bare } = withoutAnswer(task, false);
+  const { words: said, predict, variants: _, ...bare } = withoutAnswer(task, false);
   const told = Object.entries(said).map(([language, each]) => {
     if (!each) return [language, each];
-    const { learned: _, ...rest } = each;
+    const { learned: __, ...rest } = each;
     return [language, rest];
   });
   return {
@@ -62,7 +62,7 @@ function examTask(task: Task): Task {
     ...(predict && {
       predict: predict.map((each) => {
         if (each.ask !== "choice" && each.ask !== "block") return each;
-        const { right: _, ...asked } = each;
+        const { right: __, ...asked } = each;
         return asked;
       }),
     }),
@@ -84,6 +84,9 @@ export const isForLearners = ({ tasks }: TaskSet): boolean =>
       ? predict.some((each) => (each.ask === "choice" || each.ask === "block") && each.right === undefined)
       : solution === undefined,
   );
+
+/** The part of a set's id that ends the ids of its tasks. */
+export const markOfSet = (id: string): string => id.slice(id.lastIndexOf("-") + 1);
 
 /** Longest id of a task that leaves room for the mark of its set. */
 const LONGEST_STEM = 48;

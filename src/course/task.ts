@@ -122,6 +122,8 @@ const measured = [
   /** A place on the part: residual material, contour damage, or the first rapid through material. Tolerance in mm. */
   z.object({ ask: z.enum(["residuePlace", "gougePlace", "rapidPlace"]), within: z._default(finite, 3) }),
 ] as const;
+/** The element of the contour that a parameter shapes, as a place. Tolerance in mm. */
+const elementPlace = z.object({ ask: z.literal("elementPlace"), q: typed, within: z._default(finite, 1) });
 /** The right one of `words.choices`, from 0. */
 const rightChoice = z.int();
 /** Blocks with the fault: any of these numbers is right. */
@@ -130,6 +132,7 @@ const rightBlocks = listed(z.int()).check(z.minLength(1));
 /** A question about a run; for `choice` and `block` it states the right answer. */
 export const prediction = z.union([
   ...measured,
+  elementPlace,
   z.object({ ask: z.literal("choice"), right: rightChoice }),
   z.object({ ask: z.literal("block"), right: rightBlocks }),
 ]);
@@ -155,6 +158,26 @@ const taskWords = z.object({
   choices: z.optional(listed(listed(words))),
   /** Shown when the task is passed: what was learned. */
   learned: z.optional(words),
+});
+
+/** The same questions with other values. A learner who answered wrongly gets the next ones at each try. */
+const variant = z.object({
+  /** Lines that replace those of the program which begin with the same block number or parameter. */
+  with: lines,
+  /** Numbers in the assignment, the questions and the choices, with what replaces them. */
+  numbers: z._default(z.record(typed, typed), {}),
+  /** The right choices and blocks that differ, by the index of the question. */
+  right: z._default(z.record(z.string().check(z.regex(/^\d+$/)), rightChoice), {}),
+  /** Texts that differ. Questions and choices: by the index of the question. */
+  words: z.optional(
+    inLanguages(
+      z.object({
+        ask: z.optional(words),
+        questions: z.optional(z.record(z.string(), words)),
+        choices: z.optional(z.record(z.string(), listed(words))),
+      }),
+    ),
+  ),
 });
 
 /** An answer that must fail. */
@@ -183,6 +206,8 @@ export const taskSchema = z.object({
   /** The drawing takes its surface marks from `rules.rz`. */
   rules: z._default(rules, {}),
   predict: z.optional(listed(taskPrediction)),
+  /** For a "predict" that starts with a program. Where there are none left, the kernel looks for other numbers. */
+  variants: z.optional(listed(variant)),
   /** What a good answer of a "drawing" needs: seconds and tools for full marks. */
   par: z.optional(z.object({ seconds: finite, tools: z.int() })),
   words: inLanguages(taskWords),
@@ -208,5 +233,8 @@ export type TaskRules = z.infer<typeof rules>;
 export type WrongAnswer = z.infer<typeof wrong>;
 export type TaskSize = z.infer<typeof size>;
 export type SizeKind = TaskSize["kind"];
-export type Prediction = z.infer<typeof taskPrediction>;
+export type TaskPrediction = z.infer<typeof taskPrediction>;
+/** A question of a task, or on the page of a lesson. */
+export type Prediction = TaskPrediction | z.infer<typeof prediction>;
+export type TaskVariant = z.infer<typeof variant>;
 export type TaskWords = z.infer<typeof taskWords>;

@@ -1,15 +1,19 @@
+import type { Language, LessonLanguage } from "../i18n/languages.ts";
+import { decimalSign } from "../i18n/number.ts";
 import { parse } from "../nc/parse.ts";
 import { blockNumbers, startLines } from "../nc/program.ts";
 import { answerKindOf } from "./predicted-answers.ts";
 import { decidingBlock } from "./judge/deciding-block.ts";
 import type { Answer } from "./judge/judgement.ts";
 import { isRight, truthOf, type Truth } from "./judge/predicting.ts";
+import { withLines } from "./page-question.ts";
 import { programOfLines } from "./task-start.ts";
-import type { Prediction, Task } from "./task.ts";
+import type { Prediction, Task, TaskVariant } from "./task.ts";
 
 /*
- * A question that was answered wrongly is asked again with another number in its program. Which one and how much follows
- * from the number of the try; the run decides whether the question still has an answer, and another one.
+ * A question that was answered wrongly is asked again with other values: those of the next variant of the task, or
+ * another number in its program. Which one and how much follows from the number of the try; the run decides whether the
+ * question still has an answer, and another one.
  */
 
 /** Changes of a number, as a share of it. */
@@ -30,10 +34,21 @@ export interface OtherNumbers {
   readonly lines: readonly string[];
   /** Numbers as texts: the original, and the other one. */
   readonly named: readonly (readonly [string, string])[];
+  /** Number of tries before them, from 1. That of a variant is one more than its index. */
+  readonly at: number;
+}
+
+/** The next variant of a task after a number of tries, from 1; null where none is left. */
+export function nextVariant({ start, variants = [] }: Task, tries: number): OtherNumbers | null {
+  const next = variants[tries - 1];
+  if (!next || !("program" in start)) return null;
+  return { lines: withLines(start.program, next.with), named: Object.entries(next.numbers), at: tries };
 }
 
 const plainNumber = (text: string): string => String(Math.abs(Number(text)));
-/** A number in words, with point or comma. */
+/** Numbers in words, with point or comma. */
+const NUMBER = /(?<![\d.,])\d+(?:[.,]\d+)?(?!\d|[.,]\d)/g;
+/** A certain number in words, with point or comma. */
 const inWords = (plain: string) => new RegExp(String.raw`(?<![\d.,])${plain.replace(".", "([.,])")}(?!\d|[.,]\d)`, "g");
 
 /** What the assignment and some questions say, in all languages. */
@@ -110,7 +125,10 @@ export async function varyNumbers(
 ): Promise<OtherNumbers | null> {
   const { start, predict = [], kind } = task;
   const asked = questions.flatMap((i) => predict[i] ?? []);
-  if (kind !== "predict" || !("program" in start) || asked.length === 0 || !asked.every(hasOtherNumbers)) return null;
+  if (kind !== "predict" || !("program" in start) || asked.length === 0) return null;
+  const variant = nextVariant(task, tries);
+  if (variant) return variant;
+  if (!asked.every(hasOtherNumbers)) return null;
   const said = saidBy(task, questions);
   if (!namesOnlyNumbersOf(said, start.program, asked)) return null;
   const original = await runOf(programOfLines(start.program));
@@ -152,7 +170,7 @@ export async function varyNumbers(
     }
   }
   const areOther = asked.every((each) => isOther(each, truthOf(each, task, original), truthOf(each, task, now)));
-  return areOther ? { lines, named } : null;
+  return areOther ? { lines, named, at: tries } : null;
 }
 
 /** Whether the answer of a changed program exists, and is not the known one. */
@@ -162,24 +180,57 @@ function isOther(prediction: Prediction, before: Truth, now: Truth): boolean {
   return false;
 }
 
+/** Where the program of a task has other numbers: numbers of blocks, and names of parameters. */
+export const changedPlaces = ({ start }: Task, { lines }: OtherNumbers): readonly string[] => [
+  ...new Set(
+    lines.flatMap((line, i) => {
+      const isSame = "program" in start && start.program[i] === line;
+      return isSame ? [] : (/^\s*(\d+(?= )|Q\d+(?==))/.exec(line)?.[1] ?? []);
+    }),
+  ),
+];
+
+/** Texts with those of a variant in their place. */
+const replaced = <T>(texts: readonly T[], others: Readonly<Record<string, T>> = {}): T[] =>
+  texts.map((text, i) => others[i] ?? text);
+
 /** A task with other numbers in its program, its assignment and its questions; hints keep the original ones. */
 export function withNumbers(task: Task, other: OtherNumbers | undefined): Task {
   if (!other) return task;
-  const changed = (text: string) =>
-    other.named.reduce(
-      (now, [from, to]) =>
-        now.replaceAll(inWords(from), (_, point: string) => (typeof point === "string" ? to.replace(".", point) : to)),
-      text,
-    );
+  const to = new Map(other.named);
+  const variant: TaskVariant | undefined = task.variants?.[other.at - 1];
+  /** Signs within a program keep their point; a whole number has the sign of the language. */
+  const changed = (text: string, language: Language) =>
+    text.replaceAll(NUMBER, (found) => {
+      const point = /[.,]/.exec(found)?.[0] ?? decimalSign(language);
+      return to.get(found.replace(",", "."))?.replace(".", point) ?? found;
+    });
   const words = Object.fromEntries(
-    Object.entries(task.words).map(([language, each]) => [
-      language,
-      each && {
-        ...each,
-        ask: changed(each.ask),
-        ...(each.questions && { questions: each.questions.map(changed) }),
-      },
-    ]),
+    (Object.keys(task.words) as LessonLanguage[]).map((language) => {
+      const each = task.words[language],
+        others = variant?.words?.[language];
+      const change = (text: string) => changed(text, language);
+      return [
+        language,
+        each && {
+          ...each,
+          ask: others?.ask ?? change(each.ask),
+          ...(each.questions && { questions: replaced(each.questions.map(change), others?.questions) }),
+          ...(each.choices && {
+            choices: replaced(
+              each.choices.map((list) => list.map(change)),
+              others?.choices,
+            ),
+          }),
+        },
+      ];
+    }),
   );
-  return { ...task, start: { program: [...other.lines] }, words };
+  const predict = task.predict?.map((each, i) => {
+    const right = variant?.right[i];
+    if (right === undefined) return each;
+    if (each.ask === "block") return { ...each, right: [right] };
+    return each.ask === "choice" ? { ...each, right } : each;
+  });
+  return { ...task, start: { program: [...other.lines] }, words, ...(predict && { predict }) };
 }

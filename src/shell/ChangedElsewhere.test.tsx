@@ -1,6 +1,7 @@
-import { act, cleanup, render, screen, waitFor } from "@testing-library/react";
+import { act, cleanup, fireEvent, render, screen, waitFor } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
-import { afterEach, beforeEach, expect, test } from "vitest";
+import { afterEach, beforeEach, expect, onTestFinished, test, vi } from "vitest";
+import { NOTICES } from "../app/base/waits.ts";
 import { fetchTexts } from "../app/base/settings/loaded-texts.ts";
 import { editTools, toolRecord, useTools } from "../app/document/tool-store.ts";
 import { setPrompt } from "../app/document/edits.ts";
@@ -39,6 +40,22 @@ test("a change of another document is announced with its own undo, until that do
   expect(screen.queryByText(/Tool table/)).toBeNull();
   act(() => uncover());
   expect(screen.queryByText(/Tool table/)).toBeNull();
+});
+
+test("the announcement leaves by itself, but not while a pointer or the focus is on it", async () => {
+  vi.useFakeTimers({ toFake: ["setTimeout", "clearTimeout"] });
+  onTestFinished(() => void vi.useRealTimers());
+  render(<ChangedElsewhere />);
+  deleteTool("r4");
+  const said = await vi.waitFor(() => screen.getByText("Tool table: tool 4 deleted"));
+  const pass = (ms: number) => act(() => vi.advanceTimersByTime(ms));
+  fireEvent.pointerEnter(said.parentElement ?? said);
+  pass(2 * NOTICES.change);
+  fireEvent.pointerLeave(said.parentElement ?? said);
+  pass(NOTICES.change - 1);
+  expect(screen.queryByText("Tool table: tool 4 deleted")).not.toBeNull();
+  pass(1);
+  expect(screen.queryByText("Tool table: tool 4 deleted")).toBeNull();
 });
 
 test("the buttons name the next step of each way, and are off without one", async () => {

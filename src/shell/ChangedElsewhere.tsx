@@ -1,5 +1,6 @@
-import { useEffect, useState } from "react";
+import { useEffect, useEffectEvent, useState } from "react";
 import { Icon } from "../app/base/Icon.tsx";
+import { NOTICES } from "../app/base/waits.ts";
 import { useTexts } from "../app/base/settings/use-texts.ts";
 import { workOfDocument } from "../app/document/documents.ts";
 import { documentAt, hasOpenDialog, undoStep, useDocumentInView } from "../app/document/history.ts";
@@ -13,15 +14,29 @@ const placeOf = (document: string, { places }: HistoryTexts): string =>
     ? places[document as keyof typeof places]
     : places.work;
 
+/** Leaves after a while, unless a pointer or the focus is on it: the undo of its own document remains. */
 function Change({ step, dismiss }: { readonly step: HistoryStep; readonly dismiss: () => void }) {
   const { undo } = useTexts("first").page;
+  const [held, hold] = useState(false);
+  const leave = useEffectEvent(dismiss);
+  useEffect(() => {
+    if (held) return undefined;
+    const timer = setTimeout(leave, NOTICES.change);
+    return () => clearTimeout(timer);
+  }, [step, held]);
   const isLast = useIsLastStep(step);
   const made = useStepWords(isLast ? step : undefined, "past");
   if (!made) return null;
   const { t } = made;
   const said = t.within(placeOf(step.document, t), made.words);
   return (
-    <p className="notice">
+    <p
+      className="notice"
+      onPointerEnter={() => hold(true)}
+      onPointerLeave={() => hold(false)}
+      onFocus={() => hold(true)}
+      onBlur={() => hold(false)}
+    >
       <Icon name="info" /> <span>{said}</span>
       <button
         type="button"
@@ -41,7 +56,7 @@ function Change({ step, dismiss }: { readonly step: HistoryStep; readonly dismis
   );
 }
 
-/** Changes of documents that are not in view, each with its undo, until their document is shown or changes again. */
+/** Changes of documents that are not in view, each with its undo, for a while or until their document is shown. */
 export function ChangedElsewhere() {
   const [steps, put] = useState<ReadonlyMap<string, HistoryStep>>(new Map());
   const inView = useDocumentInView();

@@ -2,7 +2,9 @@ import { Suspense, useEffect, useRef, useState, type MouseEvent } from "react";
 import { goHome } from "../app/document/go-home.ts";
 import { useActions } from "../app/base/actions.ts";
 import { Icon } from "../app/base/Icon.tsx";
+import type { MenuItem } from "../app/base/Menu.tsx";
 import { shownPage, showCommands, showTools, usePlace } from "../app/place/place.ts";
+import { useMedia } from "../app/base/use-media.ts";
 import { useTexts } from "../app/base/settings/use-texts.ts";
 import { useDocumentInView } from "../app/document/history.ts";
 import { lazyPart } from "../app/base/parts.ts";
@@ -41,6 +43,15 @@ export function Header() {
   const toTools = useRef<HTMLButtonElement>(null);
   const wereTools = useRef(false);
   const words = job && t.menu.of[job.cycle];
+  const folds = useMedia("folded");
+  const offersNew = !tools && Boolean(words ?? program);
+
+  /** On a phone the name of the open work needs the room. */
+  const folded: readonly MenuItem[] = [
+    ...(tools ? [] : [{ name: t.page.tools.openLong, icon: "insert", go: () => showTools() } as const]),
+    ...(offersNew ? [{ name: t.page.newProgram, icon: "add", opens: "dialog", go: () => create(true) } as const] : []),
+    { name: t.page.settings, icon: "settings", opens: "dialog", go: () => showSettings(true) },
+  ];
 
   useActions([
     { id: "do.newProgram", name: t.page.newProgram, run: () => create(true) },
@@ -82,7 +93,7 @@ export function Header() {
       {!tools && program && <h1 className="open-cycle">{program.name}</h1>}
       <div className="top-buttons">
         <UndoButtons document={inView} />
-        {!tools && (
+        {!folds && !tools && (
           <button
             ref={toTools}
             type="button"
@@ -94,7 +105,7 @@ export function Header() {
             <Icon name="insert" /> <span>{t.page.tools.open}</span>
           </button>
         )}
-        {!tools && (words ?? program) && (
+        {!folds && offersNew && (
           <button
             type="button"
             className="button plain new-program"
@@ -105,7 +116,7 @@ export function Header() {
             <Icon name="add" /> <span>{t.page.newProgram}</span>
           </button>
         )}
-        <HelpMenu />
+        {!folds && <HelpMenu />}
         <button
           type="button"
           className="button icon plain"
@@ -116,15 +127,19 @@ export function Header() {
         >
           <Icon name="search" />
         </button>
-        <button
-          type="button"
-          className="button icon plain"
-          aria-label={t.page.settings}
-          title={t.page.settings}
-          onClick={() => showSettings(true)}
-        >
-          <Icon name="settings" />
-        </button>
+        {folds ? (
+          <HelpMenu folded={folded} />
+        ) : (
+          <button
+            type="button"
+            className="button icon plain"
+            aria-label={t.page.settings}
+            title={t.page.settings}
+            onClick={() => showSettings(true)}
+          >
+            <Icon name="settings" />
+          </button>
+        )}
       </div>
       {creating && <CreateProgram done={() => create(false)} />}
       {settings && (

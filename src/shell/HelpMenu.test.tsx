@@ -31,6 +31,16 @@ test("without a work it leads to the guide, cutting data, glossary and course", 
   expect(openMenu()).toEqual(ALWAYS);
 });
 
+test("on a phone it is the header's menu: the buttons that have no room come first, the guide follows", () => {
+  let shown = 0;
+  render(<HelpMenu folded={[{ name: "Settings", icon: "settings", go: () => (shown += 1) }]} />);
+  fireEvent.click(screen.getByRole("button", { name: "Menu" }));
+  const [first, ...others] = screen.getAllByRole("menuitem", { hidden: true });
+  expect(others.slice(0, ALWAYS.length).map((item) => item.getAttribute("href"))).toEqual(ALWAYS);
+  if (first) fireEvent.click(first);
+  expect([first?.textContent, shown]).toEqual(["Settings", 1]);
+});
+
 test("with a job, to the steps of its cycle", () => {
   open(job, "w");
   expect(openMenu()).toEqual(["#/guide/852", ...ALWAYS]);

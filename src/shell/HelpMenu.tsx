@@ -6,6 +6,8 @@ import { useEditor } from "../app/document/store.ts";
 import { useOpenCall } from "../app/place/open-call.ts";
 import { showKeys, showWhich } from "../app/place/place.ts";
 
+const NONE: readonly MenuItem[] = [];
+
 /** The cycle of the open job, or the one whose block was open last in the open program. */
 function useOpenCycle(): number | null {
   const job = useEditor((s) => s.job?.cycle);
@@ -14,8 +16,11 @@ function useOpenCycle(): number | null {
   return job ?? (work !== null && call?.work === work ? call.cycle : null);
 }
 
-/** The header's menu of the guide: the open cycle, cutting data and advice, glossary, course, shortcuts. */
-export function HelpMenu() {
+/**
+ * The header's menu of the guide: the open cycle, cutting data and advice, glossary, course, shortcuts. `folded`: what
+ * the header has no room for on a phone; the menu is then that of the header.
+ */
+export function HelpMenu({ folded = NONE }: { readonly folded?: readonly MenuItem[] }) {
   const { helpMenu: t, page, start } = useTexts("first");
   const cycle = useOpenCycle();
   const fingers = useFingers();
@@ -32,15 +37,17 @@ export function HelpMenu() {
       ? []
       : [{ name: page.keys, shortcut: "?", opens: "dialog", go: () => showKeys("everywhere") } as const]),
   ];
+  const isFolded = folded.length > 0;
+  const name = isFolded ? t.menu : t.open;
   return (
     <Menu
-      name={t.open}
-      hint={t.long}
+      name={name}
+      hint={isFolded ? t.menu : t.long}
       className="button plain new-program"
-      groups={[links, actions]}
+      groups={[folded, links, actions]}
       label={
         <>
-          <Icon name="question" /> <span>{t.open}</span>
+          <Icon name={isFolded ? "menu" : "question"} /> <span>{name}</span>
         </>
       }
     />

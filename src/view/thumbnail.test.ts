@@ -1,4 +1,4 @@
-import { expect, test } from "vitest";
+import { describe, expect, test } from "vitest";
 import { at } from "../kernel/geometry/point.ts";
 import { planeThumbnailOf, thumbnailOf } from "./thumbnail.ts";
 
@@ -23,13 +23,49 @@ test("a fine arc of a thousand points is reduced to few", () => {
 
 test("without a part there is no picture", () => expect(thumbnailOf(blank, [])).toBeNull());
 
-test("a milling path is seen from above, without its rapids, Y up", () => {
-  const move = (kind: string, from: [number, number], to: [number, number]) => ({
+describe("a milled part seen from above, Y up", () => {
+  const move = (kind: "rapid" | "feed", from: [number, number, number], to: [number, number, number], radius = 3) => ({
     kind,
-    from: { x: from[0], y: from[1] },
-    to: { x: to[0], y: to[1] },
+    from: { x: from[0], y: from[1], z: from[2] },
+    to: { x: to[0], y: to[1], z: to[2] },
+    radius,
   });
-  const path = [move("rapid", [900, 900], [10, 4]), move("feed", [10, 4], [42, 20])];
-  expect(planeThumbnailOf(path)).toEqual({ box: [8, -22, 36, 20], part: "", blank: "", plane: "M10 -4L42 -20" });
-  expect(planeThumbnailOf(path.slice(0, 1))).toBeNull();
+  const stock = { left: -20, right: 60, low: -8, high: 24, bottom: -15, top: 1 };
+  const path = [
+    move("rapid", [900, 900, 50], [10, 4, 2]),
+    move("feed", [10, 4, 2], [10, 4, -3]),
+    move("feed", [10, 4, -3], [42, 20, -3]),
+  ];
+
+  test("without stock it is as large as the ways of its feeds", () => {
+    expect(planeThumbnailOf(path)).toEqual({
+      box: [8, -22, 36, 20],
+      part: "",
+      blank: "",
+      milled: { stock: null, ways: [{ d: "M10 -4L10 -4M10 -4L42 -20", wide: 6 }] },
+    });
+    expect(planeThumbnailOf(path.slice(0, 1))).toBeNull();
+  });
+
+  test("in its stock only what is below the top counts, each tool by its ⌀", () => {
+    const over = move("feed", [0, 0, 1], [30, 0, 1]),
+      other = move("feed", [0, 9, -2], [30, 9, -2], 5);
+    expect(planeThumbnailOf([over], stock)).toBeNull();
+    const made = planeThumbnailOf([...path, over, other], stock);
+    expect(made?.milled?.stock).toEqual([-20, -24, 80, 32]);
+    expect(made?.milled?.ways.map(({ wide }) => wide)).toEqual([6, 10]);
+    expect(made?.milled?.ways[1]?.d).toBe("M0 -9L30 -9");
+  });
+
+  test("arcs stay round", () => {
+    const arc = {
+      ...move("feed", [10, 0, -3], [-10, 0, -3]),
+      kind: "arc" as const,
+      centre: { x: 0, y: 0 },
+      turn: "ccw" as const,
+    };
+    const places = planeThumbnailOf([arc], stock)?.milled?.ways[0]?.d.slice(1).split("L") ?? [];
+    expect(places.length).toBeGreaterThan(6);
+    for (const place of places) expect(Math.hypot(...place.split(" ").map(Number))).toBeCloseTo(10, 1);
+  });
 });

@@ -1,4 +1,6 @@
-import type { Pt, Ring } from "../kernel/geometry/point.ts";
+import type { Cuboid } from "../kernel/area/box.ts";
+import type { Pt, Ring, Turn } from "../kernel/geometry/point.ts";
+import { plane, type PlanePoint } from "../kernel/plane/plane.ts";
 import { boundsOf } from "./bounds.ts";
 
 /** Numbers of an SVG `viewBox`, in part space with X up: x is z, y is −r, both mm. */
@@ -9,8 +11,14 @@ export interface Thumbnail {
   readonly box: ViewBox;
   readonly part: string;
   readonly blank: string;
-  /** The path of a mill in the plane, if nothing is turned. */
-  readonly plane?: string | undefined;
+  /** A milled part seen from above, if nothing is turned. */
+  readonly milled?: MilledPlan | undefined;
+}
+
+/** A milled part seen from above: its stock, null if not stated, and the ways of tools with their ⌀, mm. */
+export interface MilledPlan {
+  readonly stock: ViewBox | null;
+  readonly ways: readonly { readonly d: string; readonly wide: number }[];
 }
 
 /** Points closer together than this share of the picture's width are merged. */
@@ -59,24 +67,57 @@ export function thumbnailOf(blank: readonly Ring[], part: readonly Ring[]): Thum
 
 /** A move of a mill. */
 interface PlaneMove {
-  readonly kind: string;
-  readonly from: { readonly x: number; readonly y: number };
-  readonly to: { readonly x: number; readonly y: number };
+  readonly kind: "rapid" | "feed" | "arc" | "thread";
+  readonly from: PlanePoint & { readonly z: number | null };
+  readonly to: PlanePoint & { readonly z: number | null };
+  readonly centre?: PlanePoint;
+  readonly turn?: Turn;
+  readonly radius: number;
 }
 
-/** Margin around a milling path, as a share of its larger side. */
+/** Margin around a milled part, as a share of its larger side. */
 const AIR_OF_PLANE = 1 / 16;
 
-/** The picture of a milling path seen from above, Y up; null where nothing is cut. */
-export function planeThumbnailOf(plane: readonly PlaneMove[]): Thumbnail | null {
-  const cut = plane.filter(({ kind }) => kind !== "rapid");
-  const all = cut.flatMap(({ from, to }) => [from, to]);
-  if (all.length === 0) return null;
-  const [xs, ys] = [all.map(({ x }) => x), all.map(({ y }) => -y)];
-  const [left, top] = [Math.min(...xs), Math.min(...ys)];
-  const [width, height] = [Math.max(...xs) - left, Math.max(...ys) - top];
-  const air = Math.max(width, height) * AIR_OF_PLANE;
-  const box: ViewBox = [left - air, top - air, width + 2 * air, height + 2 * air];
-  const way = cut.map(({ from, to }) => `M${n(from.x)} ${n(-from.y)}L${n(to.x)} ${n(-to.y)}`).join("");
-  return { box: box.map((v) => Number(n(v))) as unknown as ViewBox, part: "", blank: "", plane: way };
+/** A box from its sides, Y up. */
+const viewBox = (left: number, low: number, right: number, high: number): ViewBox => [
+  Number(n(left)),
+  Number(n(-high)),
+  Number(n(right - left)),
+  Number(n(high - low)),
+];
+
+/** Whether a move is in the stock; without stock, each feed is. */
+const isIn = (stock: Cuboid | null, { kind, from, to }: PlaneMove) =>
+  kind !== "rapid" && (!stock || Math.min(from.z ?? Infinity, to.z ?? Infinity) < stock.top);
+
+/** The picture of a milled part seen from above, Y up; null where nothing is milled. */
+export function planeThumbnailOf(moves: readonly PlaneMove[], stock: Cuboid | null = null): Thumbnail | null {
+  const cut = moves.filter((move) => isIn(stock, move));
+  if (cut.length === 0) return null;
+  const ends = cut.flatMap(({ from, to }) => [from, to]);
+  const [xs, ys] = [ends.map(({ x }) => x), ends.map(({ y }) => y)];
+  const { left, low, right, high } = stock ?? {
+    left: Math.min(...xs),
+    low: Math.min(...ys),
+    right: Math.max(...xs),
+    high: Math.max(...ys),
+  };
+  const air = Math.max(right - left, high - low) * AIR_OF_PLANE,
+    box = viewBox(left - air, low - air, right + air, high + air);
+  const ways = new Map<number, string>();
+  for (const { from, to, centre, turn, radius } of cut) {
+    const path =
+      centre && turn ? ({ kind: "arc", from, to, centre, turn } as const) : ({ kind: "line", from, to } as const);
+    const places = plane.flattened(path, box[2] * FINE).map(({ x, y }) => `${n(x)} ${n(-y)}`);
+    ways.set(2 * radius, `${ways.get(2 * radius) ?? ""}M${places.join("L")}`);
+  }
+  return {
+    box,
+    part: "",
+    blank: "",
+    milled: {
+      stock: stock && viewBox(left, low, right, high),
+      ways: [...ways].map(([wide, d]) => ({ d, wide: Number(n(wide)) })),
+    },
+  };
 }

@@ -28,6 +28,8 @@ const UNDONE: Readonly<Record<Slip["kind"], Slip["kind"]>> = {
   reversed: "reversed",
   radius: "doubled",
   doubled: "radius",
+  tools: "tools",
+  tool: "tool",
 };
 const reverse = ({ kind, values }: Slip): Slip => ({
   kind: UNDONE[kind],
@@ -106,14 +108,43 @@ test("what the slip causes is not reported beside it; a slip that the task itsel
   const unmended = answerOf(text);
   const slip = (await findSlip(fault, unmended, judge(fault, unmended), runOf))?.slip;
   expect(slip?.kind).toBe("radius");
-  expect(slip && hasSlip(text, slip)).toBe(true);
-  expect(slip && hasSlip(programOfLines(fault.solution ?? []), slip)).toBe(false);
+  expect(slip && hasSlip(fault, text, slip)).toBe(true);
+  expect(slip && hasSlip(fault, programOfLines(fault.solution ?? []), slip)).toBe(false);
+});
+
+describe("the tools are named first where they explain the fault", () => {
+  const swapped = (task: Task, one: number, other: number) =>
+    programOfLines(task.solution ?? []).replaceAll(/TOOL CALL (\d+)/g, (call, tool) =>
+      Number(tool) === one ? `TOOL CALL ${other}` : Number(tool) === other ? `TOOL CALL ${one}` : call,
+    );
+  test.each([
+    // Roughing and finishing, with the sides of the part.
+    ["l07-second-tool", [1, 3], "tools"],
+    ["l07-tools-exchanged", [1, 3], "tools"],
+    // Facing and boring.
+    ["l22-hub-flange", [15, 5], "tools"],
+    // An outside tool in a bore, and an inside one outside.
+    ["l17-bush", [5, 1], "tool"],
+    ["l03-first-shoulder", [1, 5], "tool"],
+    ["l14-852-values", [8, 10], "tool"],
+  ] as const)("%s: %j", async (id, [one, other], kind) => {
+    const task = taskOf(id);
+    const answer = answerOf(swapped(task, one, other));
+    const judgement = judge(task, answer);
+    expect(judgement.passed).toBe(false);
+    const found = await findSlip(task, answer, judgement, runOf);
+    expect(found?.slip.kind).toBe(kind);
+    expect(found?.slip.values.map(({ value }) => value)).toEqual(
+      kind === "tools" ? expect.arrayContaining([one, other]) : [other],
+    );
+    expect(found && withSlip(judgement, found).marks[0]?.slip).toEqual(found?.slip);
+  });
 });
 
 test("a refused tool that no slip explains is to blame itself", async () => {
   const fault = taskOf("l02-wrong-row");
   const unmended = answerOf("program" in fault.start ? programOfLines(fault.start.program) : "");
   const judgement = judge(fault, unmended);
-  expect(await findSlip(fault, unmended, judgement, runOf)).toBeNull();
+  expect(await findSlip({ ...fault, solution: undefined }, unmended, judgement, runOf)).toBeNull();
   expect(withoutSlip(judgement).marks[0]).toMatchObject({ issue: { code: "toolUnfit" }, isByTool: true });
 });

@@ -1,4 +1,5 @@
 const LYING = "(599px < width <= 1279px) and ((orientation: landscape) or (max-height: 699px))";
+const FLAT = `${LYING} and (max-height: 499px)`;
 
 /**
  * The breakpoints of the layout: style sheets write `@media (--phone)` and so on, which the build replaces
@@ -19,10 +20,12 @@ export const MEDIA = {
    */
   short: "(max-width: 1279px) and (max-height: 699px)",
   /** A phone in landscape: the height of a few rows. */
-  flat: `${LYING} and (max-height: 499px)`,
+  flat: FLAT,
+  /** The header has room for the name of the open work and few buttons: the others are in its menu. */
+  folded: `(max-width: 599px), ${FLAT}`,
   /** A short phone: the picture is a strip above the prompts until it is enlarged. */
   strip: "(max-width: 599px) and (max-height: 699px)",
-  /** A small window at 400 % zoom: the whole page scrolls below its header. */
+  /** A small window at 400 % zoom: the whole page scrolls, with its header. */
   tiny: "(max-width: 599px) and (max-height: 479px)",
   /** No room for three columns. */
   narrow: "(max-width: 1279px)",

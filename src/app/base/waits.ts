@@ -74,3 +74,9 @@ export const IDLE = {
   /** A frame is calm if it leaves this much of its time. */
   calm: 6,
 } as const;
+
+/** How long notices stay that leave by themselves. */
+export const NOTICES = {
+  /** A change elsewhere is read and undone within this; its document keeps the undo. */
+  change: 10_000,
+} as const;

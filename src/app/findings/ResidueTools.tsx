@@ -9,6 +9,7 @@ import { regionOfResidual } from "../document/residual-region.ts";
 import { WhichButton } from "../document/WhichButton.tsx";
 import type { FindingEntry } from "./entry.ts";
 import type { FindingsHost } from "./host.ts";
+import { useFixesHeldBack } from "./task-result.ts";
 import { NO_AREA } from "./effect/effect.ts";
 
 /** Most tools that are offered; the others leave more. */
@@ -38,13 +39,14 @@ export function ResidueTools({
   const words = t.findings.residue;
   const write = writer(useLengths());
   const newest = useOutcome((s) => s.newest);
+  const isHeldBack = useFixesHeldBack();
   const [asked, ask] = useState<{ readonly of: typeof newest; readonly tools: readonly Remedy[] | "trying" | null }>({
     of: null,
     tools: null,
   });
   const left = entry.residual === null ? undefined : newest?.simulation.proof.residual[entry.residual];
   const operation = left && newest?.run.operations[left.operation];
-  if (!left || !operation) return null;
+  if (!left || !operation || isHeldBack) return null;
   const which = (
     <WhichButton
       name={words.askCycle}

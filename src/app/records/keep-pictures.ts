@@ -15,8 +15,9 @@ export function startKeepingPictures(): () => void {
     timer = undefined;
     const { shown, dimmed } = useOutcome.getState();
     if (work === null || !shown || dimmed || shown.isBeginning) return;
-    const { operations, plane, blank } = shown.run;
-    const made = operations.length > 0 ? thumbnailOf(blank, producedParts(shown.simulation)) : planeThumbnailOf(plane);
+    const { operations, plane, blank, cuboid } = shown.run;
+    const made =
+      operations.length > 0 ? thumbnailOf(blank, producedParts(shown.simulation)) : planeThumbnailOf(plane, cuboid);
     if (made) keepPicture(work, made);
   };
   const stops = [

@@ -7,10 +7,11 @@ const MOST = { works: 100, path: 6000 };
 
 const box = z.tuple([z.number(), z.number(), z.number(), z.number()]);
 const path = z.string().check(z.maxLength(MOST.path), z.regex(/^[MLZ\d .-]*$/));
+const milled = z.object({ stock: z.nullable(box), ways: z.array(z.object({ d: path, wide: z.number() })) });
 /** Thumbnails by work. Losing them loses no work. */
 const KEPT = storedData<Readonly<Record<string, Thumbnail>>>(
   "pictures",
-  z.record(z.string(), z.object({ box, part: path, blank: path, plane: z.optional(path) })),
+  z.record(z.string(), z.object({ box, part: path, blank: path, milled: z.optional(milled) })),
 );
 
 /** Thumbnails by work. */
@@ -18,8 +19,8 @@ export const keptPictures = (): Readonly<Record<string, Thumbnail>> => KEPT.get(
 
 /** Stores a thumbnail. The oldest is dropped; without space nothing is stored. */
 export function keepPicture(work: string, picture: Thumbnail): void {
-  const { part, blank, plane = "" } = picture;
-  if ([part, blank, plane].some(({ length }) => length > MOST.path)) return;
+  const { part, blank, milled } = picture;
+  if ([part, blank, ...(milled?.ways ?? []).map(({ d }) => d)].some(({ length }) => length > MOST.path)) return;
   const others = Object.entries(keptPictures())
     .filter(([name]) => name !== work)
     .slice(1 - MOST.works);

@@ -26,12 +26,12 @@ const fromBase64Url = (text: string): Uint8Array =>
   Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (c) => c.charCodeAt(0));
 
 /** Packs plain data for a link. */
-export const packedForLink = (value: unknown): string =>
-  toBase64Url(deflateSync(strToU8(JSON.stringify(value)), { level: 9, mem: 12, dictionary: LINK_DICTIONARY }));
+export const packedForLink = (value: unknown, dictionary = LINK_DICTIONARY): string =>
+  toBase64Url(deflateSync(strToU8(JSON.stringify(value)), { level: 9, mem: 12, dictionary }));
 
-/** Unpacks the text of `packedForLink`; null if longer than `most`. Throws if invalid. */
-export const unpackedFromLink = (packed: string, most = LARGEST_PROGRAM): string | null =>
-  unpackedText(fromBase64Url(packed), most, LINK_DICTIONARY);
+/** Unpacks the text of `packedForLink` with the same dictionary; null if longer than `most`. Throws if invalid. */
+export const unpackedFromLink = (packed: string, most = LARGEST_PROGRAM, dictionary = LINK_DICTIONARY): string | null =>
+  unpackedText(fromBase64Url(packed), most, dictionary);
 
 /**
  * A link that contains a work with its tools and settings; nothing is stored anywhere. `page`: address without hash.

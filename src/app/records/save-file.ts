@@ -99,6 +99,7 @@ const task = z.object({
     z.object({
       lines: z.array(text).check(z.maxLength(2000)),
       named: z.array(z.tuple([text, text])).check(z.maxLength(60)),
+      at: z._default(z.int(), 0),
     }),
   ),
   asked: z.optional(z.array(z.int()).check(z.maxLength(60))),

@@ -3,7 +3,7 @@ import { producedParts } from "../../sim/produced-parts.ts";
 import type { Prediction } from "../task.ts";
 import { firstStepInto } from "./difference.ts";
 import type { Answer } from "./judgement.ts";
-import { hasRoughing } from "./rules.ts";
+import { roughingPasses } from "./rules.ts";
 import { sizeOn } from "./sizes.ts";
 
 /** Width of the strip on a surface in which its last cut is found, mm. */
@@ -33,7 +33,7 @@ export function decidingBlock(prediction: Prediction, { run, simulation, text }:
     case "seconds": {
       const { operation } = prediction;
       if (operation !== undefined) return definition(operation);
-      const roughing = run.operations.flatMap((each, i) => (hasRoughing(each) ? [i] : []));
+      const roughing = run.operations.flatMap((each, i) => (roughingPasses(each) > 0 ? [i] : []));
       return roughing.length === 1 ? definition(roughing[0]) : null;
     }
     case "residue":

@@ -48,11 +48,11 @@ export interface SlipValue {
 }
 
 /**
- * A slip that explains a fault: a wrong sign, a radius for a diameter or the reverse, two exchanged values, or a contour
- * in the wrong direction (`values`: its first block).
+ * A slip that explains a fault: a wrong sign, a radius for a diameter or the reverse, two exchanged values, a contour in
+ * the wrong direction (`values`: its first block), two exchanged tools, or one tool for another (`q`: "T").
  */
 export interface Slip {
-  readonly kind: "sign" | "radius" | "doubled" | "exchanged" | "reversed";
+  readonly kind: "sign" | "radius" | "doubled" | "exchanged" | "reversed" | "tools" | "tool";
   readonly values: readonly SlipValue[];
 }
 

@@ -1,6 +1,6 @@
 import { producedParts } from "../../sim/produced-parts.ts";
 import { areaOf } from "../../kernel/area/area.ts";
-import { part, type Pt, type Ring } from "../../kernel/geometry/point.ts";
+import { part, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import { ROUND } from "../../kernel/tolerance.ts";
 import type { Prediction, Task } from "../task.ts";
 import { targetPart } from "../target-part.ts";
@@ -9,6 +9,7 @@ import { areaBeyond, distanceTo } from "./difference.ts";
 import { middleOf } from "./middle.ts";
 import type { Answer } from "./judgement.ts";
 import { roughingPasses, hasRoughing } from "./rules.ts";
+import { elementShapedBy } from "./shaped-by.ts";
 import { secondsOfAnswer } from "./shop.ts";
 import { sizeOn } from "./sizes.ts";
 
@@ -38,6 +39,8 @@ export type Truth = TrueNumber | TruePlace | TrueChoice | TrueBlock;
 /** A learner's prediction: a number, a place on the part, a choice from 0, or the number of a block. */
 export type PredictedAnswer = number | Pt;
 
+/** Points of an element by which a press is near it. */
+const POINTS = 9;
 /** Sizes and infeeds are read to two decimals, mm; counts are whole. */
 const READ_OFF = 0.005;
 
@@ -46,6 +49,16 @@ const placeOf = (rings: readonly Ring[]): Truth => {
   const first = regionsOf(rings, 0).toSorted((a, b) => b.area - a.area)[0];
   return { kind: "place", rings, place: first ? middleOf([first.outline, ...first.holes]) : null };
 };
+
+/** A place on elements of a contour: the middle of the longest one. */
+function placeOn(elements: readonly Segment[]): Truth {
+  const [longest] = elements.toSorted((a, b) => part.lengthOf(b) - part.lengthOf(a));
+  return {
+    kind: "place",
+    place: longest ? part.pointOn(longest, 1 / 2) : null,
+    rings: elements.map((each) => Array.from({ length: POINTS }, (_, i) => part.pointOn(each, i / (POINTS - 1)))),
+  };
+}
 
 /** Excess material on the target part; without one, the material that the operations should have cut. */
 function residue({ part: wanted }: Pick<Task, "part">, { simulation }: Answer, operation?: number): readonly Ring[] {
@@ -85,6 +98,8 @@ export function truthOf(prediction: Prediction, task: Pick<Task, "part">, answer
       return placeOf(residue(task, answer));
     case "gougePlace":
       return placeOf(missing(task, answer));
+    case "elementPlace":
+      return placeOn(elementShapedBy(answer, prediction.q));
     case "rapidPlace": {
       const [first] = simulation.findings.filter((f) => f.kind === "rapidInStock").toSorted((a, b) => a.step - b.step);
       return first ? { kind: "place", place: first.place, rings: first.rings } : placeOf([]);

@@ -26,7 +26,9 @@ const marks = (rule: RuleName, wrong: readonly Partial<TaskMark>[], right: Parti
 /** Whether an operation has roughing passes, and how many. */
 export const hasRoughing = ({ plan }: Operation) => plan.moves.some((move) => move.phase === "rough");
 
-export const roughingPasses = (operation: Operation) => (hasRoughing(operation) ? operation.plan.passes : 0);
+/** The passes of a call, those of a thread too; 0 where it only finishes. */
+export const roughingPasses = ({ plan }: Operation) =>
+  plan.moves.some(({ phase }) => phase === "rough" || phase === "thread") ? plan.passes : 0;
 
 function depth(limit: number, answer: Answer): TaskMark[] {
   const { run, simulation } = answer;

@@ -63,6 +63,16 @@ function shapingBlock({ contourLines, plan }: Operation, place: Pt, text: string
   return blockNumbers(program)[index] ?? null;
 }
 
+/** The elements of the contours that a parameter shapes: in the middle of them it moves the contour most. */
+export const elementShapedBy = ({ run }: Answer, q: string): readonly Segment[] =>
+  run.operations.flatMap((operation) => {
+    const { x = 0, z = 0 } = operation.call?.datum ?? {};
+    return operation.plan.contour.filter((each) => {
+      const middle = part.pointOn(each, 1 / 2);
+      return shapingParameter(operation, at(middle.z - z, middle.r - x)) === q;
+    });
+  });
+
 /** What shapes the contour at the place of a mark: a parameter of its cycle, or a block of its contour. */
 export function shapedBy({ run, text }: Answer, { operation, place, about }: TaskMark): Pick<TaskMark, "shapedBy"> {
   if (!place || about !== undefined) return {};

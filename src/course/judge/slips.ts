@@ -9,21 +9,18 @@ import { outlineOfLines, targetPart } from "../target-part.ts";
 import type { Task } from "../task.ts";
 import { judge } from "./judge.ts";
 import type { Answer, RuleName, Slip, SlipValue, TaskJudgement, TaskMark } from "./judgement.ts";
+import { toolSlips, type SlipTrial } from "./tool-slips.ts";
 import { reversedContours } from "./reversed-contour.ts";
 
 /*
- * The commonest slips in dimensions: a wrong sign, a radius for a diameter or the reverse, exchanged values, a contour
- * in the wrong direction. Each is undone in the learner's program, and the run decides whether it explains the fault.
+ * The commonest slips: exchanged tools, and in dimensions a wrong sign, a radius for a diameter or the reverse,
+ * exchanged values, a contour in the wrong direction. Each is undone in the learner's program, and the run decides
+ * whether it explains the fault.
  */
 
-/** A program with one slip undone. */
-interface SlipTrial {
-  readonly slip: Slip;
-  readonly text: string;
-}
-
-/** Most runs for one check. */
+/** Most runs for one check, and of these most for its tools. */
 const MOST_RUNS = 24;
+const MOST_TOOL_RUNS = 8;
 /** A slip explains a fault if undoing it leaves at most this share of the wrong area. */
 const LEFT_OVER = 0.25;
 /** The order in which slips are tried: first those whose values are sizes of the part. */
@@ -193,6 +190,29 @@ function wrongness({ marks }: TaskJudgement): {
   };
 }
 
+const failedRules = ({ marks }: TaskJudgement): ReadonlySet<RuleName> =>
+  new Set(marks.flatMap(({ passed, rule }) => (passed ? [] : [rule])));
+
+/** The tool that explains a failed check: with the other one the part is made, and fewer rules fail, none more. */
+async function findToolSlip(
+  task: Task,
+  text: string,
+  judgement: TaskJudgement,
+  runOf: (text: string) => Promise<Answer | null>,
+): Promise<FoundSlip | null> {
+  const failed = failedRules(judgement);
+  if (failed.size === 0) return null;
+  for (const trial of toolSlips(task, text).slice(0, MOST_TOOL_RUNS)) {
+    const answer = await runOf(trial.text);
+    if (!answer) continue;
+    const without = judge(task, answer),
+      left = failedRules(without);
+    if (!wrongness(without).any && left.size < failed.size && [...left].every((rule) => failed.has(rule)))
+      return { slip: trial.slip, without };
+  }
+  return null;
+}
+
 /** A slip that explains a failed check, and the judgement of the program without it. */
 export interface FoundSlip {
   readonly slip: Slip;
@@ -208,6 +228,8 @@ export async function findSlip(
   judgement: TaskJudgement,
   runOf: (text: string) => Promise<Answer | null>,
 ): Promise<FoundSlip | null> {
+  const byTools = await findToolSlip(task, text, judgement, runOf);
+  if (byTools) return byTools;
   const before = wrongness(judgement);
   if (!before.any) return null;
   let best: (FoundSlip & { readonly area: number }) | null = null;
@@ -224,8 +246,8 @@ export async function findSlip(
 }
 
 /** Whether a program contains the values of a slip: a task that asks for it is not to give it away. */
-export const hasSlip = (text: string, slip: Slip): boolean =>
-  everySlip(text).some((each) => keyOf(each.slip) === keyOf(slip));
+export const hasSlip = (task: Task, text: string, slip: Slip): boolean =>
+  [...everySlip(text), ...toolSlips(task, text)].some((each) => keyOf(each.slip) === keyOf(slip));
 
 const keyOf = ({ kind, values }: Slip): string => JSON.stringify([kind, values.map(({ q, value }) => [q, value])]);
 

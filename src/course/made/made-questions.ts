@@ -2,7 +2,7 @@ import { parse } from "../../nc/parse.ts";
 import { blockNumbers } from "../../nc/program.ts";
 import type { Answer } from "../judge/judgement.ts";
 import { truthOf, type Truth } from "../judge/predicting.ts";
-import type { Prediction, Task } from "../task.ts";
+import type { Task, TaskPrediction } from "../task.ts";
 import { typedNumber } from "../predicted-answers.ts";
 import type { AskedKind, QuestionDraft } from "./question-draft.ts";
 
@@ -34,7 +34,7 @@ const blocksIn = (text: string): readonly number[] => [...text.matchAll(/\d+/g)]
  * The question of a draft; null where a number is missing or wrong, a choice has less than two options, or no block is
  * right.
  */
-export function predictionOf(draft: QuestionDraft): Prediction | null {
+export function predictionOf(draft: QuestionDraft): TaskPrediction | null {
   const { ask, operation, at, within: typed, right } = draft;
   const within = typedNumber(typed);
   if (hasWithin(ask) && (typed.trim() === "" ? needsWithin(ask) : within === null || within < 0)) return null;
@@ -72,7 +72,7 @@ export function predictionOf(draft: QuestionDraft): Prediction | null {
 export const isComplete = (draft: QuestionDraft): boolean => draft.text.trim() !== "" && predictionOf(draft) !== null;
 
 /** The draft of a task's question. */
-export function draftOfPrediction(prediction: Prediction, text: string, choices: readonly string[]): QuestionDraft {
+export function draftOfPrediction(prediction: TaskPrediction, text: string, choices: readonly string[]): QuestionDraft {
   const { ask } = prediction;
   const right =
     ask === "choice" ? String(prediction.right ?? "") : ask === "block" ? (prediction.right?.join(", ") ?? "") : "";
@@ -154,7 +154,7 @@ export function proposedQuestion(
     fates,
   }: { readonly solution: string; readonly at: string; readonly fates: Readonly<Record<RunOutcome, string>> },
 ): QuestionDraft {
-  const counted = hasOperation(ask) ? truthOf({ ask } as Prediction, {}, begun) : null;
+  const counted = hasOperation(ask) ? truthOf({ ask } as TaskPrediction, {}, begun) : null;
   return {
     ask,
     text: "",

@@ -1,4 +1,4 @@
-import type { Prediction } from "../task.ts";
+import type { TaskPrediction } from "../task.ts";
 import type { InLanguages } from "../words.ts";
 
 /** The kinds of questions, in the order of the menu. */
@@ -15,7 +15,7 @@ export const ASKED_KINDS = [
   "rapidPlace",
   "choice",
   "block",
-] as const satisfies readonly Prediction["ask"][];
+] as const satisfies readonly TaskPrediction["ask"][];
 export type AskedKind = (typeof ASKED_KINDS)[number];
 
 /** A question as typed. */

@@ -146,7 +146,7 @@ test("keys of the drawing: R breaks the corner of the chosen element", () => {
 test("an empty drawing asks for the first point, which can be typed or drawn", async () => {
   const user = userEvent.setup();
   const last = shown([]);
-  expect(screen.getByText("Tap where the contour begins, or type the first point.")).toBeTruthy();
+  expect(screen.getByText("Set the first point of the contour here, or type it.")).toBeTruthy();
   const picture = screen.getByRole("img");
   fireEvent.pointerDown(picture, { button: 0, pointerId: 1, pointerType: "touch", clientX: 250, clientY: 90 });
   fireEvent.pointerUp(picture, { pointerId: 1 });

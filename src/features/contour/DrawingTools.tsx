@@ -1,5 +1,6 @@
 import { useId } from "react";
 import { Toolbar } from "react-aria-components/Toolbar";
+import { ZoomKeys } from "../../app/pictures/lathe/ViewBar.tsx";
 import { texts } from "../../app/base/settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { formatNumber } from "../../i18n/number.ts";
@@ -13,12 +14,6 @@ const modes = {
   round: "M5 20V13a8 8 0 0 1 8-8h7",
   chamfer: "M5 20V12l7-7h8",
 } as const;
-const zooms = {
-  in: "M11 4a7 7 0 1 0 0 14 7 7 0 0 0 0-14zM16 16l5 5M8 11h6M11 8v6",
-  out: "M11 4a7 7 0 1 0 0 14 7 7 0 0 0 0-14zM16 16l5 5M8 11h6",
-  fit: "M4 9V4h5M20 9V4h-5M4 15v5h5M20 15v5h-5",
-} as const;
-
 interface Props {
   readonly mode: DrawingMode;
   readonly step: GridStep;
@@ -72,21 +67,7 @@ export function DrawingTools({ mode, step, language, onMode, onStep, onZoom, onF
           </option>
         ))}
       </select>
-      <button type="button" className="button icon" aria-label={t.zoomIn} title={t.zoomIn} onClick={() => onZoom(1.5)}>
-        <Shape d={zooms.in} />
-      </button>
-      <button
-        type="button"
-        className="button icon"
-        aria-label={t.zoomOut}
-        title={t.zoomOut}
-        onClick={() => onZoom(1 / 1.5)}
-      >
-        <Shape d={zooms.out} />
-      </button>
-      <button type="button" className="button icon" aria-label={t.fit} title={t.fit} onClick={onFit}>
-        <Shape d={zooms.fit} />
-      </button>
+      <ZoomKeys viewport={{ zoom: onZoom, fit: onFit }} />
     </Toolbar>
   );
 }

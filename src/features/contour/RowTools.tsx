@@ -86,7 +86,7 @@ export function RowTools({
         <button
           key={icon}
           type="button"
-          className="button icon"
+          className="button icon plain"
           aria-label={name}
           title={name}
           disabled={off}

@@ -168,7 +168,7 @@ export function LessonQuestion({
   }, [pressed]);
   const { asks } = question;
   return (
-    <section className="lesson-question" aria-label={t.name}>
+    <section className="lesson-question" aria-label={t.name} tabIndex={-1}>
       <div id={labelled} className="lesson-ask">
         <b>{words.ask}</b>
         {isAnswered && (

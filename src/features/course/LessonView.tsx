@@ -6,6 +6,7 @@ import { coursePage, usePlace } from "../../app/place/place.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { markFulfilled } from "../../app/base/settings/loaded-texts.ts";
+import { useMedia } from "../../app/base/use-media.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { inScreenLanguage } from "../../course/words.ts";
 import { fetchLesson, type LessonEntry } from "../../app/records/course/content.ts";
@@ -61,6 +62,13 @@ function usePageNeighbours(entry: LessonEntry, at: LessonPage) {
   };
 }
 
+/** In one column the question of a page is below its text. */
+function showQuestion(lesson: HTMLElement | null): void {
+  const question = lesson?.querySelector<HTMLElement>(".lesson-question");
+  question?.focus({ preventScroll: true });
+  question?.scrollIntoView({ block: "start" });
+}
+
 function OpenLesson({ entry }: { readonly entry: LessonEntry }) {
   const t = useTexts("course");
   const language = useSettings((s) => s.language);
@@ -75,8 +83,10 @@ function OpenLesson({ entry }: { readonly entry: LessonEntry }) {
   });
   useEffect(() => noteLessonPage({ lesson: entry.id, number: entry.number, page: at }), [entry, at]);
   useEffect(() => {
-    for (const each of main.current?.querySelectorAll(".lesson-body, .lesson-text") ?? []) each.scrollTop = 0;
-    main.current?.scrollIntoView?.({ block: "start" });
+    const { current } = main;
+    if (!current) return;
+    for (const each of [current, ...current.querySelectorAll(".lesson-body, .lesson-text")]) each.scrollTop = 0;
+    current.scrollIntoView?.({ block: "start" });
   }, [at]);
   // The link that led to the tasks is gone: the focus goes to their list, where Enter pressed again does nothing.
   const before = useRef(at);
@@ -86,6 +96,7 @@ function OpenLesson({ entry }: { readonly entry: LessonEntry }) {
     if (isTurned && (document.activeElement ?? document.body) === document.body)
       document.getElementById("lesson-tasks")?.focus({ preventScroll: true });
   }, [at]);
+  const oneColumn = useMedia("slim");
   const words = lesson && inScreenLanguage(lesson.words, language);
   if (!lesson || !words) return <MissingLesson />;
   const page = typeof at === "number" ? pagesOf(lesson)[at - 1] : undefined;
@@ -122,9 +133,15 @@ function OpenLesson({ entry }: { readonly entry: LessonEntry }) {
             </a>
           )}
         </span>
-        <span className="soft small" aria-hidden="true">
-          {typeof at === "number" && t.pageOf(String(at), String(entry.pages))}
-        </span>
+        {oneColumn && page?.question ? (
+          <button type="button" className="button plain" onClick={() => showQuestion(main.current)}>
+            {t.question.name}
+          </button>
+        ) : (
+          <span className="soft small" aria-hidden="true">
+            {typeof at === "number" && t.pageOf(String(at), String(entry.pages))}
+          </span>
+        )}
         <span className="lesson-foot-side">
           {on && (
             <a className="button primary" href={courseHref(entry.id, on.page)}>

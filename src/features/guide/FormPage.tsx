@@ -5,12 +5,14 @@ import type { PointName } from "../../kernel/plane/approach.ts";
 import { compensate } from "../../kernel/plane/compensate.ts";
 import { plane } from "../../kernel/plane/plane.ts";
 import { APPROACH_FORMS, type ApproachForm } from "../../nc/words.ts";
-import { isPolar, shapeOf } from "../../program/motion/approach-fields.ts";
+import { approachFields, isPolar, shapeOf } from "../../program/motion/approach-fields.ts";
 import type { Bounds, Place } from "../../view/camera.ts";
 import { approachDrawing } from "../../view/approach/drawing.ts";
 import { nearby } from "../../view/approach/forms.ts";
 import { cameraFor, onScreen, planeFrameOf } from "../../view/approach/frame.ts";
 import { px } from "../../view/help/marks.ts";
+import { approachWords } from "../../app/fields/blocks/approach-words.ts";
+import { PointDots } from "../../app/pictures/plane/PointDot.tsx";
 import { approachSpeech } from "../../app/pictures/plane/speech.ts";
 import { HelpMarks } from "../../app/pictures/help/HelpMarks.tsx";
 import { useIssueText } from "../../app/calculation/issue-text.ts";
@@ -131,9 +133,7 @@ function FormValue({ word, form, source, frame, size }: CardProps) {
       >
         <HelpMarks marks={drawing.marks} id={id} />
         {pole && named && <PolarPlace from={onScreen(drawing.camera, pole)} to={onScreen(drawing.camera, named)} />}
-        {drawing.points.map((p) => (
-          <circle key={p.names.join()} className="approach-point" cx={px(p.place.x)} cy={px(p.place.y)} r={3} />
-        ))}
+        <PointDots points={drawing.points} />
       </svg>
       <dl className="value-facts">
         <div>
@@ -224,9 +224,7 @@ export function FormPage({
   const points: readonly Exclude<PointName, never>[] = departing ? ["PE", "PN"] : ["PS", "PH", "PA"];
   const all = sizedWords(source.request, isPolar(form));
   const sized = all.toSorted((a, b) => Number(b === word) - Number(a === word));
-  const asked = Object.entries(words.words).find(
-    ([id]) => id === (source.context.plane === "ZX" && word === "Z" ? "turningZ" : word),
-  );
+  const asked = approachFields(form, departing, source.context.plane).find(({ id }) => id === word);
   const wrong = [places.mistakes[shape], places.mistakes.all];
   return (
     <GlossaryScope texts={[words.shapes[shape].about, ...(departing ? [places.leaving] : places.dangers), ...wrong]}>
@@ -241,7 +239,8 @@ export function FormPage({
         {isPolar(form) && <p>{places.polar}</p>}
         {asked && !sized.some((each) => each === word) && (
           <p>
-            <b className="number">{word === "SIDE" ? "RL/RR" : word}</b> {asked[1].about}
+            <b className="number">{word === "SIDE" ? "RL/RR" : word}</b>{" "}
+            {approachWords(words, asked.id, { departing, plane: source.context.plane }).about}
           </p>
         )}
         <p className="soft">{source.line === null ? places.sampleLead : places.ownLead}</p>

@@ -1,6 +1,5 @@
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { showTools, showWhich } from "../../app/place/place.ts";
-import { openExample } from "./open-example.ts";
 
 type Feature = keyof ReturnType<typeof useTexts<"first">>["start"]["beyondAll"];
 
@@ -14,7 +13,7 @@ const PLACES: Readonly<Record<Feature, string | (() => void)>> = {
   which: () => showWhich(),
   code: () => showTools(),
   contour: () => void fetchShown().then(({ showUnknowns }) => showUnknowns()),
-  approach: () => void openExample("plate"),
+  approach: () => void fetchShown().then(({ showApproach }) => showApproach()),
   compare: () => void fetchShown().then(({ showCompared }) => showCompared()),
   drawing: () => void fetchShown().then(({ showExampleDrawing }) => showExampleDrawing()),
   share: () => void fetchShown().then(({ showExampleShared }) => showExampleShared()),

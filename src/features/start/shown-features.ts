@@ -1,8 +1,11 @@
+import { parse } from "../../nc/parse.ts";
 import { decidingParameter } from "../../cycles/deciding-parameter.ts";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { isRecalled } from "../../cycles/params.ts";
 import { exampleJob } from "../../program/job/job.ts";
 import { openText } from "../../app/fields/open/open-program.ts";
+import { chooseOpenBlock } from "../../app/fields/blocks/choose-block.ts";
+import { openBlockWhenRead } from "../../app/fields/blocks/session.ts";
 import { showTextBlock } from "../../app/fields/blocks/show-text-block.ts";
 import { showComparison, showDrawing, showGuide, showSection, showShare } from "../../app/place/place.ts";
 import { startWork } from "../../app/records/keep.ts";
@@ -57,4 +60,16 @@ export async function showExampleDrawing(): Promise<void> {
 export async function showExampleShared(): Promise<void> {
   await openExample("shoulder");
   showShare();
+}
+
+/** The first approach of the milled example, in its dialog. */
+export async function showApproach(): Promise<void> {
+  const text = await exampleText("plate");
+  if (text === undefined) return;
+  const first = parse(text).blocks.findIndex(({ statement }) => statement.kind === "approach");
+  openText(text);
+  openBlockWhenRead(first, () => {
+    chooseOpenBlock();
+    showSection("block");
+  });
 }

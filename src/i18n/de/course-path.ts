@@ -17,6 +17,7 @@ export const coursePath = {
     repeat: (title) => `Aufgabe wiederholen: ${title}`,
   },
   made: {
+    toReview: (n) => `${n} zu wiederholen`,
     skip: "Zum Ende springen",
     again: "Noch einmal abspielen",
     handIn: "Abgeben",

@@ -63,6 +63,7 @@ export const courseSet = {
   withoutExam:
     "Lösungen, Tipps und richtige Antworten sind nicht in dem, was Sie ausgeben: Niemand kann sie dort lesen. " +
     "Ihr Gerät beurteilt die Programme, wenn die Ergebnisse zurückkommen; behalten Sie deshalb diese Reihe.",
+  courseHasAnswers: "Aufgaben des Kurses haben ihre Lösung auch im Kurs; nehmen Sie eigene, wenn es darauf ankommt.",
   withAnswers: "Was Sie ausgeben, enthält die Lösung; wer die Datei liest, kann sie sehen.",
   includeSolution: "Lösung mitgeben",
   onlyIn: (language) => `Nur auf ${language} (kürzerer Link, für den QR-Code)`,
@@ -144,6 +145,7 @@ export const courseSet = {
     name: "Name",
     group: "Klasse",
     day: "Datum",
+    minutes: (n) => `Zeit: ${n} Minuten`,
     blank: "Rohteil",
     program: "Programm",
     questions: "Fragen",
@@ -170,6 +172,9 @@ export const courseSet = {
     mostMissed: (goal, n) => `am häufigsten verfehlt: ${goal} (${n})`,
     late: "verspätet",
     timeOut: "Zeit abgelaufen",
+    submission: "Abgegebenes Programm",
+    back: "Zurück zu den Ergebnissen",
+    whose: (task, learner, state) => `${learner}: ${task}, ${state}`,
     notHandedIn: "nicht abgegeben",
     open: (task, learner, state) => `${task}, ${learner}: ${state}. Programm öffnen`,
     answers: "Antworten",

@@ -139,6 +139,8 @@ export const courseTask = {
     doubled: (name, is, better) => `Durchmesser verdoppelt? ${name} ist ${is}, das Doppelte von ${better}`,
     exchanged: (one, other) => `Vertauscht? ${one} und ${other}`,
     reversed: "Kontur in falscher Richtung? Sie beginnt am falschen Ende",
+    tools: (one, other) => `Werkzeuge vertauscht? ${one} und ${other}`,
+    tool: (name) => `Falsches Werkzeug für diese Bearbeitung? ${name}`,
     where: (what, block) => `${what} (${block})`,
   },
   where: {
@@ -157,12 +159,12 @@ export const courseTask = {
     question: (n, of) => `Frage ${n} von ${of}`,
     units: { passes: "Schnitte", infeed: "mm", seconds: "s", residue: "mm²", diameter: "mm", bore: "mm", face: "mm" },
     answer: "Ihre Antwort",
-    place: "Tippen Sie auf die Stelle am Teil, oder geben Sie sie ein:",
+    place: "Wählen Sie die Stelle am Teil, oder geben Sie sie ein:",
     x: "⌀ der Stelle",
     z: "Z der Stelle",
     block: "Nummer des Satzes",
     tapBlock: "Geben Sie die Nummer ein, oder wählen Sie die Zeile im Programm.",
-    pointAt: { place: "Am Teil antippen", block: "Im Programm wählen" },
+    pointAt: { place: "Am Teil wählen", block: "Im Programm wählen" },
     nextQuestion: "Nächste Frage",
     back: "Vorige Frage",
     run: "Lauf zeigen",
@@ -170,7 +172,8 @@ export const courseTask = {
     wrongAgain: (told) => `Ihre Antwort: ${told}. Nicht richtig. Ablauf ansehen, dann erneut versuchen.`,
     decides: (block) => `Entscheidend ist Satz ${block}.`,
     kept: "Schon richtig beantwortet",
-    otherNumbers: "Das Programm hat jetzt andere Zahlen. Die Tipps gelten für die ursprünglichen.",
+    otherNumbers: (places: readonly string[]) =>
+      `Neue Zahlen in ${places.join(", ")}. Lesen Sie das Programm neu; die Tipps gelten für die ursprünglichen Zahlen.`,
     sameNumbers:
       "Die Lösung wurde gezeigt, andere Zahlen gibt es nicht: Das zählt jetzt als mit gezeigter Lösung gelöst.",
     again: "Erneut versuchen",

@@ -21,6 +21,7 @@ export const coursePath = {
     repeat: (title: string) => `Repeat exercise: ${title}`,
   },
   made: {
+    toReview: (n: string) => `${n} to review`,
     skip: "Skip to the end",
     again: "Play again",
     handIn: "Hand in",

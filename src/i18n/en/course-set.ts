@@ -63,6 +63,8 @@ export const courseSet = {
   withoutExam:
     "Solutions, hints and right choices are not in what you hand out: nobody can read them there. " +
     "Your device judges the programs when the results come back, so keep this set.",
+  courseHasAnswers:
+    "Exercises of the course have their solution in the course as well: use your own where that matters.",
   withAnswers: "What you hand out contains the solution; anyone who reads the file can see it.",
   includeSolution: "Include the solution",
   onlyIn: (language: string) => `Only in ${language} (a shorter link, for the QR code)`,
@@ -142,7 +144,8 @@ export const courseSet = {
     print: "Print",
     name: "Name",
     group: "Class",
-    day: "Day",
+    day: "Date",
+    minutes: (n: string) => `Time: ${n} minutes`,
     blank: "Blank",
     program: "Program",
     questions: "Questions",
@@ -169,6 +172,9 @@ export const courseSet = {
     mostMissed: (goal: string, n: string) => `most missed: ${goal} (${n})`,
     late: "late",
     timeOut: "time ran out",
+    submission: "Submitted program",
+    back: "Back to the results",
+    whose: (task: string, learner: string, state: string) => `${learner}: ${task}, ${state}`,
     notHandedIn: "not handed in",
     open: (task: string, learner: string, state: string) => `${task}, ${learner}: ${state}. Open the program`,
     answers: "answers",

@@ -144,6 +144,8 @@ export const courseTask = {
     doubled: (name: string, is: string, better: string) => `Diameter doubled? ${name} is ${is}, twice ${better}`,
     exchanged: (one: string, other: string) => `Exchanged? ${one} and ${other}`,
     reversed: "Contour in the wrong direction? It begins at the wrong end",
+    tools: (one: string, other: string) => `Tools exchanged? ${one} and ${other}`,
+    tool: (name: string) => `Wrong tool for this operation? ${name}`,
     where: (what: string, block: string) => `${what} (${block})`,
   },
   where: {
@@ -162,12 +164,12 @@ export const courseTask = {
     question: (n: number, of: number) => `Question ${n} of ${of}`,
     units: { passes: "passes", infeed: "mm", seconds: "s", residue: "mm²", diameter: "mm", bore: "mm", face: "mm" },
     answer: "Your answer",
-    place: "Tap the place on the part, or type it:",
+    place: "Choose the place on the part, or type it:",
     x: "⌀ of the place",
     z: "Z of the place",
     block: "Number of the block",
     tapBlock: "Type its number, or choose the line in the program.",
-    pointAt: { place: "Tap it on the part", block: "Choose it in the program" },
+    pointAt: { place: "Choose it on the part", block: "Choose it in the program" },
     nextQuestion: "Next question",
     back: "Previous question",
     run: "Show the run",
@@ -176,7 +178,8 @@ export const courseTask = {
     wrongAgain: (told: string) => `Your answer: ${told}. Not correct. Watch the run, then try again.`,
     decides: (block: string) => `Block ${block} decides.`,
     kept: "Answered correctly before",
-    otherNumbers: "The program now has other numbers. Hints still use the original ones.",
+    otherNumbers: (places: readonly string[]) =>
+      `New numbers in ${places.join(", ")}. Read the program again; the hints keep the original numbers.`,
     sameNumbers:
       "The answer was shown and there are no other numbers: this now counts as passed after the solution was shown.",
     again: "Try again",

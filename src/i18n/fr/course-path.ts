@@ -17,6 +17,7 @@ export const coursePath = {
     repeat: (title) => `Refaire l’exercice : ${title}`,
   },
   made: {
+    toReview: (n) => `${n} à revoir`,
     skip: "Aller à la fin",
     again: "Relire",
     handIn: "Rendre",

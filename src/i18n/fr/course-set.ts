@@ -63,6 +63,7 @@ export const courseSet = {
   withoutExam:
     "Solutions, indices et bonnes réponses ne sont pas dans ce que vous distribuez : personne ne peut les y lire. " +
     "Votre appareil juge les programmes au retour des résultats : conservez donc cette série.",
+  courseHasAnswers: "Les exercices du cours ont aussi leur solution dans le cours ; prenez les vôtres si cela compte.",
   withAnswers: "Ce que vous distribuez contient la solution ; qui lit le fichier peut la voir.",
   includeSolution: "Joindre la solution",
   onlyIn: (language) => `Seulement en ${language} (lien plus court, pour le code QR)`,
@@ -144,6 +145,7 @@ export const courseSet = {
     name: "Nom",
     group: "Classe",
     day: "Le",
+    minutes: (n) => `Durée : ${n} minutes`,
     blank: "Pièce brute",
     program: "Programme",
     questions: "Questions",
@@ -170,6 +172,9 @@ export const courseSet = {
     mostMissed: (goal, n) => `le plus souvent manqué : ${goal} (${n})`,
     late: "en retard",
     timeOut: "temps écoulé",
+    submission: "Programme rendu",
+    back: "Retour aux résultats",
+    whose: (task, learner, state) => `${learner} : ${task}, ${state}`,
     notHandedIn: "non rendu",
     open: (task, learner, state) => `${task}, ${learner} : ${state}. Ouvrir le programme`,
     answers: "réponses",

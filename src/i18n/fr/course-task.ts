@@ -139,6 +139,8 @@ export const courseTask = {
     doubled: (name, is, better) => `Diamètre doublé ? ${name} vaut ${is}, le double de ${better}`,
     exchanged: (one, other) => `Valeurs inversées ? ${one} et ${other}`,
     reversed: "Contour dans le mauvais sens ? Il commence par la mauvaise extrémité",
+    tools: (one, other) => `Outils inversés ? ${one} et ${other}`,
+    tool: (name) => `Mauvais outil pour cet usinage ? ${name}`,
     where: (what, block) => `${what} (${block})`,
   },
   where: {
@@ -157,12 +159,12 @@ export const courseTask = {
     question: (n, of) => `Question ${n} sur ${of}`,
     units: { passes: "passes", infeed: "mm", seconds: "s", residue: "mm²", diameter: "mm", bore: "mm", face: "mm" },
     answer: "Votre réponse",
-    place: "Touchez l’endroit sur la pièce, ou saisissez-le :",
+    place: "Choisissez l’endroit sur la pièce, ou saisissez-le :",
     x: "⌀ de l’endroit",
     z: "Z de l’endroit",
     block: "Numéro de la séquence",
     tapBlock: "Saisissez son numéro, ou choisissez la ligne dans le programme.",
-    pointAt: { place: "Le toucher sur la pièce", block: "La choisir dans le programme" },
+    pointAt: { place: "Le choisir sur la pièce", block: "La choisir dans le programme" },
     nextQuestion: "Question suivante",
     back: "Question précédente",
     run: "Montrer l’exécution",
@@ -171,7 +173,8 @@ export const courseTask = {
     wrongAgain: (told) => `Votre réponse : ${told}. Incorrect. Observez l’exécution, puis réessayez.`,
     decides: (block) => `La séquence ${block} est décisive.`,
     kept: "Déjà répondu correctement",
-    otherNumbers: "Le programme a maintenant d’autres valeurs. Les aides gardent celles d’origine.",
+    otherNumbers: (places: readonly string[]) =>
+      `Nouvelles valeurs : ${places.join(", ")}. Relisez le programme ; les aides gardent celles d’origine.`,
     sameNumbers:
       "La solution a été montrée et il n’y a pas d’autres valeurs : l’exercice compte maintenant comme réussi, solution montrée.",
     again: "Réessayer",

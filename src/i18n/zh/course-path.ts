@@ -17,6 +17,7 @@ export const coursePath = {
     repeat: (title) => `重做练习：${title}`,
   },
   made: {
+    toReview: (n) => `待复习 ${n} 项`,
     skip: "跳到结尾",
     again: "再播放一次",
     handIn: "提交结果",

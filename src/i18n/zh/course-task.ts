@@ -124,6 +124,8 @@ export const courseTask = {
     doubled: (name, is, better) => `直径加倍了？${name} 为 ${is}，是 ${better} 的两倍`,
     exchanged: (one, other) => `数值互换？${one} 与 ${other}`,
     reversed: "轮廓方向相反？起点在错误的一端",
+    tools: (one, other) => `刀具互换？${one} 与 ${other}`,
+    tool: (name) => `这道工序用错了刀具？${name}`,
     where: (what, block) => `${what}（${block}）`,
   },
   where: {
@@ -155,7 +157,7 @@ export const courseTask = {
     wrongAgain: (told) => `您的回答：${told}。不正确。请观察运行过程，再试一次。`,
     decides: (block) => `由程序段 ${block} 决定。`,
     kept: "之前已答对",
-    otherNumbers: "程序现在使用其他数值。提示仍按原来的数值。",
+    otherNumbers: (places: readonly string[]) => `数值已更换：${places.join("、")}。请重新读程序；提示仍按原来的数值。`,
     sameNumbers: "答案已显示，且没有其他数值可用：现在计为看答案后通过。",
     again: "再试一次",
     right: (what) => `正确：${what}`,

@@ -88,10 +88,11 @@ export function approachStatement(
     if (failed(w)) return before;
     return written === undefined ? undefined : { value: written, incremental: readings[w]?.incremental ?? false };
   };
+  const across = plane === "ZX" ? "Y" : "Z";
   const axes = (["X", "Y", "Z"] as const).flatMap((axis) => {
     const before = old.axes.find((w) => w.axis === axis);
     // An axis without a prompt stays, unless the point is polar and the axis is in its plane.
-    const c = readings[axis] ? coordinate(axis, before) : readings.PR && axis !== "Z" ? undefined : before;
+    const c = readings[axis] ? coordinate(axis, before) : readings.PR && axis !== across ? undefined : before;
     return c ? [{ axis, value: c.value, incremental: c.incremental }] : [];
   });
   const [polarRadius, polarAngle] = [coordinate("PR", old.polarRadius), coordinate("PA", old.polarAngle)];

@@ -90,8 +90,12 @@ export interface TaskWork {
   readonly veiled?: boolean;
   /** The predictions as typed, one text per question. */
   readonly told?: readonly string[];
-  /** Other numbers in its program: the lines, and the numbers that its words name, from and to. */
-  readonly varied?: { readonly lines: readonly string[]; readonly named: readonly (readonly [string, string])[] };
+  /** Other numbers in its program: the lines, the numbers that its words name, from and to, and the tries before. */
+  readonly varied?: {
+    readonly lines: readonly string[];
+    readonly named: readonly (readonly [string, string])[];
+    readonly at: number;
+  };
   /** The questions that are asked again, from 0; absent: all. */
   readonly asked?: readonly number[];
 }

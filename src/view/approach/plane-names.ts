@@ -15,6 +15,8 @@ const FAR = 17;
 
 /** A named point with the texts beside it. */
 export interface NamedPlace extends ShownPoint {
+  /** Belongs to a named approach. */
+  readonly isNamed: boolean;
   readonly marks: readonly Mark[];
 }
 
@@ -51,9 +53,11 @@ export function planeNames(
   const others = shownPoints(approaches, camera)
     .filter(({ at }) => !named.some((each) => plane.apart(each.at, at) <= SAME))
     .map((each): ShownPoint => ({ ...each, names: [] }));
-  const points = [...named, ...others].filter(
-    ({ place }) => place.x > 0 && place.y > 0 && place.x < size.width && place.y < size.height,
-  );
+  const all = [
+    ...named.map((each) => ({ ...each, isNamed: true })),
+    ...others.map((each) => ({ ...each, isNamed: false })),
+  ];
+  const points = all.filter(({ place }) => place.x > 0 && place.y > 0 && place.x < size.width && place.y < size.height);
   const few = own.length <= FEW && size.width > 420;
   const middle = { x: size.width / 2, y: size.height / 2 };
   const kept = [

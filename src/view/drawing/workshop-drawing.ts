@@ -3,7 +3,7 @@ import { intersection } from "../../kernel/area/clip.ts";
 import { at, part, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 import { toDiameter } from "../../kernel/units.ts";
 import type { Place } from "../camera.ts";
-import { DRAWING_SCALES, factorOf, usualScale, type DrawingScale } from "../sheet/scales.ts";
+import { DRAWING_SCALES, factorOf, fillingScale, usualScale, type DrawingScale } from "../sheet/scales.ts";
 import { BESIDE, bodyShapes, isHollow, isOutmost, spanAt } from "./body.ts";
 import { AIR, drawnLengths, TO_FEET, turnedTexts, type PrintLength } from "./lengths.ts";
 import { drawnLeaders, leaderRows, ROW, type Leader } from "./leaders.ts";
@@ -102,6 +102,8 @@ export interface PrintRoom {
   readonly width: number;
   readonly height: number;
   readonly scale?: DrawingScale;
+  /** Whether the part fills the room, at any scale. */
+  readonly fills?: boolean;
 }
 
 /** Extra height of the first try: few parts need all rows of notes and lengths. */
@@ -207,7 +209,9 @@ function laidOut(
       left,
       width,
       roomed,
-      scale: room.scale ?? usualScale({ wide: box.right - box.left, tall: highest + highest }, roomed),
+      scale:
+        room.scale ??
+        (room.fills ? fillingScale : usualScale)({ wide: box.right - box.left, tall: highest + highest }, roomed),
     };
   };
   const { right, left, width, roomed, scale } = scaled(factorOf(scaled(Infinity).scale));

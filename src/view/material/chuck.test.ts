@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 import { clampingBodies, type Clamping } from "../../kernel/area/clamping.ts";
 import { at } from "../../kernel/geometry/point.ts";
 import { chuckDrawing } from "./chuck.ts";
-import { breakWave } from "./paint-chuck.ts";
+import { breakWave } from "./break-outline.ts";
 
 const blank = [[at(-73.4, 0), at(1.2, 0), at(1.2, 31.7), at(-73.4, 31.7)]],
   material = { left: -73.4, right: 1.2, low: 0, high: 31.7 };

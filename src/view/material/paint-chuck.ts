@@ -1,5 +1,6 @@
 import type { ChuckDrawing, ChuckPoint } from "./chuck.ts";
-import type { Bounds, Place } from "../camera.ts";
+import type { Bounds } from "../camera.ts";
+import { breakOutline } from "./break-outline.ts";
 import { acrossRadius, asPage, brush, trace, type Half, type SectionKind, type PaintTarget } from "./paint-target.ts";
 
 /** Opacity of the clamping's edges, which are quieter than those of the work. */
@@ -24,32 +25,13 @@ function line(easel: PaintTarget, down: 1 | -1, places: readonly ChuckPoint[]): 
   easel.pen.stroke();
 }
 
-/** A freehand break line: how far it bends to one side, and the lengths of its two waves, pixels. */
-const BEND = 4,
-  WAVES = [38, 23] as const;
-/** Distance of its points, pixels. */
-const STEP = 3;
-
-/** A break line from one place towards another, without the last point. It bends to the right of its way. */
-export function breakWave(a: Place, b: Place): readonly Place[] {
-  const long = Math.hypot(b.x - a.x, b.y - a.y);
-  if (long === 0) return [a];
-  const along = { x: (b.x - a.x) / long, y: (b.y - a.y) / long };
-  return Array.from({ length: Math.ceil(long / STEP) }, (_, i): Place => {
-    const s = i * STEP,
-      off = (BEND / 4) * WAVES.reduce((sum, wave) => sum + 1 - Math.cos((2 * Math.PI * s) / wave), 0);
-    return { x: a.x + along.x * s - along.y * off, y: a.y + along.y * s + along.x * off };
-  });
-}
-
 /** Begins the outline of what is drawn of a clamping, on both sides of the axis. */
-function cutOutline({ pen, camera: { zero, scale } }: PaintTarget, { left, right, high }: Bounds): void {
-  const corner = (z: number, r: number): Place => ({ x: zero.x + z * scale, y: zero.y + r * scale });
-  const corners = [corner(left, -high), corner(right, -high), corner(right, high), corner(left, high)] as const;
+function cutOutline({ pen, camera: { zero, scale } }: PaintTarget, { left, right, high, low }: Bounds): void {
+  const seen = { left: left * scale, right: right * scale, low: low * scale, high: high * scale };
   pen.beginPath();
-  corners
-    .flatMap((each, i) => breakWave(each, corners[(i + 1) % corners.length] ?? each))
-    .forEach(({ x, y }, i) => (i === 0 ? pen.moveTo(x, y) : pen.lineTo(x, y)));
+  breakOutline(seen).forEach(({ x, y }, i) =>
+    i === 0 ? pen.moveTo(zero.x + x, zero.y + y) : pen.lineTo(zero.x + x, zero.y + y),
+  );
   pen.closePath();
 }
 

@@ -25,3 +25,10 @@ export function usualScale(thing: Extent, room: Extent): DrawingScale {
     thing.wide * factorOf(scale) <= room.wide && thing.tall * factorOf(scale) <= room.tall;
   return DRAWING_SCALES.find(fits) ?? SMALLEST;
 }
+
+/** The scale at which a thing fills its room, at least the largest usual one: for a screen, where nothing is measured. */
+export function fillingScale(thing: Extent, room: Extent): DrawingScale {
+  const usual = usualScale(thing, room);
+  const filling = Math.min(room.wide / thing.wide, room.tall / thing.tall);
+  return filling > factorOf(usual) && Number.isFinite(filling) ? { paper: filling, part: 1 } : usual;
+}

@@ -72,6 +72,15 @@ function wall(build: MeshBuilder, [p, q]: readonly [Pt, Pt], wide: (p: Pt) => nu
   build.triangle(a, c, d);
 }
 
+/** Corners of an outline that turn less than this, radians, belong to a break line. */
+const SHARP = 0.5;
+
+/** Whether the outline has an edge at one of its corners. */
+function isEdge(before: Pt, p: Pt, after: Pt): boolean {
+  const [az, ar, bz, br] = [p.z - before.z, p.r - before.r, after.z - p.z, after.r - p.r];
+  return Math.abs(Math.atan2(az * br - ar * bz, az * bz + ar * br)) > SHARP;
+}
+
 /** Both outlines, the lines across between them, and those where the sides begin to run together. */
 function edgesOf(ring: Ring, wide: (p: Pt) => number, full: number): Float32Array {
   const out: number[] = [];
@@ -79,7 +88,7 @@ function edgesOf(ring: Ring, wide: (p: Pt) => number, full: number): Float32Arra
   ring.forEach((p, i) => {
     const q = ring[(i + 1) % ring.length] ?? p;
     for (const way of [1, -1]) line(p, way * wide(p), q, way * wide(q));
-    if (p.r !== full) line(p, -wide(p), p, wide(p));
+    if (p.r !== full && isEdge(ring.at(i - 1) ?? p, p, q)) line(p, -wide(p), p, wide(p));
   });
   const bends = ring.filter(({ r }) => r === full).sort((a, b) => a.z - b.z),
     { low } = boxOf(ring);

@@ -8,13 +8,15 @@ import { volumeOf } from "./mesh.ts";
 /**
  * The jaws of a chuck that holds a bar, each turned back upright: x, y and z of every corner of bodies and edges, mm.
  */
-function jawsOf(diameter: number, size: number) {
+function jawsOf(diameter: number, size: number, share = 4) {
   const high = diameter / 2,
     left = -3.7 * diameter,
     blank = [[at(left, 0), at(0.4, 0), at(0.4, high), at(left, high)]];
   const clamping: Clamping = { kind: "chuckOutside", diameter, length: diameter, face: left + diameter, size };
-  const made = chuckParts(blank, { clamping, bodies: clampingBodies(clamping, blank) }) ?? expect.fail("a bar is held");
-  const jaws = made.parts.filter(({ role }) => role === "jaw");
+  const cut = { left: 2 * left, right: -left, low: 0, high: share * size };
+  const jaws = chuckParts({ clamping, bodies: clampingBodies(clamping, blank) }, cut).filter(
+    ({ role }) => role === "jaw",
+  );
   return jaws.flatMap(({ mesh, edges }, i) => {
     const angle = JAWS[i % 3] ?? 0,
       list = [...mesh.positions, ...edges],
@@ -27,9 +29,6 @@ function jawsOf(diameter: number, size: number) {
 }
 
 describe("the jaws of the chuck", () => {
-  test("do not exist without a stated clamping", () =>
-    expect(chuckParts([[at(-9, 0), at(0, 0), at(0, 5)]], null)).toBeNull());
-
   test.each([
     [3, 160],
     [20.4, 160],
@@ -46,6 +45,14 @@ describe("the jaws of the chuck", () => {
       .filter(({ x }) => x > 40)
       .map(({ y }) => y);
     expect(Math.max(...across) - Math.min(...across)).toBeCloseTo(jawWidth(200), 4);
+  });
+
+  test("end at the break line, which bends inwards", () => {
+    const high = Math.max(...jawsOf(75, 200, 0.31).map(({ x, y }) => Math.hypot(x, 0 * y)));
+    expect(high).toBeLessThanOrEqual(62.001);
+    expect(high).toBeGreaterThan(58);
+    const ends = jawsOf(75, 200, 0.31).filter(({ x }) => x > 50);
+    expect(new Set(ends.map(({ x }) => x.toFixed(2))).size).toBeGreaterThan(5);
   });
 
   test("with converging sides enclose the right volume", () => {

@@ -6,9 +6,8 @@ import { insertOutline } from "../../kernel/cutter/insert.ts";
 import { at, type Ring } from "../../kernel/geometry/point.ts";
 import { boxAround, boxOf } from "../../kernel/area/box.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
-import { boundsOf } from "../bounds.ts";
 import type { Bounds } from "../camera.ts";
-import { chuckDrawing } from "../material/chuck.ts";
+import { brokenOutlines, brokenSolid } from "./broken.ts";
 import { extruded, plateEdges } from "./extrude.ts";
 import { jawOf } from "./jaw.ts";
 import type { Mesh } from "./mesh.ts";
@@ -48,33 +47,22 @@ const turnedMesh = ({ positions, normals, index }: Mesh, angle: number): Mesh =>
 
 /** Where the three jaws stand, from X up over the operator: none in the quarter that may be cut away. Radians. */
 export const JAWS = [-15, 105, 225].map((degrees) => (degrees * Math.PI) / 180);
-/**
- * The bodies of a clamping, three jaws or others, and the part of them that should be visible; null if no clamping is
- * stated.
- */
-export function chuckParts(
-  blank: readonly Ring[],
-  clamped: Clamped | null,
-): { readonly parts: readonly DrawnPart[]; readonly seen: Bounds } | null {
-  const material = boundsOf(blank.flat());
-  if (!material || !clamped) return null;
-  const half = jawWidth(clamped.clamping.size ?? 0) / 2;
-  const parts = clamped.bodies.flatMap(({ part, rings }): readonly DrawnPart[] => {
+/** The bodies of a clamping, three jaws or others, as far as the break lines that cut it off. */
+export function chuckParts({ clamping, bodies }: Clamped, cut: Bounds): readonly DrawnPart[] {
+  const half = jawWidth(clamping.size ?? 0) / 2;
+  return bodies.flatMap(({ part, rings }): readonly DrawnPart[] => {
     if (part === "limit") return [];
-    if (part === "jaws")
-      return rings
-        .map((ring) => jawOf(ring, half))
-        .flatMap(({ mesh, edges }) =>
-          JAWS.map((angle): DrawnPart => ({
-            role: "jaw",
-            mesh: turnedMesh(mesh, angle),
-            edges: turnedRound(edges, angle),
-          })),
-        );
-    const solid = revolved(rings, { chords: chordsFor(boxAround(rings).high), quarterCut: false });
-    return [{ role: "chuck", mesh: wholeMesh(solid), edges: solid.edges }];
+    if (part !== "jaws") return [{ role: "chuck", ...brokenSolid(rings, cut) }];
+    return brokenOutlines(rings, cut)
+      .map((ring) => jawOf(ring, half))
+      .flatMap(({ mesh, edges }) =>
+        JAWS.map((angle): DrawnPart => ({
+          role: "jaw",
+          mesh: turnedMesh(mesh, angle),
+          edges: turnedRound(edges, angle),
+        })),
+      );
   });
-  return { parts, seen: chuckDrawing(blank, material, clamped).seen };
 }
 
 /** One side of a drill, which is drawn as a body of revolution. */

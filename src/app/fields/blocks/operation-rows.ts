@@ -1,3 +1,6 @@
+import { planePoint } from "../../../kernel/plane/plane.ts";
+import type { Run } from "../../../program/state/run-types.ts";
+import { planeThumbnailOf, type Thumbnail } from "../../../view/thumbnail.ts";
 import { blockNumbers, startLines, type Program } from "../../../nc/program.ts";
 import type { Severity } from "../../../kernel/plan/issue.ts";
 import type { Tool } from "../../../kernel/plan/tool.ts";
@@ -21,6 +24,8 @@ export interface OperationRow {
   /** The row of the tool table. */
   readonly known: Tool | null;
   readonly inherits: boolean;
+  /** Its path where it has no cycle: milled, or turned block by block. */
+  readonly path: Thumbnail | null;
   readonly isOff: boolean;
   /** Its cycle roughs, so the same sizes can be finished with another tool. */
   readonly canBeFinished: boolean;
@@ -49,6 +54,22 @@ function secondsIn({ run }: Outcome, from: number, to: number): number {
     return block >= from && block < to ? sum + step.seconds : sum;
   }, 0);
   return run.plane.reduce((sum, step) => (step.index >= from && step.index < to ? sum + step.seconds : sum), turned);
+}
+
+/** The path of a block range as a small picture: milled in X/Y, or turned in Z/X. */
+export function pathPicture({ plane, cuboid, steps, stepBlocks }: Run, from: number, to: number): Thumbnail | null {
+  const milled = planeThumbnailOf(
+    plane.filter(({ index }) => index >= from && index < to),
+    cuboid,
+  );
+  if (milled) return milled;
+  const turned = steps.flatMap(({ from: start, move: { kind, to: end } }, i) => {
+    const block = stepBlocks[i] ?? -1;
+    if (block < from || block >= to) return [];
+    // A line without width: in a section, the tool is no disc.
+    return [{ kind, from: { ...planePoint(start), z: null }, to: { ...planePoint(end), z: null }, radius: 0 }];
+  });
+  return planeThumbnailOf(turned);
 }
 
 function added(all: readonly (Done | undefined)[]): Done | null {
@@ -96,13 +117,15 @@ export function operationRows(
     const did = added(own.definitions.map((index) => done?.get(lines[index] ?? 0)));
     const seconds = outcome && file === null ? secondsIn(outcome, from, to) : 0;
     const isMilled = file === null && outcome?.run.plane.some(({ index }) => index >= from && index < to);
+    const cycles = own.definitions.flatMap((index) => {
+      const s = program.blocks[index]?.statement;
+      return s?.kind === "cycle" || s?.kind === "cycleLine" ? [s.cycle] : [];
+    });
     return {
       unit,
       title: own.title,
-      cycles: own.definitions.flatMap((index) => {
-        const s = program.blocks[index]?.statement;
-        return s?.kind === "cycle" || s?.kind === "cycleLine" ? [s.cycle] : [];
-      }),
+      cycles,
+      path: outcome && file === null && cycles.length === 0 ? pathPicture(outcome.run, from, to) : null,
       tool,
       // A milling cutter may have the number of a turning tool.
       known: isMilled ? null : (tools.find(({ T, NAME }) => String(T) === tool || NAME === tool) ?? null),

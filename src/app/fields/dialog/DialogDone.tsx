@@ -36,6 +36,7 @@ export function DialogDone({ session, inBlock, onInsert }: Props) {
   const verdict = useVerdict();
   const errors = entries.filter(isError);
   const open = [...new Set(errors.flatMap((e) => (fields.some((f) => f.id === e.at && !f.hasNoValue) ? [e.at] : [])))];
+  const firstOpen = fields.find(({ id }) => id === open[0]);
   const noContour = errors.some((e) => e.at === "contour" && e.issue.code === "contourMissing");
   const first = fields.find((f) => !f.group && !f.hasNoValue)?.id ?? null;
   const suggested = openSuggestions(session);
@@ -106,7 +107,7 @@ export function DialogDone({ session, inBlock, onInsert }: Props) {
             className={`button${suggestions === open.length ? "" : " primary"}`}
             onClick={() => goTo(open[0] ?? first)}
           >
-            {t.firstOpen}: {open[0]}
+            {t.firstOpen}: {firstOpen?.group ? firstOpen.question : firstOpen?.letter}
           </button>
         )}
         {kind === "contour" && (

@@ -34,18 +34,18 @@ export function Keypad({ session, prompt, input }: Props) {
   const writing = writingKeys(t, sign, numeric, change);
   const keys: Readonly<Record<string, PadKey>> = {
     I: { label: "I", name: approach.incremental, press: change(toggleIncremental), disabled: !prompt.increments },
-    up: { label: <Icon name="up" />, name: t.previous, press: () => step(-1), className: "command" },
-    down: { label: <Icon name="down" />, name: t.next, press: () => step(1), className: "command" },
+    up: { label: <Icon name="up" />, name: t.previous, press: () => step(-1), className: "key-command" },
+    down: { label: <Icon name="down" />, name: t.next, press: () => step(1), className: "key-command" },
     noEnter: {
       label: t.noEnter,
       name: t.noEnterLong,
       press: noEntry,
-      className: "small command",
+      className: "small key-command",
       disabled: !prompt.optional && !prompt.idle,
     },
-    cancel: { label: "CE", name: t.cancel, press: cancel, className: "command" },
-    end: { label: t.end, name: t.endLong, press: finish, className: "command" },
-    enter: { label: t.enter, name: t.enterLong, press: enter, className: "primary command enter" },
+    cancel: { label: "CE", name: t.cancel, press: cancel, className: "key-command" },
+    end: { label: t.end, name: t.endLong, press: finish, className: "key-command" },
+    enter: { label: t.enter, name: t.enterLong, press: enter, className: "primary key-command enter" },
   };
   const flat = useMedia("flat") && session.keypad === "sums";
   const keyOf = (id: string): PadKey => keys[id] ?? writing(id);

@@ -6,6 +6,7 @@ import { typedAt } from "../../../program/job/setup-place.ts";
 import { usedParameters } from "../../../program/job/job-parameters.ts";
 import { parameterField, SETUP_FIELDS as FIELDS } from "../../../program/job/setup-fields.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
+import { useFixesHeldBack } from "../../findings/task-result.ts";
 import { useFits } from "../../calculation/use-tool-fits.ts";
 import { setParameter, setPerRevolution, setRapid, setSpindle } from "../../document/edits.ts";
 import { setPlace } from "../../document/setup-edits.ts";
@@ -84,7 +85,9 @@ function PlaceField({ read, place, ...field }: PlaceFieldProps) {
 /** Everything besides the cycle: tool, blank, start point, spindle, feed unit, rapid rate. */
 export function SetupPanel({ read }: { readonly read: JobReading }) {
   const { setup: t, cycles } = useTexts();
-  const fits = useFits();
+  const isHeldBack = useFixesHeldBack();
+  const found = useFits();
+  const fits = isHeldBack ? null : found;
   const { spindle, perRevolution, rapid } = read.job;
   const isOfMachine = useOutcome((s) => typeof s.pictured?.run.timing.rates === "object");
   return (

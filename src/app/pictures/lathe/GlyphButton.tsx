@@ -9,6 +9,7 @@ export function GlyphButton({
   expanded,
   disabled,
   text,
+  isEarly = false,
   hint,
 }: {
   readonly glyph: GlyphName;
@@ -22,6 +23,8 @@ export function GlyphButton({
   readonly disabled?: boolean;
   /** Visible text: its name, or a shorter one. */
   readonly text?: string;
+  /** Its text comes before that of others as the bar gets wider. */
+  readonly isEarly?: boolean;
   /** Tooltip. */
   readonly hint?: string;
 }) {
@@ -38,7 +41,7 @@ export function GlyphButton({
     >
       <Glyph name={glyph} />
       {text !== undefined && (
-        <span className="glyph-text" aria-hidden="true">
+        <span className={isEarly ? "glyph-text early" : "glyph-text"} aria-hidden="true">
           {text}
         </span>
       )}

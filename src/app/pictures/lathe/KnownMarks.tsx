@@ -1,63 +1,70 @@
-import type { KnownOutline, KnownPosition } from "../../../cycles/known-outline.ts";
+import { useEffect, useMemo, useState } from "react";
+import type { StoreApi } from "zustand";
 import type { PartialWork } from "../../../program/job/partial-work.ts";
-import type { Lengths } from "../../../i18n/lengths.ts";
+import type { Pt } from "../../../kernel/geometry/point.ts";
+import type { Tool } from "../../../kernel/plan/tool.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import { axial, diameter, radius, toRadius } from "../../../kernel/units.ts";
 import { toScreen } from "../../../view/camera.ts";
-import type { Texts } from "../../../i18n/index.ts";
+import type { LabelBox } from "../../../view/help/labels.ts";
+import { namedLines, toolArea, type NamedLine } from "../../../view/known-labels.ts";
+import { tipAt } from "../../../view/tip.ts";
 import { usePlace } from "../../place/place.ts";
 import { useLengths } from "../../calculation/lengths.ts";
+import type { InitialScene } from "../../calculation/moving.ts";
+import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "./Axes.tsx";
+import { positionText, valueText } from "./known-text.ts";
 import { useCamera } from "./use-camera.ts";
+import { usePlayback } from "./use-playback.ts";
 import type { Viewport } from "./viewport.ts";
 
-/** Height of a text, pixels. */
-const ROW = 15;
-/** Layout of texts: width of one, and distance of the first row from the upper edge with its notes, pixels. */
-const LARGE = { wide: 104, top: 44 },
-  SMALL = { wide: 58, top: 18 };
 /** A picture smaller than this shows only the numbers, pixels. */
 const ROOM = { width: 480, height: 240 };
+/** Height kept for notes at the upper edge, pixels. */
+const NOTES = { large: 32, small: 6 };
+/** From the top of a text's box to its baseline, pixels. */
+const BASELINE = 12;
+const NO_TOOL = { tool: null, tip: null };
 
-const valueText = (lengths: Lengths, { axis, value }: KnownPosition): string =>
-  `${axis === "x" ? "⌀" : "Z"}${lengths.number(value)}`;
-/** A typed position as a drawing writes it, with its Q: Q491 ⌀61.37. */
-const positionText = (lengths: Lengths, p: KnownPosition): string => `${p.q} ${valueText(lengths, p)}`;
-
-/** The known data of a contour, in words. */
-export function knownText(
-  t: Texts["lathe"],
-  lengths: Lengths,
-  { positions, contour, sketch, whole }: KnownOutline,
-): string {
-  const said = positions.map((p) => positionText(lengths, p));
-  if (contour.length > 0) said.push(whole ? t.known.whole : t.known.elements(contour.length));
-  else if (sketch.length > 0) said.push(t.known.sketch);
-  return said.length > 0 ? t.known.soFar(said.join(", ")) : t.known.nothing;
+/** What may move under the texts, and the areas that they take, for others. */
+interface Around {
+  readonly viewport: Viewport;
+  readonly run: Run;
+  readonly playback: PlaybackStore;
+  /** The tool at its start, while nothing moves. */
+  readonly waiting: InitialScene | null;
+  readonly taken: StoreApi<readonly LabelBox[]>;
 }
 
-/** Places each text in the first free row or column. */
-function spread(places: readonly number[], apart: number): readonly number[] {
-  const rows: number[][] = [];
-  return places.map((place) => {
-    let row = 0;
-    while (rows[row]?.some((other) => Math.abs(other - place) < apart)) row += 1;
-    (rows[row] ??= []).push(place);
-    return row;
+/** The tool where it rests: texts keep clear of it, and do not jump about while it moves. */
+function useRestingTool({ run, playback, waiting }: Around): { readonly tool: Tool; readonly tip: Pt } | null {
+  const rests = usePlayback(playback, (s) => {
+    const { playing, position } = s.get();
+    return playing ? null : position.step + position.fraction;
   });
+  const [kept, keep] = useState(rests);
+  if (rests !== null && rests !== kept) keep(rests);
+  const now = rests ?? kept ?? 0,
+    step = Math.floor(now);
+  const tip = tipAt(run.steps, { step, fraction: now - step }),
+    tool = run.steps[Math.min(step, run.steps.length - 1)]?.tool;
+  if (tip && tool) return { tip, tool };
+  return waiting?.tool && waiting.start ? { tip: waiting.start, tool: waiting.tool } : null;
 }
 
 /**
  * Line at the position of the open prompt, in a picture that has its path; at all positions while the values make no
  * contour.
  */
-export function AskedMarks({ viewport, known }: { readonly viewport: Viewport; readonly known: PartialWork }) {
+export function AskedMarks({ known, ...around }: Around & { readonly known: PartialWork }) {
   const asked = usePlace((p) => p.prompt),
     { outline, points } = known;
   const positions = outline.whole ? outline.positions.filter(({ q }) => q === asked) : outline.positions;
   if (positions.length === 0) return null;
   return (
     <KnownMarks
-      viewport={viewport}
+      {...around}
       known={{ ...known, outline: { ...outline, positions }, points: outline.whole ? [] : points }}
     />
   );
@@ -65,63 +72,63 @@ export function AskedMarks({ viewport, known }: { readonly viewport: Viewport; r
 
 /** Lines at the positions typed so far, and the corners that they make. */
 export function KnownMarks({
-  viewport,
   known: {
     outline: { positions },
     points,
   },
-}: {
-  readonly viewport: Viewport;
-  readonly known: PartialWork;
-}) {
+  ...around
+}: Around & { readonly known: PartialWork }) {
+  const { viewport, taken } = around;
   const camera = useCamera(viewport),
     { width, height } = viewport.size();
   const lengths = useLengths();
+  const resting = useRestingTool(around);
   const floor = height - SCALE_BELOW;
-  const level = positions
-    .filter((p) => p.axis === "x")
-    .map((p) => ({
-      p,
-      y: toScreen(camera, { z: axial(0), r: toRadius(diameter(p.value)) }).y,
-    }));
-  const upright = positions
-    .filter((p) => p.axis === "z")
-    .map((p) => ({ p, x: toScreen(camera, { z: axial(p.value), r: radius(0) }).x }));
-  const isSmall = width < ROOM.width || height < ROOM.height;
-  const { wide, top } = isSmall ? SMALL : LARGE,
+  const isSmall = width < ROOM.width || height < ROOM.height,
     text = isSmall ? valueText : positionText;
-  const columns = spread(
-      level.map(({ y }) => y),
-      ROW,
-    ),
-    rows = spread(
-      upright.map(({ x }) => x),
-      wide,
+  const top = isSmall ? NOTES.small : NOTES.large;
+  const lines = useMemo(
+    () =>
+      positions.map((p): NamedLine => {
+        const { x, y } = toScreen(
+          camera,
+          p.axis === "x" ? { z: axial(0), r: toRadius(diameter(p.value)) } : { z: axial(p.value), r: radius(0) },
+        );
+        return { text: text(lengths, p), ...(p.axis === "x" ? { way: "level", at: y } : { way: "upright", at: x }) };
+      }),
+    [positions, camera, lengths, text],
+  );
+  const { tool, tip } = resting ?? NO_TOOL;
+  const labels = useMemo(() => {
+    const box = tool && tip && toolArea(tool, tip, camera);
+    return namedLines(
+      lines,
+      { x: SCALE_LEFT, y: top, width: width - SCALE_LEFT, height: floor - top },
+      box ? [box] : [],
     );
+  }, [lines, tool, tip, camera, width, floor, top]);
+  useEffect(() => {
+    taken.setState(labels, true);
+    return () => taken.setState([], true);
+  }, [taken, labels]);
   return (
     <g className="lathe-known" aria-hidden="true">
       <path
         className="line"
-        d={[
-          ...level.map(({ y }) => `M${SCALE_LEFT} ${y}H${width}`),
-          ...upright.map(({ x }) => `M${x} 0V${floor}`),
-        ].join("")}
+        d={lines
+          .map(({ way, at }) => (way === "level" ? `M${SCALE_LEFT} ${at}H${width}` : `M${at} 0V${floor}`))
+          .join("")}
       />
-      {level.map(({ p, y }, i) => (
-        <text key={p.q} className="number" x={width - 8 - (columns[i] ?? 0) * wide} y={y - 5} textAnchor="end">
-          {text(lengths, p)}
-        </text>
-      ))}
-      {upright.map(({ p, x }, i) => (
-        <text
-          key={p.q}
-          className="number"
-          {...(x > width - wide ? { x: x - 5, textAnchor: "end" } : { x: x + 5 })}
-          y={top + (rows[i] ?? 0) * ROW}
-        >
-          {text(lengths, p)}
-        </text>
-      ))}
+      {lines.map((line, i) => {
+        const box = labels[i];
+        return (
+          box && (
+            <text key={positions[i]?.q} className="number" x={box.x} y={box.y + BASELINE}>
+              {line.text}
+            </text>
+          )
+        );
+      })}
       {points.map((point, i) => {
         const at = toScreen(camera, point);
         return <circle key={i} cx={at.x} cy={at.y} r="4.5" />;

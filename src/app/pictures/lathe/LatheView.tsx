@@ -1,9 +1,11 @@
 import { Suspense, useEffect, useId, useMemo, useState } from "react";
+import { createStore } from "zustand";
 import type { PartialWork } from "../../../program/job/partial-work.ts";
 import { NO_TIMING } from "../../../program/run/run-times.ts";
 import type { Run } from "../../../program/state/run-types.ts";
 import type { Ring } from "../../../kernel/geometry/point.ts";
 import { toPlace, type Place } from "../../../view/camera.ts";
+import type { LabelBox } from "../../../view/help/labels.ts";
 import { datumAt, datumIndex } from "../../../view/datum.ts";
 import { trackOf } from "../../../view/playback.ts";
 import { sceneOf } from "../../../view/scene.ts";
@@ -26,7 +28,7 @@ import { useMedia } from "../../base/use-media.ts";
 import { ChosenPath, HoveredMove } from "./Chosen.tsx";
 import { GlyphButton } from "./GlyphButton.tsx";
 import { pressKey } from "./keys.ts";
-import { AskedMarks, KnownMarks, knownText } from "./KnownMarks.tsx";
+import { knownText } from "./known-text.ts";
 import { ClampingNote } from "./ClampingNote.tsx";
 import { Legend } from "./Legend.tsx";
 import { Marks } from "./Marks.tsx";
@@ -60,6 +62,9 @@ import { Outdated } from "./Outdated.tsx";
 
 /** Loaded for a program with approaches. */
 const TurnPoints = lazyPart(async () => ({ default: (await import("../plane/TurnPoints.tsx")).TurnPoints }));
+/** Loaded for a dialog: its typed positions. */
+const KnownMarks = lazyPart(async () => ({ default: (await import("./KnownMarks.tsx")).KnownMarks }));
+const AskedMarks = lazyPart(async () => ({ default: (await import("./KnownMarks.tsx")).AskedMarks }));
 /** Loaded on demand: paths of other settings, the 3D view. */
 const GhostPaths = lazyPart(async () => ({ default: (await import("./GhostPaths.tsx")).GhostPaths }));
 const SolidView = lazyPart(async () => ({ default: (await import("../solid/SolidView.tsx")).SolidView }));
@@ -144,6 +149,9 @@ export function LatheView({
   const held = useMemo(() => run.steps.some((step) => step.tool.holder), [run]);
   const starts = useMemo(() => (waiting?.start ? [waiting.start] : run.operations.map((o) => o.start)), [run, waiting]);
   const measuring = useMeasuring();
+  const [taken] = useState(() => createStore<readonly LabelBox[]>(() => []));
+  const kepts = useMemo(() => [measuring.labels, taken], [measuring, taken]),
+    around = { viewport, run, playback, waiting, taken };
   const source = useLatheSource({ run, stockAt: shown?.simulation && moving ? moving.stockAt : null, playback });
   const path = useShownPath(run, passes.stretches, playback);
   const { hover, over, tap } = usePicking({ run, viewport, shown: path.has, onMove });
@@ -153,7 +161,7 @@ export function LatheView({
     pointed.set(at && toPlace(viewport.get(), at));
   };
   const look = measuring.on ? measuring : { tap, hover: point, drag: null };
-  const solid = useSolid({ run, shown: proved, moving, waiting, measures: measuring.on });
+  const solid = useSolid({ run, shown: proved, moving, waiting, chuck: scene.chuck, measures: measuring.on });
   // With enough room, section and 3D view are next to each other.
   const beside = useMedia("vast") && solid.drawn !== null,
     alone = beside ? null : solid.drawn;
@@ -277,8 +285,11 @@ export function LatheView({
                 {scene.chuck?.unstated && <ClampingNote viewport={viewport} plane={scene.chuck.unstated} />}
                 <Marks viewport={viewport} starts={starts} datum={datum} />
                 <LoadPart.Mark run={run} seeing={sectionProjection(viewport)} />
-                {typed && <KnownMarks viewport={viewport} known={typed} />}
-                {!typed && known && <AskedMarks viewport={viewport} known={known} />}
+                {known && (
+                  <Suspense>
+                    {typed ? <KnownMarks {...around} known={typed} /> : <AskedMarks {...around} known={known} />}
+                  </Suspense>
+                )}
                 {run.steps.length > 0 && (
                   <OffscreenTool
                     viewport={viewport}
@@ -286,7 +297,7 @@ export function LatheView({
                     run={run}
                     places={seen}
                     datum={datum}
-                    kept={measuring.labels}
+                    kept={kepts}
                   />
                 )}
                 {leads.length > 0 && (

@@ -63,7 +63,7 @@ export function OffscreenTool({
   readonly run: Run;
   readonly places: readonly PicturePlace[];
   readonly datum: Pt;
-  readonly kept: StoreApi<readonly LabelBox[]>;
+  readonly kept: readonly StoreApi<readonly LabelBox[]>[];
 }) {
   const group = useRef<SVGGElement>(null);
   const lengths = useLengths();
@@ -146,7 +146,7 @@ export function OffscreenTool({
         ...sharedBadges(badgesOf(places, sectionProjection(viewport)), null).map(({ left, top, more }) =>
           boxRound({ x: left, y: top }, more > 0 ? SHARED : undefined),
         ),
-        ...kept.getState(),
+        ...kept.flatMap((each) => each.getState()),
         boxRound(toScreen(camera, datum)),
       ];
       areas = [
@@ -156,7 +156,11 @@ export function OffscreenTool({
       paint();
     };
     look();
-    const ends = [viewport.subscribe(look), playback.subscribeReader(paint), kept.subscribe(look)];
+    const ends = [
+      viewport.subscribe(look),
+      playback.subscribeReader(paint),
+      ...kept.map((each) => each.subscribe(look)),
+    ];
     return () => {
       ends.forEach((end) => end());
       element.style.display = "none";

@@ -121,6 +121,7 @@ export function ViewBar({
         glyph="ruler"
         name={t.ruler}
         text={t.ruler}
+        isEarly
         pressed={measuring.on}
         onPress={measuring.toggle}
         {...(solid && { hint: t.rulerFlat })}
@@ -143,7 +144,7 @@ export function LegendSwitch({ shown, show }: { readonly shown: boolean; readonl
   const t = useTexts().lathe;
   return (
     <span className="legend-switch">
-      <GlyphButton glyph="view" name={t.legend} text={t.legend} pressed={shown} onPress={() => show(!shown)} />
+      <GlyphButton glyph="view" name={t.legend} text={t.legend} isEarly pressed={shown} onPress={() => show(!shown)} />
     </span>
   );
 }

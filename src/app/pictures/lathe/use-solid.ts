@@ -1,6 +1,7 @@
 import { useMemo, useState } from "react";
 import type { Run } from "../../../program/state/run-types.ts";
 import { useSettings } from "../../base/settings/settings.ts";
+import type { ChuckDrawing } from "../../../view/material/chuck.ts";
 import type { ShownWork } from "../solid/show.ts";
 import type { Zooming } from "../solid/SolidView.tsx";
 import type { PlayedScene, InitialScene } from "../../calculation/moving.ts";
@@ -14,21 +15,27 @@ export interface SolidPlace {
   readonly setDrawn: (drawn: Zooming | null) => void;
 }
 
+const NOTHING_HELD = { cut: null, seen: null } as const;
+
 /** Measuring works in the section, so that is shown meanwhile. */
 export function useSolid({
   run,
   shown,
   moving,
   waiting,
+  chuck,
   measures,
 }: {
   readonly run: Run;
   readonly shown: LatheResult | null;
   readonly moving: PlayedScene | null;
   readonly waiting: InitialScene | null;
+  /** The clamping as the section draws it: both are cut off at the same places. */
+  readonly chuck: ChuckDrawing | null;
   readonly measures: boolean;
 }): SolidPlace {
   const asked = useSettings((s) => s.solid) && !measures;
+  const { cut, seen } = chuck ?? NOTHING_HELD;
   const [drawn, setDrawn] = useState<Zooming | null>(null);
   const work = useMemo(
     (): ShownWork | null =>
@@ -40,11 +47,11 @@ export function useSolid({
             blank: waiting?.blank.length ? waiting.blank : run.blank,
             steps: run.steps,
             spindles: run.spindles,
-            clamping: run.clamping,
+            clamping: run.clamping && cut && seen ? { of: run.clamping, cut, seen } : null,
             contours: run.operations.map((o) => o.plan.contour),
           }
         : null,
-    [asked, run, shown, moving, waiting],
+    [asked, run, shown, moving, waiting, cut, seen],
   );
   return { work, drawn: asked ? drawn : null, setDrawn };
 }

@@ -106,7 +106,7 @@ export function LoadStrip({ of, run, viewport, playback, pointed, shown }: LoadS
     playback,
     useCallback(() => {
       const said = (load && momentText({ t, lengths, of, load }, playback.shown())) || "–";
-      if (now.current && now.current.textContent !== said) now.current.textContent = said;
+      if (now.current && now.current.textContent !== said) now.current.title = now.current.textContent = said;
     }, [t, lengths, of, load, playback]),
   );
   const rests = worst ? "" : t.nothing;

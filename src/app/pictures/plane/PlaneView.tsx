@@ -37,6 +37,7 @@ import { planeOfRun } from "../../calculation/plane-run.ts";
 import { cutPlace } from "./plane-places.ts";
 import { ChosenMotions, HoveredMotion } from "./PlaneMarks.tsx";
 import { usePlaneSource } from "./plane-source.ts";
+import { PointDot } from "./PointDot.tsx";
 import { PlanePoints } from "./PlanePoints.tsx";
 import { PointTable } from "./PointTable.tsx";
 import { momentSentence, PlaneReadout, SpokenMoment } from "./PlaneReadout.tsx";
@@ -51,15 +52,16 @@ import { Outdated } from "../lathe/Outdated.tsx";
 import { pageLength } from "../../base/unit.ts";
 
 const NO_TIP = { x: 0, y: 0 };
+const DOTS = ["contour", "centre"] as const;
 
-/** Chooses the approaches whose points have names: those of the chosen blocks, else the running one. */
+/** Chooses the approaches whose points have names: those of the chosen blocks, else the running or next one. */
 function useNamedApproach(approaches: readonly ApproachRun[], steps: readonly PlaneStep[], playback: PlaybackStore) {
   const chosen = useChosenApproaches(approaches),
-    running = usePlayback(playback, (s) => steps[s.shown().step]?.index ?? null);
-  return useCallback(
-    (a: ApproachRun) => (chosen.length > 0 ? chosen.includes(a) : a.index === running),
-    [chosen, running],
-  );
+    next = usePlayback(playback, (s) => {
+      const running = steps[s.shown().step]?.index ?? 0;
+      return (approaches.find(({ index }) => index >= running) ?? approaches.at(-1))?.index ?? null;
+    });
+  return useCallback((a: ApproachRun) => (chosen.length > 0 ? chosen.includes(a) : a.index === next), [chosen, next]);
 }
 
 /**
@@ -211,6 +213,15 @@ export function PlaneView({
                 {lines[role]}
               </li>
             ))}
+            {approaches.length > 0 &&
+              DOTS.map((dot) => (
+                <li key={dot}>
+                  <svg width={pageLength(26)} height={pageLength(8)} viewBox="0 0 26 8" aria-hidden="true">
+                    <PointDot x={13} y={4} onContour={dot === "contour"} />
+                  </svg>
+                  {own.dots[dot]}
+                </li>
+              ))}
           </ul>
         </div>
       )}

@@ -37,8 +37,8 @@ export interface ShownWork {
   /** The blank and the tool at its start, while nothing moves. */
   readonly waiting: InitialScene | null;
   readonly blank: readonly Ring[];
-  /** Its clamping; null if not stated. */
-  readonly clamping: Clamped | null;
+  /** Its clamping, how far that is drawn, and what of it should be visible; null if not stated. */
+  readonly clamping: { readonly of: Clamped; readonly cut: Bounds; readonly seen: Bounds } | null;
   readonly steps: readonly Step[];
   readonly spindles: readonly SpindleFrom[];
   readonly contours: readonly (readonly Segment[])[];
@@ -259,8 +259,8 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
           : null;
       [drawnRings, drawnKey] = [[], ""];
       source.forget();
-      const chuck = chuckParts(next.blank, next.clamping);
-      stage.setChuck(chuck?.parts ?? []);
+      const { clamping } = next;
+      stage.setChuck(clamping ? chuckParts(clamping.of, clamping.cut) : []);
       box = joined(boundsOf(next.blank.flat()), boundsOf(next.contours.flat().flatMap((s) => [s.from, s.to])));
       const isFlat = next.blank.length === 0;
       if (isFlat)
@@ -268,7 +268,7 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
           box,
           boundsOf(next.steps.flatMap(({ from, move }) => (move.kind === "rapid" ? [] : [from, move.to]))),
         );
-      seen = joined(box, chuck?.seen ?? null);
+      seen = joined(box, clamping?.seen ?? null);
       fit();
       heard = next.moving ? [next.moving.playback.subscribe(changeWork)] : [];
       changeWork();

@@ -75,6 +75,8 @@ export interface SolidStage {
   readonly dispose: () => void;
 }
 
+/** Share of the holder's colour in that of the insert, 0 … 1: lit from the front it would lose its shape. */
+const MUTED = 0.3;
 /** Pixels between two lines of a hatch. */
 const HATCH = 8;
 /**
@@ -198,7 +200,7 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
       const { chuck: body, jaw } = chuckTones(c);
       surfaces.chuck.color.set(body);
       surfaces.jaw.color.set(jaw);
-      surfaces.insert.color.set(c.insert);
+      surfaces.insert.color.set(c.insert).lerp(new Color(c.holder), MUTED);
       surfaces.holder.color.set(c.holder);
       sections.steel.colours(c.material, c.hatch);
       sections.residual.colours(c.residual, new Color(c.residual).lerp(new Color(c.surface), PALE));

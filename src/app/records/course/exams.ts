@@ -13,7 +13,7 @@ import {
 } from "../../../course/exam.ts";
 import type { HandedResult } from "../../../course/made/result.ts";
 import type { TaskSet } from "../../../course/task-set.ts";
-import { time } from "../../base/clock.ts";
+import { clock, time } from "../../base/clock.ts";
 import { record } from "../../base/record.ts";
 import { COURSE } from "../../document/documents.ts";
 
@@ -60,10 +60,27 @@ export function endExam(set: string, by: "learner" | "time", result: HandedResul
 /** How often the latest moment of a running exam is recorded, ms. */
 const SEEN = 5000;
 
+/** When this page recorded the latest moment of each exam, by its set, in the time of this page. */
+const recorded = new Map<string, { readonly seen: number; readonly at: number }>();
+
+/** Time that passed since the latest moment of an exam was recorded, whatever the time of day was set to meanwhile, ms. */
+function passedSince({ set: { id }, seen }: Exam): number {
+  const last = recorded.get(id);
+  const now = clock.now();
+  if (last?.seen === seen) return now - last.at;
+  recorded.set(id, { seen, at: now });
+  return 0;
+}
+
+/** Time left in an exam now, ms; null without a limit. */
+export const timeLeftNow = (exam: Exam): number | null => timeLeft(exam, time(), passedSince(exam));
+
 /** Records the latest moment of each running exam; the exams whose time has run out. */
 export function overdueExams(): readonly Exam[] {
-  const now = time();
   const running = Object.values(examRecord.now()).filter((exam) => !exam.ended && endOfExam(exam) !== null);
-  for (const exam of running) if (now - exam.seen > SEEN) put(seenAt(exam, now));
-  return running.filter((exam) => timeLeft(exam, now) === 0);
+  for (const exam of running) {
+    const now = seenAt(exam, time(), passedSince(exam));
+    if (now.seen - exam.seen > SEEN) put(now);
+  }
+  return running.filter((exam) => timeLeftNow(exam) === 0);
 }

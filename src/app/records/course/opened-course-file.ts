@@ -1,9 +1,6 @@
 import { create } from "zustand";
-import type { HandedResult } from "../../../course/made/result.ts";
 import type { Task } from "../../../course/task.ts";
 import type { TaskSet } from "../../../course/task-set.ts";
-import { collectResults, resultRecord } from "./collected-results.ts";
-import { hasResult, type LearnerFile } from "./result-rows.ts";
 import type { FieldFault } from "../../../course/read-task.ts";
 
 /**
@@ -33,7 +30,16 @@ export type OpenedCourseFile =
   | { readonly kind: "results"; readonly leftOut: readonly FileLeftOut[] }
   | { readonly kind: "problem"; readonly file: string; readonly problem: CourseFileProblem };
 
-export const useOpenedCourseFile = create<{ readonly shown: OpenedCourseFile | null }>(() => ({ shown: null }));
+/** The program of a learner that the table of results opened last: its work, and whose it is. */
+interface OpenedSubmission {
+  readonly work: string | null;
+  readonly said: string;
+}
+
+export const useOpenedCourseFile = create<{
+  readonly shown: OpenedCourseFile | null;
+  readonly submission: OpenedSubmission | null;
+}>(() => ({ shown: null, submission: null }));
 
 export const showTask = (task: Task, left: readonly string[] = []): void =>
   useOpenedCourseFile.setState({ shown: { kind: "task", task, left } });
@@ -47,28 +53,3 @@ export const showHandIn = (id: string | null): void => useOpenedCourseFile.setSt
 export const showProblem = (file: string, problem: CourseFileProblem): void =>
   useOpenedCourseFile.setState({ shown: { kind: "problem", file, problem } });
 export const closeCourseFile = (): void => useOpenedCourseFile.setState({ shown: null });
-
-/** Results of a named file, or why it has none. */
-export type NamedResult = { readonly file: string; readonly result: HandedResult } | FileLeftOut;
-
-/** Adds the new results and shows the table with the files left out, each once. Files left out before stay listed. */
-export function showResults(come: readonly NamedResult[] = []): void {
-  const { shown } = useOpenedCourseFile.getState();
-  const list = resultRecord.now();
-  const fresh: LearnerFile[] = [],
-    leftOut: FileLeftOut[] = shown?.kind === "results" ? [...shown.leftOut] : [];
-  for (const one of come) {
-    if ("why" in one) leftOut.push(one);
-    else if (hasResult([...list, ...fresh], one.result)) leftOut.push({ file: one.file, why: { kind: "twice" } });
-    else fresh.push(one);
-  }
-  collectResults(fresh);
-  const known = new Set<string>();
-  const each = leftOut.filter((one) => {
-    const key = JSON.stringify(one),
-      isNew = !known.has(key);
-    known.add(key);
-    return isNew;
-  });
-  useOpenedCourseFile.setState({ shown: { kind: "results", leftOut: each } });
-}

@@ -51,7 +51,13 @@ function Pane({ task }: { readonly task: DrawableTask }) {
   const [width, height] = [size.width - AIR, size.height - AIR];
   const paper = Math.round(Math.min(PAPER.wide, Math.max(PAPER.narrow, width / READABLE)));
   const print = useMemo(
-    () => drawn && workshopDrawing(drawn, words, { width: paper, height: Math.max(PAPER.narrow, height / READABLE) }),
+    () =>
+      drawn &&
+      workshopDrawing(drawn, words, {
+        width: paper,
+        height: Math.max(PAPER.narrow, height / READABLE),
+        fills: true,
+      }),
     [drawn, words, paper, height],
   );
   const whole = print ? Math.min(width / print.width, height / print.height) : 1;

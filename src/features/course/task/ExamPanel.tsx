@@ -13,12 +13,15 @@ import { printedText } from "../../../app/document/printed.ts";
 import { flushEdits, useEditor } from "../../../app/document/store.ts";
 import { changeTask, taskOfWork } from "../../../app/document/work-task.ts";
 import { noteExamCheck } from "../../../app/records/course/exams.ts";
+import { DrawingPane } from "../drawing/DrawingPane.tsx";
 import { WorkshopDrawing } from "../drawing/WorkshopDrawing.tsx";
 import { Paragraphs } from "../Paragraphs.tsx";
 import { examCheckHere } from "../teach/hand-in.ts";
 import { goalText } from "./goal-words.ts";
+import { DrawingButton } from "./DrawingButton.tsx";
 import { FoldButton } from "./FoldButton.tsx";
 import { PredictForm } from "./PredictForm.tsx";
+import { useTaskDrawing } from "./use-task-drawing.ts";
 import { useTaskView } from "./task-view.ts";
 
 const NOTHING: readonly string[] = [];
@@ -33,11 +36,13 @@ interface Props {
 function Assignment({ task, t, ask }: Omit<Props, "exam"> & { readonly ask: string }) {
   const language = useSettings((s) => s.language);
   const { duration } = useTexts("first").page.effect;
+  // Where the assignment takes the place of the work, the drawing is part of it.
+  const isAlone = useMedia("narrow");
   return (
     <>
       <section className="task-part task-ask" aria-label={t.unfold}>
         <Paragraphs text={ask} before={NOTHING} />
-        {task.part && (
+        {task.part && isAlone && (
           <details className="task-drawing" open>
             <summary>{t.drawing}</summary>
             <WorkshopDrawing task={task} language={language} />
@@ -77,6 +82,7 @@ export function ExamPanel({ task, exam, t }: Props) {
   const veiled = useEditor((s) => taskOfWork(s)?.veiled ?? false);
   const { open } = useTaskView();
   const alone = useMedia("narrow") && open;
+  const drawing = useTaskDrawing(task);
   const [state, go] = useState<"checking" | "noRun" | "answered" | null>(null);
   if (!said || !words) return null;
   const { ended, set } = exam;
@@ -117,6 +123,7 @@ export function ExamPanel({ task, exam, t }: Props) {
         <p className="task-status" role="status" lang={language}>
           <span>{status()}</span>
         </p>
+        <DrawingButton drawing={drawing} t={t} />
         <FoldButton body={body} t={t} />
         {canCheck && (
           <button
@@ -141,6 +148,11 @@ export function ExamPanel({ task, exam, t }: Props) {
         )}
       </div>
       {veiled && <PredictForm task={task} t={t} words={said} finish={finish} />}
+      {drawing.shown && (
+        <Suspense>
+          <DrawingPane task={task} />
+        </Suspense>
+      )}
     </section>
   );
 }

@@ -1,6 +1,7 @@
 import { useEffect, useId, useRef, useState } from "react";
 import type { Task, TaskWords } from "../../../course/task.ts";
 import { answerKindOf, parsePredictedAnswer } from "../../../course/predicted-answers.ts";
+import { changedPlaces, type OtherNumbers } from "../../../course/varied-numbers.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { useSelection } from "../../../app/document/selected.ts";
@@ -49,6 +50,15 @@ function ShowWorkButton({ kind, t }: { readonly kind: ReturnType<typeof answerKi
   );
 }
 
+/** Most places of other numbers that are named. */
+const MOST_PLACES = 4;
+
+/** What is other in the program: "New numbers: Q493, Q494, block 8." */
+function renewedText(task: Task, varied: OtherNumbers, t: CourseTaskTexts): string {
+  const places = changedPlaces(task, varied).map((place) => (place.startsWith("Q") ? place : t.where.block(place)));
+  return t.predict.otherNumbers([...places.slice(0, MOST_PLACES), ...(places.length > MOST_PLACES ? ["…"] : [])]);
+}
+
 /** The questions before the run, one at a time. */
 export function PredictForm({
   task,
@@ -67,6 +77,8 @@ export function PredictForm({
   const asked = useTaskView((v) => v.question);
   const workTask = useEditor(taskOfWork);
   const { tries } = useTaskProgress(task.id);
+  const varied = workTask?.varied;
+  const isKnown = isAnswerKnown(task, workTask, tries);
   const predict = task.predict ?? [];
   const order = workTask?.asked ?? predict.map((_, i) => i);
   const position = Math.max(0, order.indexOf(asked));
@@ -113,6 +125,12 @@ export function PredictForm({
         goOn();
       }}
     >
+      {(isKnown || varied) && (
+        <p className="task-renewed small">
+          <Icon name={isKnown ? "question" : "compare"} />{" "}
+          <span>{isKnown ? t.predict.sameNumbers : varied && renewedText(task, varied, t)}</span>
+        </p>
+      )}
       <p id={labelled} className="task-question">
         {predict.length > 1 && <span className="soft small">{t.predict.question(question + 1, predict.length)}</span>}
         <b>{words.questions?.[question] ?? t.predict.title}</b>
@@ -126,8 +144,6 @@ export function PredictForm({
         t={t}
         labelled={labelled}
       />
-      {workTask?.varied && <p className="small soft">{t.predict.otherNumbers}</p>}
-      {isAnswerKnown(task, workTask, tries) && <p className="small soft">{t.predict.sameNumbers}</p>}
       <p role="status" className="task-lacks">
         {lacking === question && !isSaid(question) && t.predict.lacks(question + 1, predict.length)}
       </p>

@@ -73,7 +73,7 @@ export function PredictionResult({
         ))}
       </ul>
       {predicted.some(({ right }) => !right) && (
-        <button type="button" className="button" onClick={() => void retryPredictions(task)}>
+        <button type="button" className="button primary" onClick={() => void retryPredictions(task)}>
           {t.predict.again}
         </button>
       )}

@@ -2,6 +2,7 @@ import { Suspense } from "react";
 import { lazyPart } from "../../../app/base/parts.ts";
 import { fetchShownTexts } from "../../../app/base/settings/use-texts.ts";
 import { useEditor } from "../../../app/document/store.ts";
+import { useOpenedCourseFile } from "../../../app/records/course/opened-course-file.ts";
 
 /** Loaded with the texts of the workplace when a task is open. */
 const TaskBar = lazyPart(async () => {
@@ -9,14 +10,19 @@ const TaskBar = lazyPart(async () => {
   return { default: bar };
 });
 
-/** The line of a task above its work. */
+const SubmissionBar = lazyPart(async () => ({
+  default: (await import("../teach/SubmissionBar.tsx")).SubmissionBar,
+}));
+
+/** The line of a task above its work, or of a learner's program that was handed in. */
 export function TaskLine() {
-  const work = useEditor(({ job, program, work: key }) => ((job ?? program)?.task ? key : null));
+  const work = useEditor((s) => s.work);
+  const isTask = useEditor(({ job, program }) => (job ?? program)?.task !== undefined);
+  const submission = useOpenedCourseFile(({ submission: opened }) => (opened?.work === work ? opened : null));
   return (
-    work !== null && (
-      <Suspense>
-        <TaskBar key={work} work={work} />
-      </Suspense>
-    )
+    <Suspense>
+      {isTask && work !== null && <TaskBar key={work} work={work} />}
+      {!isTask && submission && <SubmissionBar said={submission.said} />}
+    </Suspense>
   );
 }

@@ -1,4 +1,4 @@
-import { Suspense, useCallback, useEffect, useId, useMemo } from "react";
+import { Suspense, useCallback, useEffect, useId, useMemo, useRef } from "react";
 import type { TaskMark } from "../../../course/judge/judgement.ts";
 import type { Task } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
@@ -17,6 +17,7 @@ import { comparePredictions } from "./predict.ts";
 import { TaskPlace } from "./TaskPlace.tsx";
 import { useFindingsOfTask } from "./use-task-result.ts";
 import { withNumbers } from "../../../course/varied-numbers.ts";
+import { DrawingButton } from "./DrawingButton.tsx";
 import { FoldButton } from "./FoldButton.tsx";
 import { PredictForm } from "./PredictForm.tsx";
 import { PredictionResult } from "./PredictionResult.tsx";
@@ -82,6 +83,12 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
   useFindingsOfTask(task, t, marks, say);
   /** With little room, the assignment replaces the work. */
   const alone = useMedia("narrow") && open;
+  const wasAlone = useRef(alone);
+  useEffect(() => {
+    // Where the page scrolls, the work would begin below the line of the task.
+    if (wasAlone.current && !alone) document.getElementById("prompts")?.scrollIntoView?.({ block: "start" });
+    wasAlone.current = alone;
+  }, [alone]);
   const asks = task.predict !== undefined && task.predict.length > 0;
   useEffect(() => {
     if (asks && !veiled) void comparePredictions(task);
@@ -104,20 +111,7 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
           <TaskPlace task={task} t={t} />
         </Suspense>
         <TaskStatus task={task} t={t} />
-        {drawing.exists && (
-          <button
-            type="button"
-            className="button task-draw"
-            aria-label={t.drawing}
-            title={t.drawing}
-            aria-pressed={drawing.shown}
-            // A press leaves the focus in the prompt.
-            onMouseDown={(event) => event.preventDefault()}
-            onClick={drawing.toggle}
-          >
-            <Icon name="drawing" /> <span>{t.drawing}</span>
-          </button>
-        )}
+        <DrawingButton drawing={drawing} t={t} />
         <FoldButton body={body} t={t} />
         {/* Last: its result, and the way on, follow in the order of Tab. */}
         {makes && !veiled && (

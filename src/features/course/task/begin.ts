@@ -1,6 +1,8 @@
 import { ncLanguageOf } from "../../../i18n/languages.ts";
 import { cycleByNumber } from "../../../cycles/index.ts";
 import type { Job } from "../../../program/job/job.ts";
+import { progressOfTask } from "../../../course/progress.ts";
+import { nextVariant, withNumbers, type OtherNumbers } from "../../../course/varied-numbers.ts";
 import { startOfTask, toolsOfTask } from "../../../course/task-start.ts";
 import type { Task } from "../../../course/task.ts";
 import { draftOf } from "../../../app/document/edits.ts";
@@ -9,7 +11,7 @@ import { openWork, refreshWorks, startWork, useSavedWorks } from "../../../app/r
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useEditor } from "../../../app/document/store.ts";
 import type { Work } from "../../../app/document/work.ts";
-import { noteStart } from "../../../app/records/course/progress.ts";
+import { noteStart, progressRecord } from "../../../app/records/course/progress.ts";
 import { unfoldNext } from "./task-view.ts";
 
 /** The run is hidden until all predictions are made. */
@@ -17,13 +19,19 @@ const isVeiled = ({ predict = [] }: Task): boolean => predict.length > 0;
 
 /**
  * The work that a task starts with. `fromOutside`: the task does not ship with the page, so the work includes its file.
+ * `varied`: the numbers of its program, where they are others.
  */
-export function workOfTask(task: Task, fromOutside = false): Work {
-  const start = startOfTask(task);
+export function workOfTask(task: Task, fromOutside = false, varied: OtherNumbers | null = null): Work {
+  const start = startOfTask(withNumbers(task, varied ?? undefined));
   const brought = {
     tools: toolsOfTask(task),
     ...(task.material !== undefined && { material: task.material }),
-    task: { id: task.id, ...(isVeiled(task) && { veiled: true }), ...(fromOutside && { file: task }) },
+    task: {
+      id: task.id,
+      ...(isVeiled(task) && { veiled: true }),
+      ...(fromOutside && { file: task }),
+      ...(varied && { varied }),
+    },
   };
   const { language, output } = useSettings.getState();
   if (start.kind === "job") return { ...start.job, ncLanguage: ncLanguageOf(language), output, ...brought };
@@ -48,11 +56,15 @@ function showFirstOpenPrompt(): void {
   usePlace.setState({ section: "prompts", prompt, before: draftOf(job)[prompt ?? ""] ?? "", field: null });
 }
 
-/** Starts a task with a new work; again, if it was passed with help before. */
+/**
+ * Starts a task with a new work; again, if it was passed with help before. Predictions that were tried before are asked
+ * with other numbers.
+ */
 export function startTask(task: Task, fromOutside = false): void {
   unfoldNext();
   noteStart(task.id);
-  startWork(workOfTask(task, fromOutside));
+  const { tries } = progressOfTask(progressRecord.now(), task.id);
+  startWork(workOfTask(task, fromOutside, task.kind === "predict" ? nextVariant(task, tries) : null));
   showFirstOpenPrompt();
 }
 

@@ -84,7 +84,9 @@ async function withSlipNamed(task: Task, answer: Answer, judgement: TaskJudgemen
   const found = await findSlip(task, answer, judgement, runOf);
   if (!found) return withoutSlip(judgement);
   const isAsked = task.kind === "fault" && !areFixesShown(progressOfTask(progressRecord.now(), task.id));
-  return isAsked && hasSlip(asProgram(workOfTask(task)).text, found.slip) ? judgement : withSlip(judgement, found);
+  if (!isAsked || !hasSlip(task, asProgram(workOfTask(task)).text, found.slip)) return withSlip(judgement, found);
+  // The fault is not named; where it is the tool, the dimensions are not suspected either.
+  return found.slip.values.some(({ q }) => q === "T") ? withoutSlip(judgement) : judgement;
 }
 
 /** Waits for a paint, so that a long check shows its progress text. */

@@ -154,6 +154,11 @@ function slipText({ kind, values }: Slip, wording: MarkWording): string {
     better: number(better),
   }));
   if (kind === "reversed" || !one) return t.slip.reversed;
+  if (kind === "tool") return t.slip.tool(`T${one.is}`);
+  if (kind === "tools") {
+    const calls = values.map(({ value, block }) => t.slip.where(`T${value}`, t.where.block(String(block))));
+    return t.slip.tools(calls[0] ?? "", calls[1] ?? "");
+  }
   if (kind === "exchanged" && other) return t.slip.exchanged(`${one.name} ${one.is}`, `${other.name} ${other.is}`);
   return kind === "exchanged" ? one.name : t.slip[kind](one.name, one.is, one.better);
 }
@@ -178,7 +183,7 @@ const SAYS_PLACE: ReadonlySet<string> = new Set(["errors", "clean"]);
 export function markText(mark: TaskMark, wording: MarkWording): string {
   const { t, language } = wording;
   if (mark.slip) {
-    const where = mark.block === undefined ? null : t.where.block(String(mark.block));
+    const where = mark.block === undefined || mark.slip.kind === "tools" ? null : t.where.block(String(mark.block));
     const said = slipText(mark.slip, wording);
     return where === null ? said : t.slip.where(said, where);
   }

@@ -49,7 +49,7 @@ export async function comparePredictions(task: Task): Promise<readonly ComparedA
 
 /** Whether the right answers to the current questions were shown: the same numbers were tried before. */
 export const isAnswerKnown = (task: Task, work: TaskWork | undefined, tries: number): boolean =>
-  task.kind === "predict" && tries > 0 && !work?.varied;
+  task.kind === "predict" && tries > (work?.varied?.at ?? 0);
 
 /** Shows and plays the run once all predictions are made; this counts as a try. */
 export async function showRun(task: Task): Promise<void> {

@@ -7,8 +7,14 @@ import { useMedia } from "../../../app/base/use-media.ts";
 import { useHasDrawing } from "./use-has-drawing.ts";
 import { useTaskView } from "./task-view.ts";
 
+export interface TaskDrawing {
+  readonly exists: boolean;
+  readonly shown: boolean;
+  readonly toggle: () => void;
+}
+
 /** The workshop drawing as a second picture: a task from a drawing begins with it, and each result shows the lathe. */
-export function useTaskDrawing(task: Task) {
+export function useTaskDrawing(task: Task): TaskDrawing {
   const veiled = useEditor((s) => taskOfWork(s)?.veiled ?? false);
   const isUsual = useHasDrawing(task);
   const chosen = useTaskView((v) => v.drawn);

@@ -31,6 +31,7 @@ export function markPlaces(
   { run }: Answer,
   say: (mark: TaskMark) => string,
 ): readonly PicturePlace[] {
+  const all = marks.flatMap(({ rings = NO_RINGS }) => rings);
   return marks.flatMap((mark, i) =>
     mark.place
       ? [
@@ -39,7 +40,8 @@ export function markPlaces(
             kind: mark.rule === "residue" ? "residual" : "finding",
             mark: String(i + 1),
             place: mark.place,
-            bounds: boundsRound(mark.rings ?? NO_RINGS, mark.place),
+            // A slip explains the others: it is seen in what they show.
+            bounds: boundsRound(mark.rings ?? (mark.slip ? all : NO_RINGS), mark.place),
             line: say(mark),
             position: momentOf(mark, run),
           }),

@@ -1,11 +1,10 @@
-import { Fragment, useMemo, useState } from "react";
+import { Fragment, useMemo, useState, type CSSProperties } from "react";
 import { decimalSign } from "../../../i18n/number.ts";
 import { downloadText } from "../../../app/base/download.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { Message } from "../../../app/base/Message.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
-import { openText } from "../../../app/fields/open/open-program.ts";
 import {
   classTable,
   filteredRows,
@@ -16,8 +15,8 @@ import {
   type ClassLearner,
   type ClassSort,
 } from "../../../app/records/course/class-table.ts";
-import { closeCourseFile } from "../../../app/records/course/opened-course-file.ts";
 import { resultsCsv, type MissedGoal, type Rerun, type ResultRow } from "../../../app/records/course/result-rows.ts";
+import { openSubmission } from "./submission.ts";
 
 /** Goals named in a cell; the table has no room for more. */
 const NAMED = 2;
@@ -63,10 +62,7 @@ function Cell({ cell, task, learner }: { readonly cell: ClassCell; readonly task
       type="button"
       className="class-said"
       aria-label={words.open(task, learner, text(cell))}
-      onClick={() => {
-        closeCourseFile();
-        openText(program);
-      }}
+      onClick={() => openSubmission(program, words.whose(task, learner, text(cell)))}
     >
       {said}
     </button>
@@ -191,7 +187,7 @@ export function ClassTable({ title, rows, reruns }: Props) {
         <Message tone="info">{words.nobody}</Message>
       ) : (
         <div className="taught-table class-table" role="region" aria-label={title} tabIndex={0}>
-          <table>
+          <table style={{ "--tasks": tasks.length } as CSSProperties}>
             <thead>
               <tr>
                 {head("name", words.name)}

@@ -1,7 +1,6 @@
-import { openText } from "../../../app/fields/open/open-program.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { NUMBERS, type ResultColumn, type ResultRow } from "../../../app/records/course/result-rows.ts";
-import { closeCourseFile } from "../../../app/records/course/opened-course-file.ts";
+import { openSubmission } from "./submission.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
 /** One task of one learner, with a button for its program. `waits`: its run is pending. */
@@ -16,7 +15,8 @@ export function ResultLine({
   readonly text: Readonly<Record<ResultColumn, string>>;
   readonly waits: boolean;
 }) {
-  const { results: words } = useTexts("course-teach");
+  const { results: words } = useTexts("course-teach"),
+    { table } = useTexts("course-set");
   const { program } = result;
   const cell = (column: ResultColumn) =>
     column === "made" && earlier ? `${text.made} · ${words.earlier}` : text[column];
@@ -43,10 +43,7 @@ export function ResultLine({
             type="button"
             className="button"
             aria-label={words.open(result.title)}
-            onClick={() => {
-              closeCourseFile();
-              openText(program);
-            }}
+            onClick={() => openSubmission(program, table.whose(text.task, text.name, text.again))}
           >
             <Icon name="fold" />
           </button>

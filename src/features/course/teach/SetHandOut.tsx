@@ -1,4 +1,4 @@
-import { Suspense, useMemo, useState } from "react";
+import { Suspense, useEffect, useMemo, useState } from "react";
 import { isForLearners, setForLearners, setInLanguage, type TaskSet } from "../../../course/task-set.ts";
 import { inScreenLanguage } from "../../../course/words.ts";
 import { lessonLanguageOf, SCREEN_LANGUAGES } from "../../../i18n/languages.ts";
@@ -11,9 +11,26 @@ import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { pageAddress } from "../../../app/records/local-address.ts";
 import { termsOf } from "./exam-words.ts";
 import { LinkBox } from "./LinkBox.tsx";
-import { setLink, taughtFile } from "./taught-files.ts";
+import { courseTasksIn, setLink, taughtFile } from "./taught-files.ts";
 
 const TaskPaper = lazyPart(async () => ({ default: (await import("./TaskPaper.tsx")).TaskPaper }));
+
+/** The tasks of a set that its link only names, since they are those of the course; null until they are known. */
+function useCourseTasksIn({ id, tasks }: TaskSet): ReadonlyMap<string, string> | null {
+  const [found, find] = useState<{ readonly in: TaskSet["tasks"]; readonly ids: ReadonlyMap<string, string> } | null>(
+    null,
+  );
+  useEffect(() => {
+    let gone = false;
+    void courseTasksIn({ id, tasks }).then((ids) => {
+      if (!gone) find({ in: tasks, ids });
+    });
+    return () => {
+      gone = true;
+    };
+  }, [id, tasks]);
+  return found?.in === tasks ? found.ids : null;
+}
 
 /** What learners are told, and the ways to hand a set out: without what they must not read. */
 export function SetHandOut({ set }: { readonly set: TaskSet }) {
@@ -25,7 +42,11 @@ export function SetHandOut({ set }: { readonly set: TaskSet }) {
   const [isInOne, speakOne] = useState(false);
   const whole = useMemo(() => setForLearners(set), [set]);
   const given = useMemo(() => (isInOne ? setInLanguage(whole, own) : whole), [whole, isInOne, own]);
-  const isManifold = whole.tasks.some(({ words }) => Object.values(words).filter(Boolean).length > 1);
+  const ofCourse = useCourseTasksIn(set);
+  // The link of a task of the course is as short in all languages.
+  const isManifold = whole.tasks.some(
+    ({ id, words }) => !ofCourse?.has(id) && Object.values(words).filter(Boolean).length > 1,
+  );
   const title = inScreenLanguage(set.words, language)?.title ?? set.id;
   const isStripped = JSON.stringify(whole) !== JSON.stringify(set);
   return (
@@ -42,17 +63,20 @@ export function SetHandOut({ set }: { readonly set: TaskSet }) {
       ) : (
         <>
           <p>{isStripped || isForLearners(set) ? (set.exam ? t.withoutExam : t.without[set.help]) : t.withAnswers}</p>
+          {isStripped && ofCourse !== null && ofCourse.size > 0 && <Message tone="info">{t.courseHasAnswers}</Message>}
           {isManifold && (
             <label className="teach-check">
               <input type="checkbox" checked={isInOne} onChange={() => speakOne(!isInOne)} />
               {t.onlyIn(SCREEN_LANGUAGES[own].name)}
             </label>
           )}
-          <LinkBox
-            link={setLink(pageAddress(), given)}
-            name={title}
-            file={{ name: `${set.id}.turnwise-set.json`, text: taughtFile(given), label: teach.saveTask }}
-          />
+          {ofCourse && (
+            <LinkBox
+              link={setLink(pageAddress(), given, ofCourse)}
+              name={title}
+              file={{ name: `${set.id}.turnwise-set.json`, text: taughtFile(given), label: teach.saveTask }}
+            />
+          )}
           <div className="modal-ways">
             <button type="button" className="button" aria-haspopup="dialog" onClick={() => print(true)}>
               <Icon name="print" /> {t.paper.open}

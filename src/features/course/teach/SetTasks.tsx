@@ -1,5 +1,5 @@
 import { useState } from "react";
-import { SET_LIMITS, taskInSet, type TaskSet } from "../../../course/task-set.ts";
+import { markOfSet, SET_LIMITS, taskInSet, type TaskSet } from "../../../course/task-set.ts";
 import type { Task } from "../../../course/task.ts";
 import { inScreenLanguage } from "../../../course/words.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
@@ -8,9 +8,6 @@ import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { fetchTask, useCourseIndex } from "../../../app/records/course/content.ts";
 import { useSavedTasks } from "../../../app/records/course/saved-tasks.ts";
-
-/** The part of a set's id that ends the ids of its tasks. */
-const markOf = ({ id }: TaskSet): string => id.slice(id.lastIndexOf("-") + 1);
 
 interface Props {
   readonly set: TaskSet;
@@ -26,7 +23,7 @@ export function SetTasks({ set, change }: Props) {
   const { lessons } = useCourseIndex();
   const [said, say] = useState("");
   const { tasks } = set,
-    mark = markOf(set);
+    mark = markOfSet(set.id);
   const titleOf = ({ words, id }: Task) => inScreenLanguage(words, language)?.title ?? id;
   const isIn = (id: string) => tasks.some((task) => task.id === taskInSet({ id } as Task, mark).id);
   const put = (next: readonly Task[]) => change({ tasks: [...next] });

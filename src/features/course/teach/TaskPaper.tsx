@@ -12,7 +12,7 @@ import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { WorkshopDrawing } from "../drawing/WorkshopDrawing.tsx";
 import { goalText } from "../task/goal-words.ts";
-import { termsOf } from "./exam-words.ts";
+import { termsOnPaper } from "./exam-words.ts";
 import "./paper.css";
 
 interface Props {
@@ -127,7 +127,7 @@ export function TaskPaper({ tasks, set, done }: Props) {
             <h2>{words.exam.title(title ?? "")}</h2>
             <p className="taught-ask">{inScreenLanguage(set.words, language)?.about}</p>
             <ul className="set-terms">
-              {termsOf(set, words, language).map((term) => (
+              {termsOnPaper(set, words, language).map((term) => (
                 <li key={term}>{term}</li>
               ))}
             </ul>

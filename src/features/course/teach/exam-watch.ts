@@ -1,9 +1,8 @@
-import { useEffect, useState } from "react";
-import { timeLeft, type Exam } from "../../../course/exam.ts";
-import { time } from "../../../app/base/clock.ts";
+import { useEffect, useReducer } from "react";
+import type { Exam } from "../../../course/exam.ts";
 import { once } from "../../../app/base/once.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
-import { endExam, overdueExams } from "../../../app/records/course/exams.ts";
+import { endExam, overdueExams, timeLeftNow } from "../../../app/records/course/exams.ts";
 import { progressRecord } from "../../../app/records/course/progress.ts";
 import { resultsToHandIn, type Learner } from "./hand-in.ts";
 
@@ -35,12 +34,13 @@ export const watchExams = once(() => {
 
 /** Time left in an exam, ms, each second; null without a limit, or when it is over. */
 export function useTimeLeft(exam: Exam | null): number | null {
-  const [now, tick] = useState(time);
-  const isRunning = exam !== null && !exam.ended && timeLeft(exam, now) !== null;
+  const [, tick] = useReducer((ticks: number) => ticks + 1, 0);
+  const left = exam === null || exam.ended ? null : timeLeftNow(exam);
+  const isRunning = left !== null;
   useEffect(() => {
     if (!isRunning) return undefined;
-    const timer = setInterval(() => tick(time()), SECOND);
+    const timer = setInterval(tick, SECOND);
     return () => clearInterval(timer);
   }, [isRunning]);
-  return isRunning ? timeLeft(exam, now) : null;
+  return left;
 }

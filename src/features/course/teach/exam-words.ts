@@ -38,6 +38,12 @@ export function termsOf({ exam, help, due }: TaskSet, t: CourseSetTexts, languag
   ];
 }
 
+/** What applies to an exam on paper: its time, and until when it is due. */
+export const termsOnPaper = ({ exam, due }: TaskSet, t: CourseSetTexts, language: Language): readonly string[] => [
+  ...(exam?.minutes === undefined ? [] : [t.paper.minutes(String(exam.minutes))]),
+  ...(due === undefined ? [] : [t.terms.due(momentText(language, due))]),
+];
+
 /** How an exam ended, or until when it runs; "" without a limit. */
 export function examStateText(exam: Exam, t: CourseSetTexts, language: Language): string {
   const { ended } = exam;

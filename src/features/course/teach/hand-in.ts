@@ -3,7 +3,7 @@ import { goalsOf, isMet } from "../../../course/goals.ts";
 import { judge } from "../../../course/judge/judge.ts";
 import type { Answer } from "../../../course/judge/judgement.ts";
 import { RESULT_FORMAT, type HandedResult, type TaskResult } from "../../../course/made/result.ts";
-import { checkIn, type Exam, type ExamCheck } from "../../../course/exam.ts";
+import { checkIn, momentIn, type Exam, type ExamCheck } from "../../../course/exam.ts";
 import { progressOfTask, type CourseProgress } from "../../../course/progress.ts";
 import type { TaskSet } from "../../../course/task-set.ts";
 import type { Task } from "../../../course/task.ts";
@@ -146,7 +146,7 @@ export async function resultsToHandIn(
     format: RESULT_FORMAT,
     name: name.trim(),
     ...(group.trim() !== "" && { group: group.trim() }),
-    made: time(),
+    made: exam ? momentIn(exam, time()) : time(),
     ...(set && {
       set: {
         id: set.id,

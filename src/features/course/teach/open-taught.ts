@@ -1,15 +1,10 @@
 import { LARGEST_TAUGHT, readTaught, readTaughtLink, isTaughtText, type ReadTaught } from "./taught-files.ts";
-import {
-  showProblem,
-  showResults,
-  showSet,
-  showTask,
-  type NamedResult,
-} from "../../../app/records/course/opened-course-file.ts";
+import { showProblem, showSet, showTask } from "../../../app/records/course/opened-course-file.ts";
+import { showResults, type NamedResult } from "../../../app/records/course/show-results.ts";
 
 /** Shows the task or the results of a link, or why it has none. */
-export function openTaughtLink(hash: string): void {
-  show("", readTaughtLink(hash));
+export async function openTaughtLink(hash: string): Promise<void> {
+  show("", await readTaughtLink(hash));
 }
 
 function show(file: string, read: ReadTaught): void {

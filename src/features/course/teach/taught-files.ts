@@ -1,15 +1,16 @@
 import { readResult, RESULT_FORMAT, type HandedResult } from "../../../course/made/result.ts";
 import { formatOf, readSet, readTask } from "../../../course/read-task.ts";
-import { SET_FORMAT, type TaskSet } from "../../../course/task-set.ts";
+import { markOfSet, SET_FORMAT, setForLearners, taskInSet, type TaskSet } from "../../../course/task-set.ts";
 import type { CourseFileProblem } from "../../../app/records/course/opened-course-file.ts";
 import { TASK_FORMAT, type Task } from "../../../course/task.ts";
 import { packedForLink, unpackedFromLink } from "../../../app/records/link.ts";
-import { fromOutside } from "../../../app/records/course/content.ts";
+import { fetchTask, fromOutside } from "../../../app/records/course/content.ts";
+import { TAUGHT_DICTIONARY } from "./taught-dictionary.ts";
 
-/** Prefixes with versions of the links; newer ones have higher numbers. */
-const TASK_MARK = "#t1=",
-  SET_MARK = "#s1=",
-  RESULT_MARK = "#r1=";
+/** Form of the links; newer ones have higher numbers. The first one was packed like a work. */
+const LINK_FORM = 2;
+const linkTo = (page: string, kind: "t" | "s" | "r", content: unknown): string =>
+  `${page}#${kind}${LINK_FORM}=${packedForLink(content, TAUGHT_DICTIONARY)}`;
 /** Largest file of a task or of results, and longest unpacked text of a link, characters. */
 export const LARGEST_TAUGHT = 4_000_000;
 
@@ -21,9 +22,51 @@ export type ReadTaught =
   | CourseFileProblem;
 
 /** Links with a task, a set, or results. `page`: the address without the fragment. */
-export const taskLink = (page: string, task: Task): string => page + TASK_MARK + packedForLink(task);
-export const setLink = (page: string, set: TaskSet): string => page + SET_MARK + packedForLink(set);
-export const resultLink = (page: string, result: HandedResult): string => page + RESULT_MARK + packedForLink(result);
+export const taskLink = (page: string, task: Task): string => linkTo(page, "t", task);
+export const resultLink = (page: string, result: HandedResult): string => linkTo(page, "r", result);
+
+/** The tasks of a set that are those of the course, unchanged: their ids in the course by their ids in the set. */
+export async function courseTasksIn({
+  id,
+  tasks,
+}: Pick<TaskSet, "id" | "tasks">): Promise<ReadonlyMap<string, string>> {
+  const mark = markOfSet(id);
+  const ids = await Promise.all(
+    tasks.map(async (task) => {
+      const name = task.id.endsWith(`-${mark}`) ? task.id.slice(0, -mark.length - 1) : task.id;
+      const own = await fetchTask(name);
+      return own && JSON.stringify(taskInSet(own, mark)) === JSON.stringify(task) ? ([task.id, name] as const) : null;
+    }),
+  );
+  return new Map(ids.filter((each) => each !== null));
+}
+
+/** A link with a set for learners. A task of the course is named only, since every page has the course. */
+export const setLink = (page: string, set: TaskSet, ofCourse: ReadonlyMap<string, string>): string =>
+  linkTo(page, "s", {
+    ...set,
+    tasks: set.tasks.map((task) => {
+      const course = ofCourse.get(task.id);
+      return course === undefined ? task : { course };
+    }),
+  });
+
+const isObject = (raw: unknown): raw is Readonly<Record<string, unknown>> => typeof raw === "object" && raw !== null;
+
+/** A set of a link with the tasks that it only names; null if this page has no such task, as a newer one may. */
+async function withCourseTasks(text: string): Promise<string | null> {
+  const raw: unknown = JSON.parse(text);
+  if (!isObject(raw) || raw["format"] !== SET_FORMAT || !Array.isArray(raw["tasks"])) return text;
+  const mark = markOfSet(String(raw["id"]));
+  const tasks: unknown[] = [];
+  for (const each of raw["tasks"]) {
+    const name: unknown = isObject(each) ? each["course"] : undefined;
+    const task = typeof name === "string" ? await fetchTask(name) : null;
+    if (name !== undefined && !task) return null;
+    tasks.push(task ? taskInSet(task, mark) : each);
+  }
+  return JSON.stringify({ ...raw, tasks });
+}
 
 /** A task, a set or results as a file. */
 export const taughtFile = (content: Task | TaskSet | HandedResult): string => `${JSON.stringify(content, null, 1)}\n`;
@@ -83,16 +126,20 @@ export const isTaughtText = (text: string): boolean =>
   /^\uFEFF?\s*\{/.test(text) && /"format"\s*:\s*"turnwise-(?:task|set|result)\//.test(text);
 
 /** Reads the fragment of a link. Never throws, and never unpacks more than its limit. */
-export function readTaughtLink(hash: string, most = LARGEST_TAUGHT): ReadTaught {
+export async function readTaughtLink(hash: string, most = LARGEST_TAUGHT): Promise<ReadTaught> {
   const [mark, form] = /^#[trs](\d+)=/.exec(hash) ?? [];
   if (mark === undefined) return { kind: "damaged" };
-  if (Number(form) > 1) return { kind: "newer" };
+  if (Number(form) > LINK_FORM) return { kind: "newer" };
   try {
-    const text = unpackedFromLink(hash.slice(mark.length), most);
+    const packed = hash.slice(mark.length);
+    const text = form === "1" ? unpackedFromLink(packed, most) : unpackedFromLink(packed, most, TAUGHT_DICTIONARY);
     if (text === null) return { kind: "tooLarge" };
-    const read = readTaught(text);
+    const whole = await withCourseTasks(text);
+    if (whole === null) return { kind: "newer" };
+    const read = readTaught(whole);
     // The packed text was valid JSON: invalid text was truncated or altered on its way.
-    return read.kind === "notJson" || read.kind === "foreign" ? { kind: "damaged" } : read;
+    if (read.kind === "notJson" || read.kind === "foreign") return { kind: "damaged" };
+    return read.kind === "set" ? { ...read, set: setForLearners(read.set) } : read;
   } catch {
     return { kind: "damaged" };
   }

@@ -148,10 +148,10 @@ export function ApproachDialog({
         choosing ? (
           <ApproachChooser
             context={context}
-            chosen={{ shape: shapeOf(form), departing }}
-            onChoose={(taken) => {
+            chosen={statement}
+            onChoose={(taken, polar) => {
               choose(false);
-              onChange(withForm(statement, taken, context), null);
+              onChange(withForm(statement, taken, context, polar), null);
             }}
           />
         ) : null

@@ -14,6 +14,7 @@ import { HelpMarks } from "../../../app/pictures/help/HelpMarks.tsx";
 import { useSize } from "../../../app/pictures/help/use-size.ts";
 import { useLengths } from "../../../app/calculation/lengths.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
+import { PointDots } from "../../../app/pictures/plane/PointDot.tsx";
 import { approachSpeech } from "../../../app/pictures/plane/speech.ts";
 import { gridOf, useDrag } from "../../../app/pictures/plane/use-drag.ts";
 import "../../../app/pictures/help/help.css";
@@ -111,15 +112,6 @@ export function ApproachPicture({
         {...(ready ? {} : { className: "dimmed" })}
       >
         <HelpMarks marks={drawing.marks} id={id} />
-        {drawing.points.map((p) => (
-          <circle
-            key={`${p.at.x} ${p.at.y}`}
-            className="approach-point"
-            cx={px(p.place.x)}
-            cy={px(p.place.y)}
-            r={3.5}
-          />
-        ))}
         {handles.map(({ handle, place }) => (
           <g
             key={handle}
@@ -138,6 +130,7 @@ export function ApproachPicture({
             )}
           </g>
         ))}
+        <PointDots points={drawing.points} />
       </svg>
       {!ready && (
         <p className="help-note" aria-hidden="true">

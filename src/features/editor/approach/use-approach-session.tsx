@@ -12,6 +12,7 @@ import {
 } from "../../../program/edits/approach-draft.ts";
 import { approachFields, type ApproachField, type ApproachWord } from "../../../program/motion/approach-fields.ts";
 import type { ApproachContext } from "../../../program/edits/approach-request.ts";
+import { approachWords } from "../../../app/fields/blocks/approach-words.ts";
 import { promptOf, type Prompt, type PromptSession } from "../../../app/fields/dialog/session.ts";
 import type { FindingEntry } from "../../../app/findings/entry.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
@@ -133,8 +134,7 @@ export function useApproachSession({
     };
   };
   const asked = (f: ApproachField): Prompt => {
-    const { words } = t.approach;
-    const texts = plane === "ZX" && f.id === "Z" ? words.turningZ : words[f.id];
+    const texts = approachWords(t.approach, f.id, { departing: statement.departing, plane });
     const letter = f.id === "SIDE" ? "RL/RR" : f.id;
     const [min = "", max = ""] = f.range.map((n) => formatNumber(language, n, 4));
     return promptOf({ id: f.id, letter, optional: f.optional, increments: f.increments ?? false }, texts, {

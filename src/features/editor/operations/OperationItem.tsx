@@ -1,5 +1,6 @@
 import { useRef } from "react";
 import { Drawing } from "../../../app/fields/chooser/Drawing.tsx";
+import { PartPicture } from "../../../app/fields/kept/PartPicture.tsx";
 import { menuCycle } from "../../../app/fields/chooser/menu.ts";
 import { chooseOpenBlock } from "../../../app/fields/blocks/choose-block.ts";
 import { openBlock } from "../../../app/fields/blocks/session.ts";
@@ -78,7 +79,11 @@ export function OperationItem({ row, last, isCurrent, isOpen, index, onAct, onDr
         >
           <span className="number operation-number">{row.unit + 1}</span>
           <span className="pictograms">
-            <Drawing of={cycle?.pictograms[0]} id={`op${row.unit}`} turned={cycle?.group === "transverse"} />
+            {row.path ? (
+              <PartPicture of={row.path} />
+            ) : (
+              <Drawing of={cycle?.pictograms[0]} id={`op${row.unit}`} turned={cycle?.group === "transverse"} />
+            )}
           </span>
           <span className="operation-words">
             <b>{title}</b>

@@ -4,6 +4,7 @@ import { startLines } from "../../../nc/program.ts";
 import { useSession } from "../../../app/fields/blocks/session.ts";
 import { useFitsOfLine } from "../../../app/calculation/use-tool-fits.ts";
 import { ModalDialog } from "../../../app/base/ModalDialog.tsx";
+import { useFixesHeldBack } from "../../../app/findings/task-result.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { ToolChoice } from "./ToolChoice.tsx";
 import "./operations.css";
@@ -28,7 +29,9 @@ export function ToolDialog({ title, taken, line, finishes = false, done, onTake 
   const t = useTexts().operations;
   const dialog = useRef<HTMLDialogElement>(null);
   const program = useSession((s) => s.reading.program);
-  const fits = useFitsOfLine(startLines(program)[line] ?? null);
+  const isHeldBack = useFixesHeldBack();
+  const found = useFitsOfLine(startLines(program)[line] ?? null);
+  const fits = isHeldBack ? null : found;
   return (
     <ModalDialog ref={dialog} className="operation-dialog" title={t.toolTitle(title)} done={done}>
       <ToolChoice

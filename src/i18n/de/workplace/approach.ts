@@ -12,27 +12,24 @@ export const approach = {
   otherForm: "Funktion ändern",
   incremental: "Vorangestelltes I: inkremental",
   parameter: "Q-Parameter ohne Wert; noch keine Zeichnung.",
+  ends: {
+    PA: {
+      label: "Punkt PA",
+      prompt: (axis) => `${axis} des ersten Konturpunkts PA?`,
+      about: "Punkt der Kontur, an dem der Schnitt beginnt, wie in der Zeichnung; nicht der Werkzeugmittelpunkt.",
+    },
+    PN: {
+      label: "Punkt PN",
+      prompt: (axis) => `${axis} des Endpunkts PN?`,
+      about: "Position nach dem Wegfahren, außerhalb der Kontur, ohne Radiuskorrektur.",
+    },
+  },
   words: {
-    X: {
-      label: "Punkt",
-      prompt: "X des Konturpunkts?",
-      about: "APPR: erster Konturpunkt PA. DEP LCT: Endpunkt PN außerhalb der Kontur.",
-    },
-    Y: {
-      label: "Punkt",
-      prompt: "Y des Konturpunkts?",
-      about: "APPR: erster Konturpunkt PA. DEP LCT: Endpunkt PN außerhalb der Kontur.",
-    },
     Z: {
       label: "Werkzeugachse",
       prompt: "Tiefe oder Höhe in der Werkzeugachse?",
       about:
         "Fehlt sie, bleibt das Werkzeug auf seiner Höhe. TNC 640 fährt zuerst in der Ebene, TNC7 in allen Achsen zugleich.",
-    },
-    turningZ: {
-      label: "Punkt",
-      prompt: "Z des Konturpunkts?",
-      about: "APPR: erster Konturpunkt PA. DEP LCT: Endpunkt PN außerhalb der Kontur.",
     },
     PR: { label: "Polarradius", prompt: "Abstand vom Pol CC?", about: "Der Pol ist der vorherige CC-Satz." },
     PA: {
@@ -86,12 +83,19 @@ export const approach = {
   drag: "Punkt ziehen, um seinen Wert zu ändern, oder den Wert eingeben.",
   noPicture: "Die Zeichnung erscheint, sobald der Punkt vollständig ist und ein Konturelement an den Satz anschließt.",
   stale: "Letzte gültige Zeichnung",
-  pointTable: "Punkte des Werkzeugmittelpunkts",
+  dots: { contour: "auf der Kontur", centre: "Werkzeugmittelpunkt" },
+  pointTable: "Punkte von APPR und DEP",
   lines: {
     centre: "Mittelpunktsbahn",
     block: "Vorschub des Satzes",
     before: "vorheriger Vorschub",
     rapid: "Eilgang",
+  },
+  coordinates: {
+    title: "Koordinaten des Punkts",
+    cartesian: "Kartesisch",
+    polar: "Polar",
+    noPole: "Polare Funktionen (PLT, PLN, PCT, PLCT) brauchen einen Pol: vor diesem Satz CC einfügen.",
   },
   choose: "Funktion wählen",
   chooseAbout: "Alle acht Funktionen an derselben Kontur, mit demselben Werkzeug.",

@@ -16,27 +16,25 @@ export const approach = {
   otherForm: "Change function",
   incremental: "Prefix I: incremental",
   parameter: "Q parameter without a value; no drawing yet.",
+  /* the programmed point: PA of an approach, PN of a departure */
+  ends: {
+    PA: {
+      label: "point PA",
+      prompt: (axis: string) => `${axis} of the first contour point PA?`,
+      about: "Point of the contour where the cut begins, as on the drawing; not the tool centre.",
+    },
+    PN: {
+      label: "point PN",
+      prompt: (axis: string) => `${axis} of the end point PN?`,
+      about: "Position after the departure, outside the contour, without radius compensation.",
+    },
+  },
   /* one prompt each */
   words: {
-    X: {
-      label: "point",
-      prompt: "X of the contour point?",
-      about: "APPR: the first contour point PA. DEP LCT: the end point PN outside the contour.",
-    },
-    Y: {
-      label: "point",
-      prompt: "Y of the contour point?",
-      about: "APPR: the first contour point PA. DEP LCT: the end point PN outside the contour.",
-    },
     Z: {
       label: "tool axis",
       prompt: "Depth or height in the tool axis?",
       about: "If omitted, the tool keeps its height. TNC 640 moves in the plane first, TNC7 in all axes at once.",
-    },
-    turningZ: {
-      label: "point",
-      prompt: "Z of the contour point?",
-      about: "APPR: the first contour point PA. DEP LCT: the end point PN outside the contour.",
     },
     PR: { label: "polar radius", prompt: "Distance from the pole CC?", about: "The pole is the previous CC block." },
     PA: {
@@ -91,9 +89,16 @@ export const approach = {
   drag: "Drag a point to change its value, or enter the value in the prompts.",
   noPicture: "The drawing appears when the point is complete and the block is next to a contour element.",
   stale: "Last valid drawing",
-  pointTable: "Points of the tool centre",
+  dots: { contour: "on the contour", centre: "tool centre" },
+  pointTable: "Points of APPR and DEP",
   lines: { centre: "path of the tool centre", block: "feed of the block", before: "previous feed", rapid: "rapid" },
   /* choosing */
+  coordinates: {
+    title: "Coordinates of the point",
+    cartesian: "Cartesian",
+    polar: "Polar",
+    noPole: "Polar functions (PLT, PLN, PCT, PLCT) need a pole: insert CC before this block.",
+  },
   choose: "Choose a function",
   chooseAbout: "All eight functions on the same contour, with the same tool.",
   take: (block: string, name: string) => `${block}: ${name}`,

@@ -12,27 +12,24 @@ export const approach = {
   otherForm: "Changer de fonction",
   incremental: "I devant la valeur : incrémental",
   parameter: "Paramètre Q sans valeur ; pas encore de dessin.",
+  ends: {
+    PA: {
+      label: "point PA",
+      prompt: (axis) => `${axis} du premier point du contour PA ?`,
+      about: "Point du contour où la coupe commence, comme sur le plan ; pas le centre d’outil.",
+    },
+    PN: {
+      label: "point PN",
+      prompt: (axis) => `${axis} du point final PN ?`,
+      about: "Position après la sortie, hors du contour, sans correction de rayon.",
+    },
+  },
   words: {
-    X: {
-      label: "point",
-      prompt: "X du point du contour ?",
-      about: "APPR : premier point du contour PA. DEP LCT : point final PN hors du contour.",
-    },
-    Y: {
-      label: "point",
-      prompt: "Y du point du contour ?",
-      about: "APPR : premier point du contour PA. DEP LCT : point final PN hors du contour.",
-    },
     Z: {
       label: "axe d’outil",
       prompt: "Profondeur ou hauteur dans l’axe d’outil ?",
       about:
         "Omis, l’outil garde sa hauteur. La TNC 640 se déplace d’abord dans le plan, la TNC7 sur tous les axes à la fois.",
-    },
-    turningZ: {
-      label: "point",
-      prompt: "Z du point du contour ?",
-      about: "APPR : premier point du contour PA. DEP LCT : point final PN hors du contour.",
     },
     PR: { label: "rayon polaire", prompt: "Distance au pôle CC ?", about: "Le pôle est la séquence CC précédente." },
     PA: {
@@ -90,12 +87,19 @@ export const approach = {
   drag: "Glisser un point pour changer sa valeur, ou saisir la valeur dans les questions.",
   noPicture: "Le dessin apparaît dès que le point est complet et que la séquence touche un élément de contour.",
   stale: "Dernier dessin valide",
-  pointTable: "Points du centre d’outil",
+  dots: { contour: "sur le contour", centre: "centre d’outil" },
+  pointTable: "Points de APPR et DEP",
   lines: {
     centre: "trajectoire du centre",
     block: "avance de la séquence",
     before: "avance précédente",
     rapid: "avance rapide",
+  },
+  coordinates: {
+    title: "Coordonnées du point",
+    cartesian: "Cartésiennes",
+    polar: "Polaires",
+    noPole: "Les fonctions polaires (PLT, PLN, PCT, PLCT) exigent un pôle : insérer CC avant cette séquence.",
   },
   choose: "Choisir une fonction",
   chooseAbout: "Les huit fonctions sur le même contour, avec le même outil.",

@@ -1,0 +1,27 @@
+import { expect, test } from "vitest";
+import plate from "../../../examples/plate.h?raw";
+import { parse } from "../../../nc/parse.ts";
+import { run } from "../../../program/run/run.ts";
+import { shippedTools } from "../../../program/tools/shipped-tools.ts";
+import { pathPicture } from "./operation-rows.ts";
+
+const shop = { tools: shippedTools, rapid: 10_000 };
+
+test("an operation without a cycle is drawn by its own path", () => {
+  const milled = run(parse(plate), shop);
+  const [square, rounded] = [pathPicture(milled, 6, 18), pathPicture(milled, 18, 34)];
+  expect(square?.milled?.stock).not.toBeNull();
+  expect(rounded?.milled?.ways).not.toEqual(square?.milled?.ways);
+  expect(pathPicture(milled, 0, 6)).toBeNull();
+});
+
+test("a path turned block by block has Z to the right and X upwards", () => {
+  const turned = run(
+    parse(
+      "BEGIN PGM T MM\nBLK FORM CYLINDER Z D60 L70 DIST+1\nFUNCTION MODE TURN\nTOOL CALL 3\n" +
+        "FUNCTION TURNDATA SPIN VCONST:OFF S700 M3\nM136\nL X+40 Z+2 R0 FMAX\nL Z-20 F0.2\nEND PGM T MM\n",
+    ),
+    shop,
+  );
+  expect(pathPicture(turned, 0, 9)?.milled).toEqual({ stock: null, ways: [{ d: "M2 -20L-20 -20", wide: 0 }] });
+});
