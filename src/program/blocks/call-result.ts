@@ -86,10 +86,11 @@ function answer(
   const turning = threadWarnings(cycle, plan, spindle, machine.clock.rapid);
   const own = issues.filter((i) => i.code !== "missing" || !defined.unknownParameters.has(i.at ?? ""));
   const judge = judgeOf(cycle, called ? setting : null, given);
-  // An impossible sign or order is the cause of all other issues of tool and path.
+  // An impossible sign or order is the cause of all other issues of tool and path, and of a missing tool's fallback.
+  const slipJudge = judgeOf(cycle, setting, given);
   const slip =
-    values && called && judge && own.length === 0
-      ? dimensionSlip({ cycle, values, setting, judge, outlined, planned: plan.issues })
+    values && slipJudge && own.length === 0
+      ? dimensionSlip({ cycle, values, setting, judge: slipJudge, outlined, planned: plan.issues })
       : null;
   const found = slip ?? unique([...own, ...outlined, ...planned, ...turning]);
   const news = found.filter((i) => i.at !== "contour" || (reportedCodes !== null && !reportedCodes.includes(i.code)));
