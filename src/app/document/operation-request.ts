@@ -162,7 +162,11 @@ export function numbersOn(stock: readonly Ring[], site: Site, shape: TurnedShape
   const surface = longestOf(surfacesOf(stock, site));
   if (!surface) return usual;
   const open = toDiameter(surface.from.r);
-  const across = (text: string) => asTyped(shape === "thread" ? open : (Number(text) * open) / USUAL_OPEN[site]);
+  const share = open / USUAL_OPEN[site];
+  const across = (text: string) => {
+    const scaled = shape === "thread" ? open : Number(text) * share;
+    return asTyped(Math.abs(scaled - open) < 1 ? open : Math.round(scaled));
+  };
   const along = (text: string) => asTyped(Number(text) + startOnSurface(surface, stock));
   return { ...usual, d1: across(usual.d1), d2: across(usual.d2), z1: along(usual.z1), z2: along(usual.z2) };
 }
