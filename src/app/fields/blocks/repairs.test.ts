@@ -136,6 +136,11 @@ const cases: readonly (readonly [code: string, text: string, offered: string | n
   ["cornerElementTooLong", withContour("RND R25"), "RND R11.95"],
   ["cornerElementTooLong", withContour("CHF 25"), "CHF 11.95"],
   ["threadSurfaceSpeed", THREAD, "VCONST:OFF S1157"],
+  [
+    "endInFront",
+    changed(cycle812(), cycle812().replace("Q494=-31.9", "Q494=+31.9")).replace("TOOL CALL 1", "TOOL CALL 42"),
+    -31.9,
+  ],
   ["outOfRange", changed(cycle812(), cycle812().replace("Q463=+2.3", "Q463=+1200")), 5],
 ];
 
