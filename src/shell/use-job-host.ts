@@ -117,6 +117,7 @@ export function useJobHost(read: JobReading): FindingsHost {
       cycleOf: () => job.cycle,
       point: () => undefined,
       toFirstOpen,
+      isCurrent: true,
       takeTool,
     };
   }, [t, language, read]);

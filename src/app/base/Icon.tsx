@@ -37,6 +37,8 @@ const paths = {
   solid: "M12 3l8 4.5v9L12 21l-8-4.5v-9zM4 7.5l8 4.5 8-4.5M12 12v9",
   turn: "M4 8h15l-4-4M20 16H5l4 4",
   rename: "M4 20h4L19.5 8.5l-4-4L4 16zM13 7l4 4",
+  blocks: "M5 6h2M5 12h2M5 18h2M10 6h9M10 12h9M10 18h6",
+  clamp: "M3 5h6v14H3M9 8h4v3H9M9 13h4v3H9M13 9.5h8v5h-8",
   remove: "M5 7h14M10 7V4h4v3M7 7l1 13h8l1-13M10 11v5M14 11v5",
 } as const;
 

@@ -10,7 +10,7 @@ interface Props {
   readonly heading?: string;
   readonly done: () => void;
   readonly className?: string;
-  /** Selector of the element that gets the focus first; by default the marked one. */
+  /** Selector of the element that gets the focus first; by default the marked one, or the first control of the content. */
   readonly first?: string;
   readonly role?: "alertdialog";
   /** Buttons beside the title. */
@@ -19,6 +19,16 @@ interface Props {
   readonly isBare?: boolean;
   readonly ref?: RefObject<HTMLDialogElement | null>;
   readonly children: ReactNode;
+}
+
+const CONTROL = ":is(button, input, select, textarea, a[href], [tabindex='0']):not(:disabled, .modal-head *)";
+
+/** Closing is never the first thing to do: without a marked element the first control of the content has the focus. */
+function focusFirst(dialog: HTMLElement, first: string): void {
+  const focused = document.activeElement;
+  // Late texts must not take the focus from where the user has moved it.
+  if (dialog.contains(focused) && focused !== dialog && !focused?.matches(".modal-head *")) return;
+  (dialog.querySelector<HTMLElement>(first) ?? dialog.querySelector<HTMLElement>(CONTROL))?.focus();
 }
 
 /**
@@ -38,12 +48,15 @@ export function ModalDialog({
   const { close } = useTexts("first").page;
   const own = useRef<HTMLDialogElement>(null);
   const { className = "modal", role, ref: dialog = own } = more;
+  const isLoaded = title !== undefined;
   useLayoutEffect(() => {
     const { current } = dialog;
     current?.showModal();
-    current?.querySelector<HTMLElement>(first)?.focus();
     return () => current?.close();
-  }, [dialog, first]);
+  }, [dialog]);
+  useLayoutEffect(() => {
+    if (isLoaded && dialog.current) focusFirst(dialog.current, first);
+  }, [dialog, first, isLoaded]);
   return (
     <dialog
       ref={dialog}

@@ -1,11 +1,12 @@
 import type { TurnedShape } from "../../cycles/define.ts";
 import type { Site, ShapeRequest } from "../../cycles/shape-request.ts";
-import type { Pt, Segment } from "../../kernel/geometry/point.ts";
+import type { Pt, Ring, Segment } from "../../kernel/geometry/point.ts";
 import { axial, diameter, length, rounded, toDiameter } from "../../kernel/units.ts";
 import { readRows } from "../../program/job/contour-rows.ts";
 import type { WhichRegion } from "../place/place.ts";
 import { anyNumber, readText, type Field } from "../../program/values/field.ts";
 import type { ContourRow } from "../../program/job/job.ts";
+import { longestOf, startOnSurface, surfacesOf } from "../../program/job/stock-surface.ts";
 import { boxAroundContour, rowsOf } from "../../program/job/requested-shape.ts";
 
 /** The stock in the chuck: solid, the shape with an oversize, or what earlier operations have left. */
@@ -152,6 +153,24 @@ export function usualNumbers(site: Site, shape: TurnedShape): Typed {
   }
 }
 
+/** Diameter of the open side among the usual numbers. */
+const USUAL_OPEN = { outside: 75, inside: 30, face: 75 };
+
+/** The usual numbers of a shape, moved to the longest surface of a stock; unchanged where it has none on this site. */
+export function numbersOn(stock: readonly Ring[], site: Site, shape: TurnedShape): Typed {
+  const usual = usualNumbers(site, shape);
+  const surface = longestOf(surfacesOf(stock, site));
+  if (!surface) return usual;
+  const open = toDiameter(surface.from.r);
+  const share = open / USUAL_OPEN[site];
+  const across = (text: string) => {
+    const scaled = shape === "thread" ? open : Number(text) * share;
+    return asTyped(Math.abs(scaled - open) < 1 ? open : Math.round(scaled));
+  };
+  const along = (text: string) => asTyped(Number(text) + startOnSurface(surface, stock));
+  return { ...usual, d1: across(usual.d1), d2: across(usual.d2), z1: along(usual.z1), z2: along(usual.z2) };
+}
+
 /**
  * A request after a change. Typed numbers stay as long as they fit the new shape; the others are the usual ones of that
  * shape.
@@ -160,12 +179,13 @@ export function changedRequest(
   before: OperationRequest,
   change: Partial<OperationRequest>,
   typed: ReadonlySet<AskedMeasure>,
+  usual: typeof usualNumbers = usualNumbers,
 ): OperationRequest {
   const next = { ...before, ...change };
   const stock = next.stock === "preturned" && !canBePreturned(next.shape) ? "solid" : next.stock;
   if (change.typed !== undefined || (change.site === undefined && change.shape === undefined))
     return { ...next, stock };
-  let fitting: OperationRequest = { ...next, stock, typed: usualNumbers(next.site, next.shape) };
+  let fitting: OperationRequest = { ...next, stock, typed: usual(next.site, next.shape) };
   for (const measure of typed) {
     const tried = { ...fitting, typed: { ...fitting.typed, [measure]: before.typed[measure] } };
     if (readOperationRequest(tried).fault === null) fitting = tried;
@@ -179,14 +199,23 @@ const asTyped = (n: number) => String(rounded(n));
 /** Largest distance of a groove's ends from its open side, as a share of its depth. */
 const AT_THE_EDGE = 0.1;
 
-/** The likely shape of a contour section: a groove if it begins and ends at its open side, else a free contour. */
+/** Whether an element runs along an axis: a groove of the request has square corners. */
+const isSquare = (s: Segment): boolean =>
+  s.kind === "line" && (Math.abs(s.from.z - s.to.z) < SQUARE || Math.abs(s.from.r - s.to.r) < SQUARE);
+const SQUARE = 0.001;
+
+/**
+ * The likely shape of a contour section: a groove if it is a square one that begins and ends at its open side, else a
+ * free contour.
+ */
 function likelyShape(stretch: readonly Segment[], { d1, d2, z1, z2 }: Typed, site: Site): TurnedShape {
   const depth = ({ z, r }: Pt) =>
     site === "face"
       ? (Number(z1) - z) / (Number(z1) - Number(z2))
       : (Number(d1) - toDiameter(r)) / (Number(d1) - Number(d2));
   const [first, last] = [stretch[0]?.from, stretch.at(-1)?.to];
-  const isValley = stretch.length > 2 && first && last && Math.max(depth(first), depth(last)) < AT_THE_EDGE;
+  const isValley =
+    stretch.length > 2 && stretch.every(isSquare) && first && last && Math.max(depth(first), depth(last)) < AT_THE_EDGE;
   return isValley ? "groove" : "free";
 }
 

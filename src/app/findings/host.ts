@@ -31,6 +31,8 @@ export interface FindingsHost {
   readonly point: (entry: FindingEntry) => void;
   /** Opens the first prompt that is not answered yet. */
   readonly toFirstOpen: () => void;
+  /** False while the findings are those of an older text: a change is offered only for the present one. */
+  readonly isCurrent: boolean;
   /** Gives the operation of a finding another tool. */
   readonly takeTool: (entry: FindingEntry, tool: number) => void;
 }

@@ -7,6 +7,8 @@ import { CALCULATING } from "../base/waits.ts";
 import { fitsOfCall } from "../calculation/tool-questions.ts";
 import { useOutcome } from "../calculation/outcome.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
+import { bundleOf, useEditor } from "../document/store.ts";
+import { createCalledTool } from "../document/tool-row.ts";
 import { isError, type FindingEntry } from "./entry.ts";
 import { findingsOf } from "./findings.ts";
 import type { FindingsHost, Fix, Trial } from "./host.ts";
@@ -34,7 +36,8 @@ function suitable(fits: readonly ToolFit[], { issue }: FindingEntry): readonly T
 
 /** Tools of the table that can make the contour where the called one cannot, or does not exist. */
 export function useToolOffers(entry: FindingEntry, host: FindingsHost): readonly Fix[] {
-  const t = useTexts().setup.tool;
+  const { setup, findings } = useTexts();
+  const t = setup.tool;
   const newest = useOutcome((s) => s.newest);
   const [fits, offer] = useState<readonly ToolFit[]>([]);
   const asked =
@@ -48,11 +51,17 @@ export function useToolOffers(entry: FindingEntry, host: FindingsHost): readonly
       });
     });
   }, [asked, newest, entry]);
+  const handedOn = useEditor((s) => bundleOf(s).tools);
   if (!asked) return NONE;
-  return fits.map(({ tool }) => ({
-    name: UNKNOWN_TOOL.has(entry.issue.code) ? t.takeNamed(tool.T, tool.NAME) : t.take(tool.T),
+  const isUnknown = UNKNOWN_TOOL.has(entry.issue.code);
+  const taken = (host.isCurrent ? fits : []).map(({ tool }) => ({
+    name: isUnknown ? t.takeNamed(tool.T, tool.NAME) : t.take(tool.T),
     apply: () => host.takeTool(entry, tool.T),
   }));
+  // A work that carries its own tools does not call those of the table.
+  if (entry.issue.code !== "toolUnknown" || handedOn) return taken;
+  const { tool } = entry.issue.data;
+  return [...taken, { name: findings.createTool(tool), apply: () => createCalledTool(tool) }];
 }
 
 function afterRest(start: (isGone: () => boolean) => void): () => void {

@@ -102,7 +102,15 @@ const listedOperations = ({ wording, files, consequences, withWriting }: Omit<Pr
       if (!isListed(operation, consequence, withWriting)) return [];
       const differences = operation.differences.filter((each) => withWriting || !isFormattingOnly(each));
       const key = `${f} ${operation.a?.place ?? -1} ${operation.b?.place ?? -1}`;
-      return [{ key, file, operation, effects: consequence ? effectTexts(wording, consequence) : [], differences }];
+      return [
+        {
+          key,
+          file,
+          operation,
+          effects: consequence ? effectTexts(wording, consequence, operation.outcome) : [],
+          differences,
+        },
+      ];
     }),
   );
 

@@ -3,7 +3,7 @@ import type { CompareTexts } from "../../i18n/en/compare.ts";
 import type { Texts } from "../../i18n/index.ts";
 import type { Lengths } from "../../i18n/lengths.ts";
 import type { Program } from "../../nc/program.ts";
-import type { ComparedOperation } from "../../program/compare/by-operation.ts";
+import type { ComparedOperation, OperationOutcome } from "../../program/compare/by-operation.ts";
 import type { BlockDifference } from "../../program/compare/compare.ts";
 import { bareText, type WordChange } from "../../program/compare/meaning.ts";
 import { changedEffects, type Consequence, type Effects } from "../../report/compare/consequences.ts";
@@ -50,13 +50,22 @@ function effectText(wording: Wording, name: keyof Effects, { [name]: value }: Ef
     : `${lengths.number(value)} ${lengths.unit}`;
 }
 
-/** Effects on a changed operation: "Infeed 2.56 → 2.05", "Time 1 min 20 s → 1 min 28 s (+8 s)". */
+/**
+ * Effects on a changed operation: "Infeed 2.56 → 2.05", "Time 1 min 20 s → 1 min 28 s (+8 s)". An operation that is
+ * added or removed has only its own values.
+ */
 export function effectTexts(
   wording: Wording,
   consequence: Consequence,
+  outcome: OperationOutcome = "kept",
 ): readonly { readonly name: keyof Effects; readonly text: string }[] {
   const { words } = wording;
   const { before, after } = consequence;
+  const own = outcome === "added" ? after : outcome === "removed" ? before : null;
+  if (own)
+    return changedEffects(consequence)
+      .filter((name) => own[name] > 0)
+      .map((name) => ({ name, text: `${words.effects[name]} ${effectText(wording, name, own)}` }));
   const longer = longerBy(wording, consequence);
   return changedEffects(consequence).map((name) => {
     const [was, is] = [
@@ -193,7 +202,8 @@ export function comparisonText(
       if (!isListed(operation, consequence, withWriting)) return;
       const fate = words.fates[operation.outcome];
       lines.push("", `${operationTitle(wording, operation)}${fate === "" ? "" : ` (${fate})`}`);
-      if (consequence) lines.push(...effectTexts(wording, consequence).map(({ text }) => `  ${text}`));
+      if (consequence)
+        lines.push(...effectTexts(wording, consequence, operation.outcome).map(({ text }) => `  ${text}`));
       for (const each of operation.differences) {
         if (isFormattingOnly(each) && !withWriting) continue;
         lines.push(

@@ -2,7 +2,7 @@ import { useEffect, type ReactNode } from "react";
 import { formatFixed } from "../../i18n/number.ts";
 import type { Step } from "../../kernel/time/step.ts";
 import type { Program } from "../../nc/program.ts";
-import { operationsOf } from "../../program/edits/operations.ts";
+import { isOff, operationsOf } from "../../program/edits/operations.ts";
 import type { Run } from "../../program/state/run-types.ts";
 import { restartComparison, followComparing } from "../../app/findings/effect/compared.ts";
 import { areaDecimals, type ComparedNumber } from "../../app/findings/effect/changes.ts";
@@ -43,11 +43,13 @@ function toolChangesOf({ steps, operations }: Run): number {
 }
 
 /**
- * Operations of a program. Milling operations are not part of the run, so those of the text are counted, as in its
- * list.
+ * Operations of a program as in its list, where those without a turning cycle or a tool count too; more where a call or
+ * a loop runs one of them again.
  */
-export const operationCount = (program: Program, { plane, operations }: Pick<Run, "plane" | "operations">): number =>
-  plane.length > 0 ? operationsOf(program).units.length : operations.length;
+export function operationCount(program: Program, { operations }: Pick<Run, "operations">): number {
+  const listed = operationsOf(program).units.filter((own) => !isOff(program, own));
+  return Math.max(operations.length, listed.length);
+}
 
 /** Totals of the program: operations, passes, tool changes, time, residual material, and the verdict. */
 export function TotalsStrip() {

@@ -27,6 +27,11 @@ function counted(more: readonly string[]): number {
   return operationCount(program, run(program, { tools: shippedTools, rapid: 10_000 }));
 }
 
+test("operations without a turning cycle are counted as in the list of operations, a skipped one is not", () => {
+  const byHand = ["TOOL CALL 9", "L X+60 Z-20 R0 FMAX", "L X+30 F0.06", "L X+60 FMAX"];
+  expect([counted(byHand), counted(byHand.map((block) => `/ ${block}`))]).toEqual([2, 1]);
+});
+
 test("milling operations are counted as in the list of operations", () => {
   expect([counted([]), counted(milled), counted([...milled, ...milled.with(1, "TOOL CALL 21 Z S2500")])]).toEqual([
     1, 2, 3,

@@ -10,7 +10,7 @@ import { showFile, useShownOtherFile } from "../../app/document/shown-file.ts";
 import { isIn, ownPlace } from "../../app/document/shown-findings.ts";
 import { placeInFile } from "../../app/calculation/issue-text.ts";
 import { print, type Program } from "../../nc/program.ts";
-import { enterSection } from "../../app/place/place.ts";
+import { enterSection, openPrompt } from "../../app/place/place.ts";
 import { outputInUse } from "../../app/document/output.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
@@ -18,6 +18,7 @@ import { fixOf } from "./diagnostics.ts";
 import { fileKey } from "../../program/state/program-files.ts";
 import { useEditor } from "../../app/document/store.ts";
 import { fileOf } from "../../app/document/work.ts";
+import { openPrompts } from "../../app/fields/blocks/open-block.ts";
 import { isUpToDate } from "../../app/fields/blocks/up-to-date.ts";
 import type { Repair } from "../../app/fields/blocks/repair.ts";
 import { indexOf, repairsOf, toolCallBefore, withTool } from "../../app/fields/blocks/repairs.ts";
@@ -102,6 +103,9 @@ export function useProgramHost(): FindingsHost {
       const go = () => {
         open(entry);
         enterSection("block");
+        // A value that the list lacks has no line to put the cursor in.
+        const asked = openPrompts();
+        if (entry.at !== null && asked?.ids.includes(entry.at)) openPrompt(entry.at, asked.draft[entry.at] ?? "");
       };
       return {
         name: entry.inFile ? placeInFile(t, entry.inFile) : t.findings.inBlock(String(entry.block ?? index)),
@@ -151,6 +155,15 @@ export function useProgramHost(): FindingsHost {
       const s = program.blocks[indexOf(program, inOwnText(entry))]?.statement;
       return s?.kind === "cycle" ? s.cycle : null;
     };
-    return { targetOf, fixesOf, trialsOf, cycleOf, point: open, toFirstOpen: () => undefined, takeTool };
+    return {
+      targetOf,
+      fixesOf,
+      trialsOf,
+      cycleOf,
+      point: open,
+      toFirstOpen: () => undefined,
+      isCurrent: isUpToDate(newest),
+      takeTool,
+    };
   }, [t, language, reading, newest, beside]);
 }

@@ -2,6 +2,7 @@ import { MILL, type CellName } from "../../program/tools/tool-columns.ts";
 import { cellOf, isMillEntry, readEntry, type ToolEntry } from "../../program/tools/tool-entry.ts";
 import { freeNumber, newId, shippedList } from "../../program/tools/tool-list.ts";
 import { closeStep } from "../../app/document/steps.ts";
+import { addToolRow, NEW_TOOL } from "../../app/document/tool-row.ts";
 import type { ToolKind } from "../../app/place/place.ts";
 import { editTools, useTools } from "../../app/document/tool-store.ts";
 
@@ -26,16 +27,8 @@ export function setCells(id: string, cells: ToolEntry["cells"]): void {
 
 /** Adds a row with the next free number and the default values; returns its id. */
 export function addTool(kind: ToolKind): string {
-  const { list } = useTools.getState();
-  const id = newId(list);
-  editTools(() => [
-    ...list,
-    {
-      id,
-      cells: { T: String(freeNumber(list)), ...(kind === "milling" ? { TYPE: MILL } : { TYPE: "ROUGH", TO: "1" }) },
-    },
-  ]);
-  return id;
+  const T = String(freeNumber(useTools.getState().list));
+  return addToolRow({ T, ...(kind === "milling" ? { TYPE: MILL } : NEW_TOOL) });
 }
 
 /** Duplicates a tool, below it, with the next free number; returns the id of the copy. */

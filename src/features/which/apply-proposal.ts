@@ -19,7 +19,11 @@ import { useEditor } from "../../app/document/store.ts";
 export async function applyProposal(
   { job }: Proposal,
   wanted: ShapeRequest,
-  { language, adds }: { readonly language: Language; readonly adds: boolean },
+  {
+    language,
+    adds,
+    behind,
+  }: { readonly language: Language; readonly adds: boolean; readonly behind?: number | null | undefined },
 ): Promise<void> {
   const { job: open, program } = useEditor.getState();
   const ncLanguage = ncLanguageOf(language),
@@ -34,8 +38,9 @@ export async function applyProposal(
     ]);
     const layout = open ? { layout: open.layout } : {};
     const before = parse(open ? printedText(open) : (session.sessionText() ?? program?.text ?? ""));
-    const next = withOperation(before, { ...made, ...layout }, labels);
-    const index = openingBlock(next, operationsOf(next).units.length - 1);
+    const next = withOperation(before, { ...made, ...layout }, labels, behind === undefined ? {} : { behind });
+    const unit = behind === undefined ? operationsOf(next).units.length - 1 : behind === null ? 0 : behind + 1;
+    const index = openingBlock(next, unit);
     if (program) {
       showFile(null);
       session.editProgram(next, null, index);

@@ -1,4 +1,5 @@
 import type { Cycle, Given } from "../../cycles/define.ts";
+import type { Params } from "../../cycles/params.ts";
 import type { AnswerCache } from "../../kernel/answer-cache.ts";
 import type { Issue } from "../../kernel/plan/issue.ts";
 import type { Plan, PlanContext } from "../../kernel/plan/plan.ts";
@@ -13,8 +14,9 @@ import type { Defined } from "../state/modal.ts";
 import { unlikelyFeeds } from "../state/preconditions.ts";
 import type { Operation } from "../state/run-types.ts";
 import { countedPoint, shiftedPlan } from "./shifted-plan.ts";
-import { dimensionSlip } from "../values/dimension-slips.ts";
+import { dimensionSlip, type SlipCheckInput } from "../values/dimension-slips.ts";
 import { threadWarnings } from "./thread-warnings.ts";
+import { isUsualTool } from "../tools/which-tool.ts";
 import { judgeOf, testedOffers } from "../values/tested-offers.ts";
 
 /** A cycle call: besides the modal state, everything its path depends on. */
@@ -49,6 +51,27 @@ const nothing: Plan = emptyPlan([]);
 const unique = (issues: readonly Issue[]) => [
   ...new Map(issues.map((i) => [JSON.stringify([i.code, i.at ?? "", i.data]), i])).values(),
 ];
+
+type SlipInput<P extends Params> = Omit<SlipCheckInput<P>, "setting" | "judge"> & {
+  readonly given: Given;
+  readonly setting: PlanContext & SlipCheckInput<P>["setting"];
+};
+
+/** A slip in the dimensions, with the planned tool or, where the table lacks the called one, with another one. */
+function slipOf<P extends Params>(
+  { cycle, values, given, setting, outlined, planned: issues }: SlipInput<P>,
+  tools: readonly Tool[],
+): readonly Issue[] | null {
+  for (const tool of tools) {
+    const context = { ...setting, tool };
+    const judge = judgeOf(cycle, context, given);
+    if (!judge) return null;
+    const planned = tool === setting.tool ? issues : judge(values).issues;
+    const found = dimensionSlip({ cycle, values, setting: context, judge, outlined, planned });
+    if (found) return found;
+  }
+  return null;
+}
 
 function answer(
   machine: Machine,
@@ -87,9 +110,10 @@ function answer(
   const own = issues.filter((i) => i.code !== "missing" || !defined.unknownParameters.has(i.at ?? ""));
   const judge = judgeOf(cycle, called ? setting : null, given);
   // An impossible sign or order is the cause of all other issues of tool and path.
+  const tried = called ? [tool] : machine.shop.tools.filter((each) => isUsualTool(cycle.group, each));
   const slip =
-    values && called && judge && own.length === 0
-      ? dimensionSlip({ cycle, values, setting, judge, outlined, planned: plan.issues })
+    values && own.length === 0
+      ? slipOf({ cycle, values, given, setting, outlined, planned: plan.issues }, tried)
       : null;
   const found = slip ?? unique([...own, ...outlined, ...planned, ...turning]);
   const news = found.filter((i) => i.at !== "contour" || (reportedCodes !== null && !reportedCodes.includes(i.code)));

@@ -122,3 +122,24 @@ test("lines of older cycles and formulas mean the same in every language and spe
     ["changed", 12, 12, "Q5 3.1 → 3.2"],
   ]);
 });
+
+test.each([
+  ["its title", "* - SECOND\n", ""],
+  ["its tool call", "", ""],
+  [
+    "its title, between operations that end alike",
+    "* - SECOND\n",
+    "* - THIRD\nTOOL CALL 5\nCYCL DEF 861 ~\n Q460=+2\nL X+41 Z+2.2 FMAX\nCYCL CALL\nL Z+80 FMAX\n",
+  ],
+])("a removed or added operation begins with %s, even where its end equals the one before", (_, title, third) => {
+  const away = "L Z+80 FMAX\n";
+  const [one, other] = [`${HEAD}${away}${title}${SECOND}${away}${third}${END}`, `${HEAD}${away}${third}${END}`];
+  const [first, count] = [title === "" ? 9 : 10, 5];
+  const run = Array.from({ length: count }, (__, i) => first + i);
+  const blocks = (a: string, b: string) =>
+    comparePrograms(parse(a), parse(b)).differences.flatMap(({ kind, a: i, b: j }) =>
+      kind === "note" ? [] : [[kind, i ?? j]],
+    );
+  expect(blocks(one, other)).toEqual(run.map((i) => ["removed", i]));
+  expect(blocks(other, one)).toEqual(run.map((i) => ["added", i]));
+});

@@ -1,5 +1,6 @@
 import type { Block, Program } from "../../nc/program.ts";
 import { aligned, type Pair } from "./align.ts";
+import { slid } from "./slide.ts";
 import { bareText, isSaid, meaningOf, wordChanges, type Meaning, type WordChange } from "./meaning.ts";
 
 /**
@@ -29,11 +30,18 @@ export interface ProgramComparison {
 interface SaidBlocks {
   readonly at: readonly number[];
   readonly meanings: readonly Meaning[];
+  /** How likely an operation starts at each: behind a structure item, or with a tool call. */
+  readonly starts: readonly number[];
 }
 
 function saidIn({ blocks }: Program): SaidBlocks {
   const at = blocks.flatMap((block, i) => (isSaid(block) ? [i] : []));
-  return { at, meanings: at.map((i) => meaningOf(blocks[i] as Block)) };
+  const kindOf = (i: number) => blocks[i]?.statement.kind;
+  return {
+    at,
+    meanings: at.map((i) => meaningOf(blocks[i] as Block)),
+    starts: at.map((i) => (kindOf(i - 1) === "structure" ? 2 : kindOf(i) === "toolCall" ? 1 : 0)),
+  };
 }
 
 type Naming = (meaning: Meaning) => string;
@@ -53,7 +61,11 @@ function pairUp(
       numbers.set(name, known);
       return known;
     });
-  return aligned(numbered(a, inA), numbered(b, inB)).map(([i, j]) => [a[i] ?? 0, b[j] ?? 0]);
+  const [inOrderA, inOrderB] = [numbered(a, inA), numbered(b, inB)];
+  const swapped = (list: readonly Pair[]): readonly Pair[] => list.map(([i, j]) => [j, i]);
+  const removed = slid(aligned(inOrderA, inOrderB), inOrderA, b.length, (i) => inA.starts[a[i] ?? -1] ?? 0);
+  const added = slid(swapped(removed), inOrderB, a.length, (j) => inB.starts[b[j] ?? -1] ?? 0);
+  return swapped(added).map(([i, j]) => [a[i] ?? 0, b[j] ?? 0]);
 }
 
 /** Each range of both lists between two pairs. */

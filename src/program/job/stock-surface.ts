@@ -101,6 +101,12 @@ export function reliefBehind(
   return found ? { from: surface.to.z, to: found.to.z } : null;
 }
 
+/** Whether no material stands in front of the front edge of a cylinder or a bore, where a tool comes in along Z. */
+export function hasFreeEdge({ site, from }: StockSurface, stock: readonly Ring[]): boolean {
+  const into = site === "inside" ? -1 : 1;
+  return stock.flat().every(({ z, r }) => z <= from.z + FLAT || (r - from.r) * into <= RELIEF);
+}
+
 /** The longest surface; the frontmost among equals. */
 export const longestOf = (surfaces: readonly StockSurface[]): StockSurface | null =>
   surfaces.reduce<StockSurface | null>((best, s) => (best && lengthOf(best) >= lengthOf(s) ? best : s), null);

@@ -83,6 +83,27 @@ Q506=+0`;
 /** A subprogram that nothing calls. */
 const UNUSED = "L Z+40 FMAX\nLBL 3\nL X+100 FMAX\nLBL 0";
 
+/** A contour with a rounding that is too large for its neighbours, as the cycle names it. */
+const NAMED = "CYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 CONTOUR LABEL3";
+const withContour = (corner: string, free = FREE) =>
+  numbered([
+    ...RIGHT.flatMap((block) => (block === cycle812() ? [...NAMED.split("\n"), free] : [block])).slice(0, -1),
+    "LBL 3",
+    "L X+37.4 Z+0",
+    "L Z-20",
+    corner,
+    "L X+61.3",
+    "L Z-40",
+    "LBL 0",
+    "END PGM A MM",
+  ]);
+
+/** A thread with a constant cutting speed. */
+const THREAD = readFileSync("tests/programs/cycle-831.h", "utf8").replace(
+  "VCONST:OFF S640",
+  "VCONST:ON VC:120 SMAX3000",
+);
+
 /** Finding, program, and the block, word or value that is offered first. */
 const cases: readonly (readonly [code: string, text: string, offered: string | number])[] = [
   [
@@ -109,6 +130,17 @@ const cases: readonly (readonly [code: string, text: string, offered: string | n
   ["labelMissing", changed(cycle812(), `CYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 LABEL5\n${FREE}\n${UNUSED}`), "LBL 3"],
   ["parameterForeign", changed(cycle812(), cycle812(" ~\nQ999=+3 ;STRANGE")), "Q999"],
   ["compensationActive", changed("L X+61.3 Y+0 Z+2 FMAX M303", "L X+61.3 Y+0 Z+2 RR FMAX M303"), "R0"],
+  ["frameMissing", without("END PGM A MM"), "END PGM A MM"],
+  ["frameMissing", without("BEGIN PGM A MM"), "BEGIN PGM A MM"],
+  ["missing", withContour("RND R1", FREE.replace("Q499=+0 ~\n", "")), "Q499 = 0"],
+  ["cornerElementTooLong", withContour("RND R25"), "RND R11.95"],
+  ["cornerElementTooLong", withContour("CHF 25"), "CHF 11.95"],
+  ["threadSurfaceSpeed", THREAD, "VCONST:OFF S1157"],
+  [
+    "endInFront",
+    changed(cycle812(), cycle812().replace("Q494=-31.9", "Q494=+31.9")).replace("TOOL CALL 1", "TOOL CALL 42"),
+    -31.9,
+  ],
   ["outOfRange", changed(cycle812(), cycle812().replace("Q463=+2.3", "Q463=+1200")), 5],
 ];
 

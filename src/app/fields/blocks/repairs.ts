@@ -1,11 +1,10 @@
 import { threadRepairs } from "./thread-repairs.ts";
-import type { Repair } from "./repair.ts";
+import { insertion, type Repair } from "./repair.ts";
+import { blockRepairs } from "./block-repairs.ts";
 import { valueRepairs } from "./value-repairs.ts";
 import { withBlock, withInserted } from "../../../nc/edit.ts";
 import { klartext } from "../../../nc/blocks/klartext.ts";
 import { blockNumbers, startLines, type Program } from "../../../nc/program.ts";
-import { statementLines } from "../../../nc/print.ts";
-import { styleAt } from "../../../nc/read-style.ts";
 import { withListTildes } from "../../../nc/list-tildes.ts";
 import type { Statement } from "../../../nc/statement.ts";
 import { noWords } from "../../../nc/words.ts";
@@ -72,18 +71,6 @@ function placeOfLabelEnd(program: Program, label: number): number {
   const { blocks } = program;
   const next = blocks.findIndex(({ statement: s }, i) => i > label && (s.kind === "label" || s.kind === "end"));
   return next >= 0 ? next : blocks.length;
-}
-
-function insertion(program: Program, at: number, statements: readonly Statement[], index: number): Repair {
-  const style = styleAt(program, Math.max(0, Math.min(index, program.blocks.length - 1)));
-  const text = statementLines(statements.at(-1) ?? { kind: "empty" }, style)[0] ?? "";
-  return {
-    kind: "insert",
-    text: text.trim(),
-    block: "",
-    open: at + statements.length - 1,
-    next: () => statements.reduce((made, statement, i) => withInserted(made, at + i, statement), program),
-  };
 }
 
 /** Cycle 14 with the first label of the program that is a contour. */
@@ -357,5 +344,5 @@ export function repairsOf(
   if (issue.code === "startOnWrongSide") return [withStart(program, index, issue.data)];
   if (issue.code === "approachValueCutsContour")
     return maybe(withLead(program, index, issue.data.word, issue.data.nearest));
-  return valueRepairs(entry, program, index);
+  return [...blockRepairs(program, entry, index), ...valueRepairs(entry, program, index)];
 }

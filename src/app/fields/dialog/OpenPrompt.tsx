@@ -31,7 +31,6 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
   const tiny = useMedia("tiny");
   const language = useSettings((s) => s.language);
   const { fields, opened } = session;
-  const own = session.findings.filter((p) => p.at === prompt.id);
   const besides = session.otherFindings(prompt.id);
   const reading = session.readings[prompt.id];
   const waits =
@@ -43,6 +42,9 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
   const calm = (entry: FindingEntry) => isOpen(entry) && (untouched || entry.issue.code === "unknownParameter");
   const isAsked = (entry: FindingEntry) => calm(entry) && entry.issue.code === "missing";
   const suggested = suggestionFor(session, prompt);
+  // The suggestion says already that a value is needed.
+  const isSaid = (entry: FindingEntry) => suggested !== null && entry.issue.code === "missing" && calm(entry);
+  const own = session.findings.filter((p) => p.at === prompt.id && !isSaid(p));
   const takeAt = (id: string) => (nearest: number) => {
     closeStep();
     session.set(id, String(nearest));

@@ -119,7 +119,7 @@ export function ProgramMenus({
           [
             { name: t.compare, icon: "compare", opens, go: compare },
             { name: t.turnRound, icon: "turn", opens, go: flip },
-            ...(ofProgram ? [{ name: t.clamping, opens, go: clamp } as const] : []),
+            ...(ofProgram ? [{ name: t.clamping, icon: "clamp", opens, go: clamp } as const] : []),
           ],
           [{ name: t.output, icon: "settings", opens, go: setOutput }, ...changes],
         ]}

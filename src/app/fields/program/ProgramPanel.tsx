@@ -174,7 +174,9 @@ export function ProgramPanel({
           <ProgramMenus
             showBlock={(_, __, number) => void chooseJobLine(read, { block: number, q: null })}
             files={[{ name: t.download(file), icon: "download", hint: t.files[kind], go: () => void download() }]}
-            changes={[{ name: open.fromJob, hint: open.fromJobLong, go: () => openText(printedText(job), job) }]}
+            changes={[
+              { name: open.fromJob, icon: "blocks", hint: open.fromJobLong, go: () => openText(printedText(job), job) },
+            ]}
           />
         </div>
       </div>

@@ -17,7 +17,7 @@ import {
 } from "../../../program/edits/hand-operation.ts";
 import { exampleJob, type SetJob, type SpindleDraft } from "../../../program/job/job.ts";
 import { cylinderAround } from "../../../program/job/requested-shape.ts";
-import { longestOf, surfacesOf, type StockSurface } from "../../../program/job/stock-surface.ts";
+import { hasFreeEdge, longestOf, surfacesOf, type StockSurface } from "../../../program/job/stock-surface.ts";
 import { countsInches, typedInMillimetres } from "../../../program/edits/program-unit.ts";
 import { anyNumber, readText, type Field } from "../../../program/values/field.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
@@ -65,10 +65,11 @@ export function HandForm({ words, work, site, before, onBack, onInsert }: Props)
   const [spindle, setSpindle] = useState<SpindleDraft | null>(null);
   const [taken, take] = useState<number | null>(null);
   const { stock, operations } = before;
-  const surfaces = useMemo(
-    () => surfacesOf(stock, isOnAxis(work) ? "face" : work === "chamfer" && site === "inside" ? "inside" : "outside"),
-    [stock, work, site],
-  );
+  const surfaces = useMemo(() => {
+    if (work !== "chamfer") return surfacesOf(stock, isOnAxis(work) ? "face" : "outside");
+    const edges = surfacesOf(stock, site === "inside" ? "inside" : "outside");
+    return edges.filter((each) => hasFreeEdge(each, stock));
+  }, [stock, work, site]);
   const surface = picked ?? (work === "chamfer" ? (surfaces[0] ?? null) : longestOf(surfaces));
   const needed = { isInside: surface?.site === "inside", depth: surface ? wallOf(stock, surface) : 0 };
   const turning = useToolList();

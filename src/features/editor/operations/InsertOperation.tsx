@@ -23,7 +23,6 @@ import { whichSlot } from "../../../app/document/which-slot.ts";
 import { outputInUse } from "../../../app/document/output.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useTexts, useTextsOrNull } from "../../../app/base/settings/use-texts.ts";
-import { contourAt } from "../../../app/document/region.ts";
 import { stopInserting } from "../../../app/document/inserting.ts";
 import { openingBlock } from "../../../app/fields/blocks/operation-rows.ts";
 import { cycleWords } from "../../../app/fields/blocks/words.ts";
@@ -93,10 +92,16 @@ function Opened({ words, behind }: { readonly words: InsertTexts; readonly behin
   const before = useMemo(() => (newest ? stateBefore(newest, program, behind) : NOTHING), [newest, program, behind]);
 
   if (which) {
-    const region = newest ? contourAt(newest.run, newest.run.steps.length - 1, newest.simulation.final) : null;
+    // The question is new: it starts from the stock that is there, not from the contour of another operation.
+    const { stock } = before;
+    const initialStock = stock.length > 0 ? "now" : "solid";
     return (
       <Suspense>
-        <WhichCycle done={stopInserting} region={region} />
+        <WhichCycle
+          done={stopInserting}
+          region={{ contour: [], first: 0, last: -1, site, stock, initialStock }}
+          behind={behind}
+        />
       </Suspense>
     );
   }

@@ -27,6 +27,20 @@ import "./operations.css";
 
 const ToolDialog = lazyPart(async () => ({ default: (await import("./ToolDialog.tsx")).ToolDialog }));
 
+const isSame = (a: OperationRow, b: OperationRow): boolean =>
+  a.title === b.title && a.tool === b.tool && String(a.cycles) === String(b.cycles);
+
+/** The rows with the results known last, while those of the present text are calculated: the list keeps its height. */
+function useLastResults(rows: readonly OperationRow[], isCalculated: boolean): readonly OperationRow[] {
+  const [last, keep] = useState(rows);
+  if (isCalculated && last !== rows) keep(rows);
+  return useMemo(
+    () =>
+      isCalculated ? rows : rows.map((row) => ({ ...row, done: last.find((each) => isSame(each, row))?.done ?? null })),
+    [rows, last, isCalculated],
+  );
+}
+
 /** The operations of the shown text, each with its actions. */
 export function OperationList({ filter }: { readonly filter: ReactNode }) {
   const t = useTexts();
@@ -38,10 +52,11 @@ export function OperationList({ filter }: { readonly filter: ReactNode }) {
   const file = useShownOtherFile();
   const listed = useListed();
   const tools = useToolList();
-  const rows = useMemo(
+  const read = useMemo(
     () => operationRows(program, { outcome, file, entries: findingsHere(listed, file), tools }),
     [program, outcome, file, listed, tools],
   );
+  const rows = useLastResults(read, outcome !== null);
   const [folded, fold] = useState(false);
   const [refused, refuse] = useState<Refusal | null>(null);
   const [retooled, retool] = useState<{ readonly row: OperationRow; readonly finishes: boolean } | null>(null);
@@ -128,7 +143,7 @@ export function OperationList({ filter }: { readonly filter: ReactNode }) {
       </p>
       {rows.length === 0 && <p className="soft structure-empty">{words.none}</p>}
       <div className="operations-list">
-        <ol ref={list} aria-label={words.list} onKeyDown={onKeyDown}>
+        <ol ref={list} aria-label={words.list} aria-busy={outcome === null} onKeyDown={onKeyDown}>
           {rows.map((row) => (
             <OperationItem
               key={row.unit}

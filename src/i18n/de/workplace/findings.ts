@@ -29,6 +29,7 @@ export const findings = {
   runOut: (value) => `Auslauf ${value}`,
   endThread: (place) => `Gewindeende auf ${place} legen`,
   relief: "Freistich (DIN 76) einfügen",
+  createTool: (tool: string) => `Werkzeug ${tool} anlegen`,
   remove: (text) => `${text} entfernen`,
   residue: {
     askCycle: "Zyklus für Restmaterial suchen",

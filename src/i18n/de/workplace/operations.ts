@@ -43,7 +43,7 @@ export const operations = {
   cancel: "Abbrechen",
   back: "Zyklus ändern",
   choose: "wählen",
-  which: "Zyklus wählen",
+  which: "Zyklus suchen",
   title: "Titel",
   titleHint: "Wird zum Gliederungspunkt (* -).",
   put: "Einfügen",

@@ -44,7 +44,7 @@ export const operations = {
   cancel: "Cancel",
   back: "Change cycle",
   choose: "choose",
-  which: "Choose a cycle",
+  which: "Find a cycle",
   title: "Title",
   titleHint: "Becomes a structure item (* -).",
   put: "Insert",

@@ -43,7 +43,7 @@ export const operations = {
   cancel: "Annuler",
   back: "Changer de cycle",
   choose: "choisir",
-  which: "Choisir un cycle",
+  which: "Trouver un cycle",
   title: "Titre",
   titleHint: "Devient un article d’articulation (* -).",
   put: "Insérer",

@@ -43,7 +43,7 @@ export const operations = {
   cancel: "取消",
   back: "更换循环",
   choose: "选择",
-  which: "选择循环",
+  which: "查找循环",
   title: "标题",
   titleHint: "成为结构项（* -）。",
   put: "插入",
