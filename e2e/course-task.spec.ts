@@ -55,7 +55,7 @@ test("a task by keyboard: a wrong try names place and step; hints, solution, pas
   for (const [q, value] of values) await dialog.set(q, value);
   await turnwise.effect.proved();
   await task.check.press("Enter");
-  await expect(task.mark).toContainText(words.slip.radius("Q493 End ⌀", "24.1", "48.2"));
+  await expect(task.mark).toContainText(words.slip.radius(words.slip.half("Q493 End ⌀", "24.1", "48.2")));
   await expect(lathe.mark("1")).toBeVisible();
   await expectFineInBothThemes(page, "a task with a wrong try");
   await task.nextMark.press("Enter");

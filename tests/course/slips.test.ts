@@ -94,6 +94,21 @@ test("a wrong part without a slip has none, and a right one is not searched", as
   expect(await findSlip(task, answer, judge(task, answer), none)).toBeNull();
 });
 
+test.each([
+  ["l15-retaining-ring", { Q491: 25, Q493: 23.5 }, "radius"],
+  ["l05-chamfered-seat", { Q491: 132, Q493: 105.6 }, "doubled"],
+] as const)("%s: all diameters of the cycle are named: %j", async (id, values, kind) => {
+  const task = taskOf(id);
+  const text = Object.entries(values).reduce(
+    (now, [q, value]) => now.replace(new RegExp(String.raw`\b${q}=\S+`), `${q}=+${value}`),
+    programOfLines(task.solution ?? []),
+  );
+  const answer = answerOf(text);
+  const slip = (await findSlip(task, answer, judge(task, answer), runOf))?.slip;
+  expect(slip?.kind).toBe(kind);
+  expect(slip?.values.map(({ q, value }) => [q, value])).toEqual(Object.entries(values));
+});
+
 test("what the slip causes is not reported beside it; a slip that the task itself contains is not named", async () => {
   const shoulder = taskOf("l03-first-shoulder");
   const answer = answerOf(programOfLines(shoulder.solution ?? []).replace("Q494=-27.4", "Q494=+27.4"));

@@ -1,6 +1,7 @@
 import { NC_LANGUAGES } from "../../nc/nc-languages.ts";
 import { z } from "zod/mini";
 import type { MeasuredPlace, Measurement } from "../../kernel/plan/measured.ts";
+import { askedQuestions, otherNumbers } from "../../course/made/other-numbers.ts";
 import { at } from "../../kernel/geometry/point.ts";
 import { NUMBER_PARAMETER } from "../../nc/value.ts";
 import { CLAMPING_KINDS } from "../../program/clamping/words.ts";
@@ -95,14 +96,8 @@ const task = z.object({
   file: z.optional(z.unknown()),
   veiled: z.optional(z.boolean()),
   told: z.optional(z.array(text).check(z.maxLength(60))),
-  varied: z.optional(
-    z.object({
-      lines: z.array(text).check(z.maxLength(2000)),
-      named: z.array(z.tuple([text, text])).check(z.maxLength(60)),
-      at: z._default(z.int(), 0),
-    }),
-  ),
-  asked: z.optional(z.array(z.int()).check(z.maxLength(60))),
+  varied: z.optional(otherNumbers),
+  asked: z.optional(askedQuestions),
 });
 const ofTask = { task: z.optional(task) };
 const output = z.custom<NcOutput>(isNcOutput);

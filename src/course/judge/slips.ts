@@ -129,6 +129,15 @@ export function everySlip(text: string): readonly PossibleSlip[] {
         ? [put("radius", { literal, to: 2 * literal.value }), put("doubled", { literal, to: literal.value / 2 })]
         : [put("sign", { literal, to: -literal.value })],
     );
+  // Who takes the radius for the diameter often does so for all values of a cycle.
+  const inCycles = literals.filter((each) => each.q.startsWith("Q") && isDiameter(each) && Math.abs(each.value) > SAME);
+  const whole = [...new Set(inCycles.map(({ index }) => index))]
+    .map((cycle) => inCycles.filter(({ index }) => index === cycle))
+    .filter((each) => each.length > 1)
+    .flatMap((each) => [
+      put("radius", ...each.map((literal) => ({ literal, to: 2 * literal.value }))),
+      put("doubled", ...each.map((literal) => ({ literal, to: literal.value / 2 }))),
+    ]);
   const pairs = literals.flatMap((one, i) =>
     literals.slice(i + 1).flatMap((other) => {
       if (other.index !== one.index || Math.abs(one.value - other.value) < SAME) return [];
@@ -142,7 +151,7 @@ export function everySlip(text: string): readonly PossibleSlip[] {
     changes: [],
     text: turned.text,
   }));
-  return [...single, ...pairs, ...reversed];
+  return [...single, ...whole, ...pairs, ...reversed];
 }
 
 /** The programs without a slip that a learner may have made in one, the likeliest first. */

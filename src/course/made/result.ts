@@ -1,6 +1,7 @@
 import { z } from "zod/mini";
 import { WAYS_PASSED } from "../progress.ts";
 import { RULES } from "../judge/judgement.ts";
+import { askedQuestions, otherNumbers } from "./other-numbers.ts";
 
 /*
  * A learner's results: the outcome of each task as the device recorded it, with the last program. They prove nothing: a
@@ -32,6 +33,9 @@ const taskResult = z.object({
   program: z.nullable(text(LONGEST)),
   /** The answers to the questions before the run, as typed. */
   told: z.optional(z.array(text(40)).check(z.maxLength(60))),
+  /** The numbers that these questions were asked with, and which of them; absent: those of the task, and all. */
+  varied: z.optional(otherNumbers),
+  asked: z.optional(askedQuestions),
   /** Whether that program passes, and the rules that refuse it; null where it was not judged. */
   verdict: z.nullable(
     z.object({ passed: z.boolean(), refused: z.array(z.enum(RULES)).check(z.maxLength(RULES.length)) }),

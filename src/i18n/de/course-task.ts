@@ -135,8 +135,10 @@ export const courseTask = {
   },
   slip: {
     sign: (name, is, better) => `Falsches Vorzeichen? ${name} ist ${is}, nicht ${better}`,
-    radius: (name, is, better) => `Radius statt Durchmesser? ${name} ist ${is}, die Hälfte von ${better}`,
-    doubled: (name, is, better) => `Durchmesser verdoppelt? ${name} ist ${is}, das Doppelte von ${better}`,
+    radius: (halves) => `Radius statt Durchmesser? ${halves}`,
+    half: (name, is, better) => `${name} ist ${is}, die Hälfte von ${better}`,
+    doubled: (doubles) => `Durchmesser verdoppelt? ${doubles}`,
+    double: (name, is, better) => `${name} ist ${is}, das Doppelte von ${better}`,
     exchanged: (one, other) => `Vertauscht? ${one} und ${other}`,
     reversed: "Kontur in falscher Richtung? Sie beginnt am falschen Ende",
     tools: (one, other) => `Werkzeuge vertauscht? ${one} und ${other}`,

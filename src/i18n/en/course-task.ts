@@ -139,9 +139,10 @@ export const courseTask = {
   },
   slip: {
     sign: (name: string, is: string, better: string) => `Wrong sign? ${name} is ${is}, not ${better}`,
-    radius: (name: string, is: string, better: string) =>
-      `Radius entered as a diameter? ${name} is ${is}, half of ${better}`,
-    doubled: (name: string, is: string, better: string) => `Diameter doubled? ${name} is ${is}, twice ${better}`,
+    radius: (halves: string) => `Radius entered as a diameter? ${halves}`,
+    half: (name: string, is: string, better: string) => `${name} is ${is}, half of ${better}`,
+    doubled: (doubles: string) => `Diameter doubled? ${doubles}`,
+    double: (name: string, is: string, better: string) => `${name} is ${is}, twice ${better}`,
     exchanged: (one: string, other: string) => `Exchanged? ${one} and ${other}`,
     reversed: "Contour in the wrong direction? It begins at the wrong end",
     tools: (one: string, other: string) => `Tools exchanged? ${one} and ${other}`,

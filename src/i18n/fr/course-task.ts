@@ -135,8 +135,10 @@ export const courseTask = {
   },
   slip: {
     sign: (name, is, better) => `Mauvais signe ? ${name} vaut ${is} et non ${better}`,
-    radius: (name, is, better) => `Rayon au lieu du diamètre ? ${name} vaut ${is}, la moitié de ${better}`,
-    doubled: (name, is, better) => `Diamètre doublé ? ${name} vaut ${is}, le double de ${better}`,
+    radius: (halves) => `Rayon au lieu du diamètre ? ${halves}`,
+    half: (name, is, better) => `${name} vaut ${is}, la moitié de ${better}`,
+    doubled: (doubles) => `Diamètre doublé ? ${doubles}`,
+    double: (name, is, better) => `${name} vaut ${is}, le double de ${better}`,
     exchanged: (one, other) => `Valeurs inversées ? ${one} et ${other}`,
     reversed: "Contour dans le mauvais sens ? Il commence par la mauvaise extrémité",
     tools: (one, other) => `Outils inversés ? ${one} et ${other}`,

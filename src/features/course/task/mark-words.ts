@@ -148,11 +148,12 @@ function valueName(q: string, { texts, answer }: MarkWording): string {
 function slipText({ kind, values }: Slip, wording: MarkWording): string {
   const { t, language } = wording;
   const number = (value: number) => (kind === "sign" ? formatSigned(language, value) : formatNumber(language, value));
-  const [one, other] = values.map(({ q, value, better }) => ({
+  const said = values.map(({ q, value, better }) => ({
     name: valueName(q, wording),
     is: number(value),
     better: number(better),
   }));
+  const [one, other] = said;
   if (kind === "reversed" || !one) return t.slip.reversed;
   if (kind === "tool") return t.slip.tool(`T${one.is}`);
   if (kind === "tools") {
@@ -160,7 +161,10 @@ function slipText({ kind, values }: Slip, wording: MarkWording): string {
     return t.slip.tools(calls[0] ?? "", calls[1] ?? "");
   }
   if (kind === "exchanged" && other) return t.slip.exchanged(`${one.name} ${one.is}`, `${other.name} ${other.is}`);
-  return kind === "exchanged" ? one.name : t.slip[kind](one.name, one.is, one.better);
+  if (kind === "exchanged") return one.name;
+  if (kind === "sign") return t.slip.sign(one.name, one.is, one.better);
+  const say = kind === "radius" ? t.slip.half : t.slip.double;
+  return t.slip[kind](said.map(({ name, is, better }) => say(name, is, better)).join("; "));
 }
 
 /** What shapes the contour at the place of a mark; null where nothing is known. */

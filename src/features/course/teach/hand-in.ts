@@ -7,7 +7,9 @@ import { checkIn, momentIn, type Exam, type ExamCheck } from "../../../course/ex
 import { progressOfTask, type CourseProgress } from "../../../course/progress.ts";
 import type { TaskSet } from "../../../course/task-set.ts";
 import type { Task } from "../../../course/task.ts";
+import { withNumbers } from "../../../course/varied-numbers.ts";
 import type { Language } from "../../../i18n/languages.ts";
+import type { TaskWork } from "../../../program/job/job.ts";
 import { shippedList } from "../../../program/tools/tool-list.ts";
 import { time } from "../../../app/base/clock.ts";
 import { outcomeOfOther } from "../../../app/calculation/other-outcome.ts";
@@ -53,24 +55,28 @@ export async function examCheckHere(task: Task, program: string): Promise<Omit<E
   return { passed: judgement.passed, met, of: goals.length };
 }
 
-/** Whether all questions of a task were answered correctly, by a run of its starting state; null if that fails. */
-async function areAnswersRight(task: Task, told: readonly string[]): Promise<boolean | null> {
-  const begun = await outcomeOfOther(asProgram(workOfTask(task)));
-  return begun && comparePredictedAnswers(task, told, begun).every(({ right }) => right);
+/**
+ * Whether all questions of a task were answered correctly, by a run of its starting state with the numbers that the
+ * learner had; null if that fails.
+ */
+async function areAnswersRight(task: Task, { told = [], varied, asked }: TaskResult): Promise<boolean | null> {
+  const begun = await outcomeOfOther(asProgram(workOfTask(task, false, varied)));
+  return begun && comparePredictedAnswers(withNumbers(task, varied), told, begun, asked).every(({ right }) => right);
 }
 
 /**
  * A received result, judged on this device with the device's version of the task: its program, and its answers where the
  * learner was not told whether they are right.
  */
-export async function rerunResult({ id, program, told }: TaskResult): Promise<Rerun> {
+export async function rerunResult(result: TaskResult): Promise<Rerun> {
+  const { id, program, told } = result;
   const none: readonly MissedGoal[] = [];
   const task = await taskOfId(id);
   const isAsked = task?.predict !== undefined && told !== undefined;
   if (task?.kind === "predict" && !isAsked) return { is: "predicted", missed: none };
   if (program === null && task?.kind !== "predict") return { is: "none", missed: none };
   if (!task) return { is: "unknown", missed: none };
-  const answers = isAsked ? await areAnswersRight(task, told) : true;
+  const answers = isAsked ? await areAnswersRight(task, result) : true;
   const verdict =
     task.kind === "predict"
       ? { passed: true, refused: [] }
@@ -82,13 +88,16 @@ export async function rerunResult({ id, program, told }: TaskResult): Promise<Re
   return { is: missed.length === 0 ? "passes" : "fails", missed };
 }
 
-/** The newest program for a task on this device, and the answers to its questions as typed. */
-async function lastWork(id: string): Promise<{ readonly program: string | null; readonly told: readonly string[] }> {
+/** The newest program for a task on this device, and its questions and answers; null where none was stored. */
+async function lastWork(id: string): Promise<{ readonly program: string; readonly task: TaskWork | undefined } | null> {
   const work = newestWorkOfTask(id),
     kept = work === undefined ? null : await newestState(work);
-  if (!kept) return { program: null, told: [] };
-  return { program: isProgram(kept) ? kept.text : printedText(kept), told: kept.task?.told ?? [] };
+  return kept && { program: isProgram(kept) ? kept.text : printedText(kept), task: kept.task };
 }
+
+/** The answers to the questions as typed, with what they were asked for. */
+const answersOf = ({ told = [], varied, asked }: Partial<TaskWork>): Pick<TaskResult, "told" | "varied" | "asked"> =>
+  told.length === 0 ? {} : { told: [...told], ...(varied && { varied }), ...(asked && { asked }) };
 
 const SECOND = 1000;
 
@@ -100,7 +109,8 @@ export async function resultOf(
   exam: Exam | null = null,
 ): Promise<TaskResult> {
   const task = await taskOfId(id),
-    { program, told } = await lastWork(id);
+    last = await lastWork(id),
+    program = last?.program ?? null;
   const { tries, hints, solution, passed, seconds, score } = progressOfTask(progress, id);
   const { ms, steps } = workedIn(id);
   const check = exam && checkIn(exam, id);
@@ -117,7 +127,7 @@ export async function resultOf(
     worked: Math.round(ms / SECOND),
     steps,
     program,
-    ...(exam && told.length > 0 && { told: [...told] }),
+    ...(exam && answersOf(last?.task ?? {})),
     verdict: isJudged ? await verdictHere(task, program) : null,
   };
 }
