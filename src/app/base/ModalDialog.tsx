@@ -23,12 +23,22 @@ interface Props {
 
 const CONTROL = ":is(button, input, select, textarea, a[href], [tabindex='0']):not(:disabled, .modal-head *)";
 
-/** Closing is never the first thing to do: without a marked element the first control of the content has the focus. */
-function focusFirst(dialog: HTMLElement, first: string): void {
-  const focused = document.activeElement;
-  // Late texts must not take the focus from where the user has moved it.
-  if (dialog.contains(focused) && focused !== dialog && !focused?.matches(".modal-head *")) return;
-  (dialog.querySelector<HTMLElement>(first) ?? dialog.querySelector<HTMLElement>(CONTROL))?.focus();
+/**
+ * Closing is never the first thing to do: without a marked element the first control of the content gets the focus.
+ * Content may come late, and then it must not take the focus from where the user has moved it.
+ */
+function focusFirst(dialog: HTMLElement, first: string): () => void {
+  const given = document.activeElement;
+  const watch = new MutationObserver(settle);
+  function settle(): void {
+    const to = dialog.querySelector<HTMLElement>(first) ?? dialog.querySelector<HTMLElement>(CONTROL);
+    if (!to && document.activeElement === given) return;
+    watch.disconnect();
+    if (document.activeElement === given) to?.focus();
+  }
+  watch.observe(dialog, { childList: true, subtree: true });
+  settle();
+  return () => watch.disconnect();
 }
 
 /**
@@ -48,15 +58,16 @@ export function ModalDialog({
   const { close } = useTexts("first").page;
   const own = useRef<HTMLDialogElement>(null);
   const { className = "modal", role, ref: dialog = own } = more;
-  const isLoaded = title !== undefined;
   useLayoutEffect(() => {
     const { current } = dialog;
-    current?.showModal();
-    return () => current?.close();
-  }, [dialog]);
-  useLayoutEffect(() => {
-    if (isLoaded && dialog.current) focusFirst(dialog.current, first);
-  }, [dialog, first, isLoaded]);
+    if (!current) return undefined;
+    current.showModal();
+    const unwatch = focusFirst(current, first);
+    return () => {
+      unwatch();
+      current.close();
+    };
+  }, [dialog, first]);
   return (
     <dialog
       ref={dialog}

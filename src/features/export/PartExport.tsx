@@ -46,7 +46,7 @@ function Opened({
     dimmed = useOutcome((s) => s.dimmed);
   const [said, say] = useState("");
   return (
-    <ModalDialog className="modal export-part" first=".export-part button:not(:disabled)" title={t.title} done={done}>
+    <ModalDialog className="modal export-part" title={t.title} done={done}>
       <p>{lengths.unit === "mm" ? t.lead : t.leadInches}</p>
       {dimmed && <Message tone="warning">{t.older}</Message>}
       {!shown || shown.isBeginning ? (

@@ -56,7 +56,7 @@ export function ShareDialog({ open, verdict, done }: Props) {
   if (!words) return null;
   const tools = ready?.work.tools;
   return (
-    <ModalDialog title={words.title} done={done}>
+    <ModalDialog title={words.title} first=".modal-ways .primary" done={done}>
       <p>{words.lead}</p>
       <section className="handing-along" aria-label={words.contents}>
         <WorkFacts

@@ -7,7 +7,7 @@ export const compare: CompareTexts = {
   opened: "本程序打开时的状态",
   disk: (file) => `设备上的 ${file}`,
   kept: "已存程序",
-  file: "文件…",
+  file: "打开文件…",
   clipboard: "剪贴板",
   paste: "在此粘贴另一个程序",
   noClipboard: "浏览器不允许访问剪贴板，请在此粘贴程序。",

@@ -227,9 +227,9 @@ export const messages = {
     partedOff: (d, w) =>
       `Das Stück bei ${w.place(d.x, d.z)}, ${w.area(d.area)}, wird in Satz ${d.block} abgestochen und aus der Simulation entfernt.`,
     cutOnLoosePiece: (d, w) =>
-      `Bei ${w.place(d.x, d.z)} würden ${w.area(
+      `Satz ${d.block} trennt dieses Stück ab, bevor es fertig ist: bei ${w.place(d.x, d.z)} würden ${w.area(
         d.area,
-      )} von einem Stück abgetragen, das in Satz ${d.block} abgetrennt wurde: nicht mehr gespannt.`,
+      )} von einem nicht mehr gespannten Stück abgetragen. Zuletzt abtrennen.`,
     behindBlank: (d, w) =>
       d.motion === "unheld"
         ? `Außen wird bis zum hinteren Ende des Rohteils bei Z${w.size(

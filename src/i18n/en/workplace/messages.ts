@@ -221,7 +221,7 @@ export const messages = {
     partedOff: (d, w) =>
       `The piece at ${w.place(d.x, d.z)}, ${w.area(d.area)}, is parted off in block ${d.block} and removed from the simulation.`,
     cutOnLoosePiece: (d, w) =>
-      `${w.area(d.area)} would be cut at ${w.place(d.x, d.z)} from a piece that block ${d.block} separated: the piece is no longer clamped.`,
+      `Block ${d.block} separates this piece from the clamped end before it is finished: at ${w.place(d.x, d.z)}, ${w.area(d.area)} would be cut from a loose piece. Separate it last.`,
     behindBlank: (d, w) =>
       d.motion === "unheld"
         ? `The outside is turned up to the rear end of the blank at Z${w.size(d.rear)}: no surface remains for clamping. Define the clamping if the blank is held elsewhere.`

@@ -224,9 +224,9 @@ export const messages = {
     partedOff: (d, w) =>
       `La pièce en ${w.place(d.x, d.z)}, ${w.area(d.area)}, est tronçonnée à la séquence ${d.block} et retirée de la simulation.`,
     cutOnLoosePiece: (d, w) =>
-      `En ${w.place(d.x, d.z)}, ${w.area(
+      `La séquence ${d.block} détache ce morceau avant la fin de son usinage : en ${w.place(d.x, d.z)}, ${w.area(
         d.area,
-      )} seraient usinés sur un morceau détaché par la séquence ${d.block} : le morceau n’est plus serré.`,
+      )} seraient usinés sur un morceau qui n’est plus serré. Détachez-le en dernier.`,
     behindBlank: (d, w) =>
       d.motion === "unheld"
         ? `L’extérieur est tourné jusqu’à l’extrémité arrière de la pièce brute en Z${w.size(

@@ -165,7 +165,7 @@ export const messages = {
       )}）不再与夹持端相连：程序段${d.block}将其切下。`,
     partedOff: (d, w) => `${w.place(d.x, d.z)}处的工件（${w.area(d.area)}）在程序段${d.block}切断，并从仿真中移除。`,
     cutOnLoosePiece: (d, w) =>
-      `${w.place(d.x, d.z)}处将切削${w.area(d.area)}，但该段已由程序段${d.block}切下：不再被夹持。`,
+      `程序段${d.block}在加工完成前已将该段切下：${w.place(d.x, d.z)}处将在未夹持的工件上切削${w.area(d.area)}。请最后切断。`,
     behindBlank: (d, w) =>
       d.motion === "unheld"
         ? `外圆一直车到毛坯后端Z${w.size(d.rear)}：没有剩余的夹持面。如果以其他方式夹持，请定义装夹。`
