@@ -216,7 +216,7 @@ export function LessonPicture({
               )}
               {leads.length > 0 && (
                 <Suspense>
-                  <TurnPoints viewport={viewport} approaches={leads} />
+                  <TurnPoints viewport={viewport} approaches={leads} places={seen} />
                 </Suspense>
               )}
               <PlaceLines seeing={sectionProjection(viewport)} places={seen} />

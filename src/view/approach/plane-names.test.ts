@@ -3,7 +3,7 @@ import plate from "../../examples/plate.h?raw";
 import { parse } from "../../nc/parse.ts";
 import { run } from "../../program/run/run.ts";
 import { fitted } from "../camera.ts";
-import { labelsOverlap, textBox } from "../help/labels.ts";
+import { labelsOverlap, textBox, type LabelBox } from "../help/labels.ts";
 import { planeNames } from "./plane-names.ts";
 import { planeScene } from "./plane-scene.ts";
 
@@ -12,7 +12,7 @@ const { bounds } = planeScene(plane, [], new Set());
 const text = (p: { x: number; y: number }) => `X${p.x.toFixed(3)} Y${p.y.toFixed(3)}`;
 const speech = { number: String, point: text, contour: text };
 
-const namesOf = (isNamed: (block: number) => boolean, zoom: number) => {
+const namesOf = (isNamed: (block: number) => boolean, zoom: number, taken?: readonly LabelBox[]) => {
   const size = { width: 620, height: 480 },
     fit = fitted(bounds, size, { left: 60, right: 20, top: 24, bottom: 40 }, true);
   const shown = approaches.map(({ points, departing, request: { element }, block }) => ({
@@ -21,7 +21,7 @@ const namesOf = (isNamed: (block: number) => boolean, zoom: number) => {
     contact: departing ? element.to : element.from,
     isNamed: isNamed(block),
   }));
-  return planeNames(shown, { ...fit, scale: fit.scale * zoom }, size, speech);
+  return planeNames(shown, { ...fit, scale: fit.scale * zoom }, size, speech, taken);
 };
 const blocks = [...new Set(approaches.map(({ block }) => block)), null];
 
@@ -49,4 +49,15 @@ test("only the chosen approach has names; PA is where the block says, apart from
   expect(pa?.marks.map((m) => m.kind === "text" && m.text)).toEqual(["PA", "X5.000 Y5.000"]);
   expect(names.find(({ at }) => at.x === -5 && at.y === 5)).toMatchObject({ names: [], marks: [], onContour: false });
   expect(names.flatMap((each) => each.names).sort()).toEqual(["PA", "PH", "PS"]);
+});
+
+test("a name gives way to the mark of a finding", () => {
+  const boxOf = (names: ReturnType<typeof namesOf>) =>
+    names
+      .filter((each) => each.names.includes("PA"))
+      .flatMap(({ marks }) => marks.flatMap((m) => (m.kind === "text" ? [textBox(m.place, m.text, 0, m.size)] : [])));
+  const mark = boxOf(namesOf((block) => block === 9, 1))[0]!;
+  const moved = boxOf(namesOf((block) => block === 9, 1, [mark]));
+  expect(moved).toHaveLength(2);
+  for (const box of moved) expect(labelsOverlap(box, mark)).toBe(false);
 });

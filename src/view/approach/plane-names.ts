@@ -2,6 +2,7 @@ import { plane } from "../../kernel/plane/plane.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import type { Camera, Place, Size } from "../camera.ts";
 import { arrange } from "../help/arrange.ts";
+import type { LabelBox } from "../help/labels.ts";
 import type { Mark } from "../help/marks.ts";
 import { contactLines, pointItem, shownPoints, type PointsOf, type ShownPoint } from "./points.ts";
 import type { ApproachWords } from "./words.ts";
@@ -40,13 +41,14 @@ function alongWays(approaches: readonly PointsOf[], camera: Camera): readonly Pl
 
 /**
  * The points of approaches, each place once. Those of named approaches have texts that cover neither each other nor a
- * point.
+ * point, nor the `taken` areas of other marks.
  */
 export function planeNames(
   approaches: readonly (PointsOf & { readonly isNamed: boolean })[],
   camera: Camera,
   size: Size,
   speech: ApproachWords,
+  taken: readonly LabelBox[] = [],
 ): readonly NamedPlace[] {
   const own = approaches.filter(({ isNamed }) => isNamed),
     named = shownPoints(own, camera);
@@ -64,6 +66,7 @@ export function planeNames(
     { x: 0, y: 0, width: 48, height: size.height },
     { x: 0, y: size.height - 24, width: size.width, height: 24 },
     ...points.map((p) => ({ x: p.place.x - 6, y: p.place.y - 6, width: 12, height: 12 })),
+    ...taken,
   ];
   const items = new Map(
     points

@@ -55,6 +55,7 @@ export const editorExtensions = (mixedEnds: boolean): Extension => [
   foundMarks,
   cycleFolding,
   lintGutter(),
+  EditorView.lineWrapping,
   history({ minDepth: 1000 }),
   highlightSpecialChars(),
   inLanguage.of([]),

@@ -3,7 +3,7 @@ import plate from "../../../examples/plate.h?raw";
 import { parse } from "../../../nc/parse.ts";
 import { run } from "../../../program/run/run.ts";
 import { shippedTools } from "../../../program/tools/shipped-tools.ts";
-import { pathPicture } from "./operation-rows.ts";
+import { operationRows, pathPicture } from "./operation-rows.ts";
 
 const shop = { tools: shippedTools, rapid: 10_000 };
 
@@ -24,4 +24,13 @@ test("a path turned block by block has Z to the right and X upwards", () => {
     shop,
   );
   expect(pathPicture(turned, 0, 9)?.milled).toEqual({ stock: null, ways: [{ d: "M2 -20L-20 -20", wide: 0 }] });
+});
+
+test.each([
+  ["FUNCTION MODE MILL", undefined],
+  ["FUNCTION MODE TURN", 1],
+])("before the first run, the tool of blocks after %s is number %j of the table of turning tools", (mode, number) => {
+  const text = `BEGIN PGM T MM\n* - PLATE\n${mode}\nTOOL CALL 1\nL X+40 Z+2 R0 FMAX\nL Z-20 F0.2\nEND PGM T MM\n`;
+  const rows = operationRows(parse(text), { outcome: null, file: null, entries: [], tools: shippedTools });
+  expect(rows.map(({ tool, known }) => [tool, known?.T])).toEqual([["1", number]]);
 });

@@ -83,6 +83,12 @@ function added(all: readonly (Done | undefined)[]): Done | null {
       }));
 }
 
+/** Whether the last mode set before a block is turning. */
+function turnsBefore(program: Program, index: number): boolean {
+  const mode = program.blocks.slice(0, index).findLast(({ statement }) => statement.kind === "mode")?.statement;
+  return mode?.kind === "mode" && mode.mode === "TURN";
+}
+
 /** The operations of a text for the list; `outcome` and `entries` belong to that text. */
 export function operationRows(
   program: Program,
@@ -116,11 +122,16 @@ export function operationRows(
     const worst = (["error", "warning", "info"] as const).find((each) => here.includes(each));
     const did = added(own.definitions.map((index) => done?.get(lines[index] ?? 0)));
     const seconds = outcome && file === null ? secondsIn(outcome, from, to) : 0;
-    const isMilled = file === null && outcome?.run.plane.some(({ index }) => index >= from && index < to);
     const cycles = own.definitions.flatMap((index) => {
       const s = program.blocks[index]?.statement;
       return s?.kind === "cycle" || s?.kind === "cycleLine" ? [s.cycle] : [];
     });
+    // Before the first run, the mode of the machine tells it.
+    const isMilled =
+      file === null &&
+      (outcome
+        ? outcome.run.plane.some(({ index }) => index >= from && index < to)
+        : cycles.length === 0 && !turnsBefore(program, to));
     return {
       unit,
       title: own.title,

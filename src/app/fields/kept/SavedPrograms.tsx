@@ -108,7 +108,7 @@ export function SavedPrograms() {
       <h2>{t.kept}</h2>
       {programs.length > 0 && <ul>{programs.slice(0, FIRST).map(row)}</ul>}
       {exercises.length > 0 && (
-        <details className="kept-exercises">
+        <details className="kept-exercises" open={programs.length === 0}>
           <summary>{t.exercises(exercises.length)}</summary>
           <ul>{exercises.slice(0, FIRST).map(row)}</ul>
         </details>

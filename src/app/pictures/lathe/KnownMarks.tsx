@@ -14,6 +14,7 @@ import { useLengths } from "../../calculation/lengths.ts";
 import type { InitialScene } from "../../calculation/moving.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "./Axes.tsx";
+import { underTools } from "./PlaceButtons.tsx";
 import { positionText, valueText } from "./known-text.ts";
 import { useCamera } from "./use-camera.ts";
 import { usePlayback } from "./use-playback.ts";
@@ -83,7 +84,8 @@ export function KnownMarks({
     { width, height } = viewport.size();
   const lengths = useLengths();
   const resting = useRestingTool(around);
-  const floor = height - SCALE_BELOW;
+  const floor = height - SCALE_BELOW,
+    right = width - underTools();
   const isSmall = width < ROOM.width || height < ROOM.height,
     text = isSmall ? valueText : positionText;
   const top = isSmall ? NOTES.small : NOTES.large;
@@ -103,10 +105,10 @@ export function KnownMarks({
     const box = tool && tip && toolArea(tool, tip, camera);
     return namedLines(
       lines,
-      { x: SCALE_LEFT, y: top, width: width - SCALE_LEFT, height: floor - top },
+      { x: SCALE_LEFT, y: top, width: right - SCALE_LEFT, height: floor - top },
       box ? [box] : [],
     );
-  }, [lines, tool, tip, camera, width, floor, top]);
+  }, [lines, tool, tip, camera, right, floor, top]);
   useEffect(() => {
     taken.setState(labels, true);
     return () => taken.setState([], true);

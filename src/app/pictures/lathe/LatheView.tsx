@@ -302,7 +302,7 @@ export function LatheView({
                 )}
                 {leads.length > 0 && (
                   <Suspense>
-                    <TurnPoints viewport={viewport} approaches={leads} />
+                    <TurnPoints viewport={viewport} approaches={leads} places={seen} />
                   </Suspense>
                 )}
                 <PlaceLines seeing={sectionProjection(viewport)} places={seen} />

@@ -3,7 +3,6 @@ import type { StoreApi } from "zustand";
 import { part, type Pt, type Ring } from "../../../kernel/geometry/point.ts";
 import { CHORD } from "../../../kernel/tolerance.ts";
 import type { Run } from "../../../program/state/run-types.ts";
-import { SHARED } from "../../../view/badge-places.ts";
 import { leastCovering, labelPlaces } from "../../../view/edge-label.ts";
 import { boundsOf } from "../../../view/bounds.ts";
 import { toScreen, type Camera, type Place } from "../../../view/camera.ts";
@@ -13,7 +12,7 @@ import { tipAt } from "../../../view/tip.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import { holds } from "../../base/use-media.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "./Axes.tsx";
-import { badgesOf, sharedBadges, TOOLS } from "./PlaceButtons.tsx";
+import { badgeAreas, markArea, TOOLS, underTools } from "./PlaceButtons.tsx";
 import type { PicturePlace } from "./places.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { placeText } from "./running.ts";
@@ -22,16 +21,6 @@ import type { Viewport } from "./viewport.ts";
 
 /** Distance of the mark from the edge, text size, line height, and padding of the background, pixels. */
 const [INSET, TEXT, LINE, GROUND] = [14, 12, 15, 3];
-
-/** Half size of the marks of start points and zero, pixels. */
-const MARK = 12;
-
-const boxRound = ({ x, y }: Place, width = 2 * MARK): LabelBox => ({
-  x: x - width / 2,
-  y: y - MARK,
-  width,
-  height: 2 * MARK,
-});
 
 /** Bounds of a blank in the picture, on both sides of the axis. */
 function workBox(ring: Ring, { zero, scale }: Camera): LabelBox | null {
@@ -137,21 +126,19 @@ export function OffscreenTool({
         isPhone = holds("phone");
       room = {
         left: SCALE_LEFT + INSET,
-        right: width - INSET - (holds("narrow") && !isPhone ? TOOLS : 0),
+        right: width - INSET - underTools(),
         top: INSET,
         bottom: height - SCALE_BELOW - INSET,
       };
       corner = isPhone ? { x: width - TOOLS, y: 0, width: TOOLS, height: TOOLS } : null;
       boxes = [
-        ...sharedBadges(badgesOf(places, sectionProjection(viewport)), null).map(({ left, top, more }) =>
-          boxRound({ x: left, y: top }, more > 0 ? SHARED : undefined),
-        ),
+        ...badgeAreas(places, sectionProjection(viewport)),
         ...kept.flatMap((each) => each.getState()),
-        boxRound(toScreen(camera, datum)),
+        markArea(toScreen(camera, datum)),
       ];
       areas = [
         ...run.blank.flatMap((ring) => workBox(ring, camera) ?? []),
-        ...operations.map(({ start }) => boxRound(toScreen(camera, start))),
+        ...operations.map(({ start }) => markArea(toScreen(camera, start))),
       ];
       paint();
     };

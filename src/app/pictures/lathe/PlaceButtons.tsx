@@ -1,5 +1,6 @@
-import { badgePlaces } from "../../../view/badge-places.ts";
+import { badgePlaces, SHARED } from "../../../view/badge-places.ts";
 import type { Place } from "../../../view/camera.ts";
+import type { LabelBox } from "../../../view/help/labels.ts";
 import { pageLength } from "../../base/unit.ts";
 import { holds } from "../../base/use-media.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "./Axes.tsx";
@@ -12,6 +13,8 @@ const MOST = 40;
 const RING = 9;
 /** Width of the tools that float over the right edge, and of the single button in the corner on a phone, pixels. */
 export const TOOLS = 56;
+/** Width at the right edge that the floating tools cover now, pixels. */
+export const underTools = (): number => (holds("narrow") && !holds("phone") ? TOOLS : 0);
 
 interface Badge {
   readonly place: PicturePlace;
@@ -22,7 +25,7 @@ interface Badge {
 }
 
 /** The marks of all visible places. */
-export function badgesOf(places: readonly PicturePlace[], { at: seenAt, size }: PlaceProjection): readonly Badge[] {
+function badgesOf(places: readonly PicturePlace[], { at: seenAt, size }: PlaceProjection): readonly Badge[] {
   const { width, height } = size(),
     seen = { left: SCALE_LEFT, right: width, top: 0, bottom: height - SCALE_BELOW };
   const put = places.slice(0, MOST).flatMap((place) => {
@@ -38,8 +41,24 @@ export function badgesOf(places: readonly PicturePlace[], { at: seenAt, size }: 
   return put.map((each, i) => ({ ...each, left: badges[i]?.x ?? each.at.x, top: badges[i]?.y ?? each.at.y }));
 }
 
+/** Half the height of a mark, of a start point or zero too, with some room around it, pixels. */
+const AROUND = 12;
+/** The area of a mark of the picture about its centre. */
+export const markArea = ({ x, y }: Place, width = 2 * AROUND): LabelBox => ({
+  x: x - width / 2,
+  y: y - AROUND,
+  width,
+  height: 2 * AROUND,
+});
+
+/** The areas that the marks of places take. */
+export const badgeAreas = (places: readonly PicturePlace[], seeing: PlaceProjection): readonly LabelBox[] =>
+  sharedBadges(badgesOf(places, seeing), null).map(({ left, top, more }) =>
+    markArea({ x: left, y: top }, more > 0 ? SHARED : undefined),
+  );
+
 /** One badge for those at the same spot, preferring the chosen one, and how many more it stands for. */
-export function sharedBadges(
+function sharedBadges(
   badges: readonly Badge[],
   chosen: PicturePlace | null,
 ): readonly (Badge & { readonly more: number })[] {

@@ -3,10 +3,13 @@ import type { ApproachRun } from "../../../program/tools/plane-types.ts";
 import { onScreen } from "../../../view/approach/frame.ts";
 import { contactLines } from "../../../view/approach/points.ts";
 import { planeNames, type NamedPlace } from "../../../view/approach/plane-names.ts";
-import type { Camera } from "../../../view/camera.ts";
+import { toScreen, type Camera } from "../../../view/camera.ts";
 import type { ApproachWords } from "../../../view/approach/words.ts";
 import { polyline, px } from "../../../view/help/marks.ts";
 import { HelpMarks } from "../help/HelpMarks.tsx";
+import { badgeAreas } from "../lathe/PlaceButtons.tsx";
+import { sectionProjection } from "../lathe/place-projection.ts";
+import type { PicturePlace } from "../lathe/places.ts";
 import { useCamera } from "../lathe/use-camera.ts";
 import type { Viewport } from "../lathe/viewport.ts";
 import { contourLast, PointDot } from "./PointDot.tsx";
@@ -47,6 +50,7 @@ export function PlanePoints({
   approaches,
   isNamed,
   speech,
+  places,
   id,
   choose,
 }: {
@@ -55,6 +59,8 @@ export function PlanePoints({
   /** Whose points have names; the others have only dots. */
   readonly isNamed: (approach: ApproachRun) => boolean;
   readonly speech: ApproachWords;
+  /** Places whose marks no name covers. */
+  readonly places: readonly PicturePlace[];
   readonly id: string;
   /** Leaves out some for a view. */
   readonly choose?: (approaches: readonly ApproachRun[], camera: Camera) => readonly ApproachRun[];
@@ -66,7 +72,10 @@ export function PlanePoints({
     () => (choose ? choose(approaches, drawn) : approaches).map((a) => ({ ...pointsOf(a), isNamed: isNamed(a) })),
     [choose, approaches, isNamed, drawn],
   );
-  const names = useMemo(() => contourLast(planeNames(shown, drawn, size, speech)), [shown, drawn, size, speech]);
+  const names = useMemo(() => {
+    const taken = badgeAreas(places, { ...sectionProjection(viewport), at: (place) => toScreen(drawn, place) });
+    return contourLast(planeNames(shown, drawn, size, speech, taken));
+  }, [shown, drawn, size, speech, places, viewport]);
   return (
     <g className="plane-points" aria-hidden="true">
       <path className="approach-contact" d={contactLines(shown, camera).map(polyline).join("")} />

@@ -190,7 +190,7 @@ export function PlaneView({
           hovered={<HoveredMotion run={run} hover={hover} />}
           name={name}
         >
-          <PlanePoints {...{ viewport, approaches, isNamed, speech, id }} />
+          <PlanePoints {...{ viewport, approaches, isNamed, speech, places, id }} />
           <FreePoints viewport={viewport} places={places} speech={speech} />
           <PlaceLines seeing={sectionProjection(viewport)} places={places} />
         </PlanePicture>

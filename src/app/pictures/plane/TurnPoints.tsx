@@ -1,6 +1,7 @@
 import { useCallback, useId, useMemo } from "react";
 import type { ApproachRun } from "../../../program/tools/plane-types.ts";
 import { withLegiblePoints } from "../../../view/approach/legible-points.ts";
+import type { PicturePlace } from "../lathe/places.ts";
 import type { Viewport } from "../lathe/viewport.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import { useChosenApproaches } from "../selection.ts";
@@ -19,8 +20,10 @@ const NO_TIP = { x: 0, y: 0 };
 export function TurnPoints({
   viewport,
   approaches,
+  places,
 }: {
   readonly viewport: Viewport;
+  readonly places: readonly PicturePlace[];
   readonly approaches: readonly ApproachRun[];
 }) {
   const id = useId(),
@@ -28,5 +31,5 @@ export function TurnPoints({
   const speech = useMemo(() => approachSpeech(lengths, "ZX", NO_TIP), [lengths]);
   const chosen = useChosenApproaches(approaches),
     isNamed = useCallback((a: ApproachRun) => chosen.length === 0 || chosen.includes(a), [chosen]);
-  return <PlanePoints {...{ viewport, approaches, isNamed, speech, id }} choose={withLegiblePoints} />;
+  return <PlanePoints {...{ viewport, approaches, isNamed, speech, places, id }} choose={withLegiblePoints} />;
 }
