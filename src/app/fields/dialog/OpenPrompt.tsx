@@ -9,6 +9,7 @@ import { isSetupPlace } from "./setup-prompts.ts";
 import { KeysButton } from "../keys/KeysButton.tsx";
 import { LazyPromptMore } from "../said/LazyPromptMore.tsx";
 import { FieldMessage } from "../number/FieldMessage.tsx";
+import { isOnlySign } from "../number/number-entry.ts";
 import { ChoiceInput } from "./ChoiceInput.tsx";
 import { onPromptKey, onPromptTab } from "./prompt-keys.ts";
 import { commandsOf, suggestionFor, type Prompt, type PromptSession } from "./session.ts";
@@ -31,7 +32,10 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
   const tiny = useMedia("tiny");
   const language = useSettings((s) => s.language);
   const { fields, opened } = session;
-  const own = session.findings.filter((p) => p.at === prompt.id);
+  const typed = session.draft[prompt.id] ?? "";
+  // A sign that was just typed is the beginning of a number.
+  const isBegun = isOnlySign(typed) && typed !== opened.before;
+  const own = session.findings.filter((p) => p.at === prompt.id && !(isBegun && p.issue.code === "notANumber"));
   const besides = session.otherFindings(prompt.id);
   const reading = session.readings[prompt.id];
   const waits =
