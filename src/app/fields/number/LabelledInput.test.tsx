@@ -44,12 +44,15 @@ test("Enter goes to the next field with its text selected, and to what else it s
     <div role="form" onKeyDown={onEnter}>
       <Field label="X" />
       <Field label="Z" start="12" />
+      <select aria-label="R" />
       <button type="button">Add</button>
     </div>,
   );
   const user = userEvent.setup();
   input("X").focus();
   await user.keyboard("3{Enter}7{Enter}");
+  expect(document.activeElement).toBe(screen.getByRole("combobox"));
+  await user.keyboard("{Enter}");
   expect([input("X").value, input("Z").value]).toEqual(["3", "7"]);
   expect(document.activeElement).toBe(screen.getByRole("button"));
 });

@@ -1,14 +1,15 @@
 import type { KeyboardEvent } from "react";
 
 /**
- * Enter in a field goes to the next one of the form, as ENT does on the control. `more`: selector of what else it stops
- * at. In the last field Enter keeps its own meaning.
+ * Enter in a field or a closed list goes to the next one of the form, as ENT does on the control; in the last one it
+ * keeps its own meaning. `more`: selector of what else it stops at.
  */
 export const enterNext =
   (more?: string) =>
   (event: KeyboardEvent<HTMLElement>): void => {
     const from = event.target;
-    if (event.key !== "Enter" || !(from instanceof HTMLInputElement) || from.dataset["enter"] === "own") return;
+    if (event.key !== "Enter" || !(from instanceof HTMLInputElement || from instanceof HTMLSelectElement)) return;
+    if (from.dataset["enter"] === "own") return;
     const stops = ["input", "select", ...(more === undefined ? [] : [more])].join();
     const fields = [
       ...event.currentTarget.querySelectorAll<HTMLInputElement | HTMLSelectElement | HTMLButtonElement>(stops),
