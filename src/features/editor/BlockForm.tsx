@@ -3,6 +3,7 @@ import { isUnsimulated } from "../../cycles/unsimulated-cycles.ts";
 import { withBlock } from "../../nc/edit.ts";
 import { blockNumbers, startLines, type Program } from "../../nc/program.ts";
 import type { Statement } from "../../nc/statement.ts";
+import { enterNext } from "../../app/fields/number/enter-next.ts";
 import { FieldMessage } from "../../app/fields/number/FieldMessage.tsx";
 import type { FindingEntry } from "../../app/findings/entry.ts";
 import { FIRST_FOCUS } from "../../app/base/focus-guard.ts";
@@ -23,6 +24,8 @@ import { fieldsOf } from "../../app/fields/blocks/block-fields.ts";
 import { kindOf } from "../../app/fields/blocks/block-kind.ts";
 import { BlockMore } from "./BlockMore.tsx";
 import { editProgram, openBlock, readWhole, useSession } from "../../app/fields/blocks/session.ts";
+
+const onEnter = enterNext();
 
 /** Blocks have no nearest value to offer. */
 const nothing = () => undefined;
@@ -105,7 +108,7 @@ export function BlockForm({ problems }: { readonly problems: readonly FindingEnt
           <Icon name="question" /> {t.moreOnWords}
         </button>
       )}
-      <div className="block-words" {...{ [FIRST_FOCUS]: "" }}>
+      <div className="block-words" onKeyDown={onEnter} {...{ [FIRST_FOCUS]: "" }}>
         {fields.map((field) => (
           <BlockField
             key={`${index} ${field.id}`}

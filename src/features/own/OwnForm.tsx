@@ -1,24 +1,16 @@
-import { useRef, type KeyboardEvent } from "react";
+import { useRef } from "react";
 import { flushSync } from "react-dom";
 import { statementLines } from "../../nc/print.ts";
 import { LAYOUTS } from "../../nc/style.ts";
 import { ownStatement, type OwnEntry, type OwnReading } from "../../program/edits/own-cycle.ts";
 import { Icon } from "../../app/base/Icon.tsx";
+import { enterNext } from "../../app/fields/number/enter-next.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { addParameter, hasRoom, setHead } from "../../app/fields/blocks/own-edits.ts";
 import { OwnField, OwnProblems } from "./OwnField.tsx";
 import { ParameterCard } from "./ParameterCard.tsx";
 
-/** Enter goes to the next field, as ENT does on the control. */
-function onEnter(event: KeyboardEvent<HTMLElement>): void {
-  const from = event.target;
-  if (event.key !== "Enter" || !(from instanceof HTMLInputElement)) return;
-  event.preventDefault();
-  const fields = [...event.currentTarget.querySelectorAll<HTMLElement>("input, select, .own-add")];
-  const next = fields[fields.indexOf(from) + 1];
-  next?.focus();
-  if (next instanceof HTMLInputElement) next.select();
-}
+const onEnter = enterNext(".own-add");
 
 interface Props {
   readonly entry: OwnEntry;

@@ -1,4 +1,4 @@
-import { useId, useMemo, type KeyboardEvent } from "react";
+import { useId, useMemo } from "react";
 import type { Issue } from "../../kernel/plan/issue.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import {
@@ -18,6 +18,7 @@ import { NameFields } from "./NameFields.tsx";
 import { TipPicker } from "./TipPicker.tsx";
 import { setCell } from "./tool-edits.ts";
 import { closeStep } from "../../app/document/steps.ts";
+import { enterNext } from "../../app/fields/number/enter-next.ts";
 import { HolderFields } from "./HolderFields.tsx";
 import { CellMessages, ToolField } from "./ToolField.tsx";
 import { useToolName } from "../../app/document/tool-name.ts";
@@ -26,19 +27,7 @@ type TurningColumn = Exclude<NumberColumn, MillColumn>;
 const INSERT: readonly TurningColumn[] = ["T-ANGLE", "P-ANGLE", "CUTLENGTH", "CUTWIDTH", "DCW"];
 const SETTING: readonly TurningColumn[] = ["ZL", "XL", "DZL", "DXL", "DYL", "ORI"];
 
-/** Enter goes to the next editable field, as ENT does on the control. */
-function onEnter(event: KeyboardEvent<HTMLElement>): void {
-  const from = event.target;
-  if (event.key !== "Enter" || !(from instanceof HTMLInputElement) || from.dataset["enter"] === "own") return;
-  event.preventDefault();
-  event.stopPropagation();
-  const fields = [
-    ...event.currentTarget.querySelectorAll<HTMLInputElement | HTMLSelectElement>("input:not(:disabled), select"),
-  ].filter((f) => f.tabIndex >= 0);
-  const next = fields[fields.indexOf(from) + 1];
-  next?.focus();
-  if (next instanceof HTMLInputElement && next.type === "text") next.select();
-}
+const onEnter = enterNext();
 
 /** The insert of a row, ignoring its number and name; `instead` overrides further cells that do not matter. */
 const shapeOf = (entry: ToolEntry, reading: EntryReading, instead: ToolEntry["cells"] = {}): Tool | null =>

@@ -119,6 +119,19 @@ test("minus toggles the sign wherever the caret is", async () => {
   expect(field().value).toBe("123");
 });
 
+test("a sign is no error while its number is typed, but when it was left so", async () => {
+  const user = userEvent.setup();
+  goTo(axial);
+  await screen.findByDisplayValue(typed(axial) ?? "");
+  const error = () => within(active()).queryByText(/is not a number/);
+  await user.keyboard("{Backspace}-");
+  expect([typed(axial), error()]).toEqual(["-", null]);
+  await user.keyboard("x");
+  expect(error()).toBeTruthy();
+  await user.keyboard("{Backspace}{ArrowDown}{ArrowUp}");
+  expect(error()).toBeTruthy();
+});
+
 test("a sum becomes its value when the field is left, a Q parameter stays", async () => {
   const user = userEvent.setup();
   goTo(diameter);

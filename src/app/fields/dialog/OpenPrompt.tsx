@@ -9,6 +9,7 @@ import { isSetupPlace } from "./setup-prompts.ts";
 import { KeysButton } from "../keys/KeysButton.tsx";
 import { LazyPromptMore } from "../said/LazyPromptMore.tsx";
 import { FieldMessage } from "../number/FieldMessage.tsx";
+import { isOnlySign } from "../number/number-entry.ts";
 import { ChoiceInput } from "./ChoiceInput.tsx";
 import { onPromptKey, onPromptTab } from "./prompt-keys.ts";
 import { commandsOf, suggestionFor, type Prompt, type PromptSession } from "./session.ts";
@@ -44,7 +45,12 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
   const suggested = suggestionFor(session, prompt);
   // The suggestion says already that a value is needed.
   const isSaid = (entry: FindingEntry) => suggested !== null && entry.issue.code === "missing" && calm(entry);
-  const own = session.findings.filter((p) => p.at === prompt.id && !isSaid(p));
+  const typed = session.draft[prompt.id] ?? "";
+  // A sign that was just typed is the beginning of a number.
+  const isBegun = isOnlySign(typed) && typed !== opened.before;
+  const own = session.findings.filter(
+    (p) => p.at === prompt.id && !isSaid(p) && !(isBegun && p.issue.code === "notANumber"),
+  );
   const takeAt = (id: string) => (nearest: number) => {
     closeStep();
     session.set(id, String(nearest));

@@ -1,4 +1,5 @@
-import { useId, type ReactNode } from "react";
+import { useId, useState, type ReactNode } from "react";
+import { isOnlySign } from "./number-entry.ts";
 import { NumberInput, type NumberInputProps } from "./NumberInput.tsx";
 
 interface Props extends NumberInputProps {
@@ -19,6 +20,9 @@ interface Props extends NumberInputProps {
 /** A field with label and unit, and its messages below. */
 export function LabelledInput({ className, label, more, unit, button, hint, messages, ...input }: Props) {
   const id = useId();
+  /** A sign that was just typed: what is wrong with it is said once the field is left. */
+  const [begun, begin] = useState<string | null>(null);
+  const isBegun = begun === input.text;
   const name = <label htmlFor={id}>{label}</label>;
   return (
     <div className={className}>
@@ -31,7 +35,20 @@ export function LabelledInput({ className, label, more, unit, button, hint, mess
         </span>
       )}
       <span className="field-value">
-        <NumberInput id={id} aria-describedby={`${id}-unit ${id}-hint ${id}-messages`} {...input} />
+        <NumberInput
+          id={id}
+          aria-describedby={`${id}-unit ${id}-hint ${id}-messages`}
+          {...input}
+          {...(isBegun && { "aria-invalid": false })}
+          onText={(text) => {
+            begin(isOnlySign(text) ? text : null);
+            input.onText(text);
+          }}
+          onLeave={() => {
+            begin(null);
+            input.onLeave?.();
+          }}
+        />
         {unit !== undefined && (
           <span className="soft small" id={`${id}-unit`}>
             {unit}
@@ -45,7 +62,7 @@ export function LabelledInput({ className, label, more, unit, button, hint, mess
         </p>
       )}
       <div className="field-messages" id={`${id}-messages`} role="status">
-        {messages}
+        {!isBegun && messages}
       </div>
     </div>
   );

@@ -1,5 +1,14 @@
 import { expect, test } from "vitest";
-import { erase, insert, minuendOf, minus, subtracted, toggleSign, type EntryState } from "./number-entry.ts";
+import {
+  erase,
+  insert,
+  isOnlySign,
+  minuendOf,
+  minus,
+  subtracted,
+  toggleSign,
+  type EntryState,
+} from "./number-entry.ts";
 
 /** "12|" is a caret behind 12; "[12]" is 12 selected. */
 function entry(picture: string): EntryState {
@@ -60,3 +69,11 @@ test("erase takes the selection, or one character", () => {
   expect(erase(entry("7|5")).text).toBe("5");
   expect(erase(entry("|75")).text).toBe("75");
 });
+
+test.each([
+  ["-", true],
+  ["I+", true],
+  ["", false],
+  ["-1", false],
+  ["1-", false],
+])("%s is only a sign: %s", (text, only) => expect(isOnlySign(text)).toBe(only));

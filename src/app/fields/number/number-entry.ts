@@ -13,6 +13,9 @@ const plainNumber = /^\s*[+-]?\d*[.,]?\d*\s*$/;
 /** True when minus means "change the sign" here; in a sum it is an ordinary minus. */
 export const isPlainNumber = (text: string): boolean => plainNumber.test(text);
 
+/** A sign without a digit: a number that has only begun, not a wrong one yet. */
+export const isOnlySign = (text: string): boolean => /^\s*I?[+-]\s*$/i.test(text);
+
 /** The whole number is selected, with or without its sign: the next input replaces it. */
 const allSelected = ({ text, from, to }: EntryState) =>
   from < to && to === text.length && /^[+-]?$/.test(text.slice(0, from));

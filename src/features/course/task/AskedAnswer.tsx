@@ -2,6 +2,7 @@ import { useId } from "react";
 import type { Prediction } from "../../../course/task.ts";
 import { answerKindOf } from "../../../course/predicted-answers.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
+import { enterNext } from "../../../app/fields/number/enter-next.ts";
 import { NumberInput } from "../../../app/fields/number/NumberInput.tsx";
 
 interface AskedProps {
@@ -15,6 +16,8 @@ interface AskedProps {
 }
 
 const bare = (text: string) => text.replaceAll(" ", "");
+
+const onEnter = enterNext();
 
 /** The field of one question: a number, a place, one of several, or a block. */
 export function AskedAnswer({ prediction, put, text, choices, t, labelled }: AskedProps) {
@@ -54,7 +57,7 @@ export function AskedAnswer({ prediction, put, text, choices, t, labelled }: Ask
   if (kind === "place") {
     const [x = "", z = ""] = text.split(" ");
     return (
-      <div className="task-fields">
+      <div className="task-fields" onKeyDown={onEnter}>
         <span className="small">{t.predict.place}</span>
         {field(t.predict.x, "⌀", x, (next) => put(`${bare(next)} ${z}`))}
         {field(t.predict.z, "Z", z, (next) => put(`${x} ${bare(next)}`))}

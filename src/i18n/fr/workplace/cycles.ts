@@ -39,8 +39,8 @@ export const cycles = {
     percent: "pour cent",
     revolutions: "tours",
   },
-  roughStep: (step, of, text) => `Étape ${step} sur ${of} : ${text}`,
-  finishStep: (step, of, text) => `Finition, étape ${step} sur ${of} : ${text}`,
+  roughStep: (step, of, text) => `Étape ${step}/${of} : ${text}`,
+  finishStep: (step, of, text) => `Finition, étape ${step}/${of} : ${text}`,
   positioning: "Positionnement avant l’étape 1",
   kept: {
     880: "Taillage d’engrenage à la fraise-mère",

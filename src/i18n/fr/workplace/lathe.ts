@@ -101,7 +101,7 @@ export const lathe = {
   phases: { position: "Positionnement", rough: "Ébauche", smooth: "Lissage", finish: "Finition", thread: "Filetage" },
   plunging: "Plongée",
   pass: (pass, of) => `Passe ${pass} sur ${of}`,
-  stepOnly: (step, of) => `Étape ${step} sur ${of}`,
+  stepOnly: (step, of) => `Étape ${step}/${of}`,
   outside: "Positionnement, hors cycle",
   block: (block) => `Séquence ${block}`,
   chip: {
