@@ -5,9 +5,6 @@ import { Site } from "./pages/site.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-/** The learner works without a network. */
-test.use({ serviceWorkers: "allow" });
-
 const MINUTE = 60_000;
 
 test("an exam of two exercises: made, written without a network until time is up, and collected", async ({
@@ -18,8 +15,8 @@ test("an exam of two exercises: made, written without a network until time is up
     first = "Exactly three passes",
     second = "What will be measured?";
   const site = await Site.start();
-  // The learner was here before: the page is stored on the device meanwhile.
-  const context = await browser.newContext();
+  // The learner was here before, and works without a network: the page is stored on the device meanwhile.
+  const context = await browser.newContext({ serviceWorkers: "allow" });
   const pupil = await context.newPage();
   await pupil.goto(site.url);
   const learner = Turnwise.at(pupil);

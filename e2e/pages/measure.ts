@@ -35,8 +35,9 @@ export async function editTimes({ page, lathe, dialog }: Turnwise, values: reado
   );
 }
 
-/** Bytes of live objects on the page, after a garbage collection. */
+/** Bytes of live objects on the page, after a garbage collection. What the page still does later is waited for. */
 export async function heap(page: Page): Promise<number> {
+  await page.waitForTimeout(1500);
   const session = await page.context().newCDPSession(page);
   await session.send("HeapProfiler.collectGarbage");
   await session.send("HeapProfiler.collectGarbage");
