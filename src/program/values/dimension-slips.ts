@@ -140,7 +140,7 @@ export function dimensionSlip<P extends Params>(asked: SlipCheckInput<P>): reado
   const judged = (changed: Readonly<Record<string, number>>) =>
     judge({ ...typed, ...changed } as unknown as Values<P>).issues;
   const { tool, start, solid, blank: rings } = setting,
-    box = rings ? boxAround(rings) : null;
+    box = rings?.length ? boxAround(rings) : null;
   const plain = cycle as unknown as Cycle;
   const z = endsOf(plain, "Z"),
     q = parameterWith(plain, "endZ");
