@@ -7,9 +7,14 @@ import { taskSchema, type Task } from "../../src/course/task.ts";
 import { texts } from "../../src/i18n/index.ts";
 import { courseTask } from "../../src/i18n/en/course-task.ts";
 import shoulderFile from "../../src/course/tasks/l03-first-shoulder.json";
+import seatFile from "../../src/course/tasks/l05-chamfered-seat.json";
 import rodFile from "../../src/course/tasks/l16-drawn-rod.json";
 
-const [shoulder, rod] = [shoulderFile, rodFile].map((file) => taskSchema.parse(file)) as [Task, Task];
+const [shoulder, rod, seat] = [shoulderFile, rodFile, seatFile].map((file) => taskSchema.parse(file)) as [
+  Task,
+  Task,
+  Task,
+];
 
 /** The messages for the solution with one change, the first one first. */
 function markTexts(task: Task, from: string, to: string): string[] {
@@ -51,6 +56,20 @@ test("every place with material left names the call that should have cut it; all
       (line) => line.startsWith("Material left") && !line.includes(": block 9"),
     ),
   ).toEqual([]);
+});
+
+test.each([
+  ["a chamfer at the beginning left out", seat, /Q501=\+1/, "Q501=+0", "Q501"],
+  ["left out with its size", seat, /Q501=\+1(.*\n.*)Q502=\+1\.2/, "Q501=+0$1Q502=+0", "Q501"],
+  ["a rounding in place of a chamfer", seat, /Q501=\+1/, "Q501=+2", "Q501"],
+  ["a size too small", seat, /Q502=\+1\.2/, "Q502=+0.6", "Q502"],
+  ["a diameter too large", seat, /Q493=\+52\.8/, "Q493=+53.2", "Q493"],
+])("material left is explained by the choice of an element or by its size: %s", (_, task, from, to, q) => {
+  const right = programOfLines(task.solution ?? []);
+  const wrong = right.replace(from, to);
+  expect(wrong).not.toBe(right);
+  const residue = judge(task, answerOf(wrong)).marks.find(({ rule, passed }) => rule === "residue" && !passed);
+  expect(residue?.shapedBy).toEqual({ q });
 });
 
 test("a thread of another pitch is reported once, by its pitch; a missing one as missing", () => {
