@@ -30,7 +30,7 @@ async function holdable(page: Page): Promise<(hold: boolean) => Promise<void>> {
 /** The page plans by itself as soon as the planning part is loaded. */
 const plans = (page: Page) =>
   page.waitForFunction(() =>
-    performance.getEntriesByType("resource").some(({ name }) => /\/plan-[^/]+\.js$/.test(name)),
+    performance.getEntriesByType("resource").some(({ name }) => /\/engine-[^/]+\.js$/.test(name)),
   );
 
 test("a changed value moves the path at once, and an unverified result says that it is being checked", async ({

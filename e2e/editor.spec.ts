@@ -138,11 +138,11 @@ test("a share link opens the same program, and a reload keeps what was typed", a
   await other.sharing.open();
   await expect(other.editor.text).toBeVisible();
   expect(await other.editor.downloaded()).toEqual(text);
-  await other.editor.line("CYCL CALL").click();
+  await other.editor.line("M136").click();
   await other.page.keyboard.press("End");
   await other.page.keyboard.type(" ;KEPT");
   await other.page.reload();
-  await expect(other.editor.line("CYCL CALL ;KEPT")).toBeVisible();
+  await expect(other.editor.line("M136 ;KEPT")).toBeVisible();
 });
 
 test("an unknown block is marked in the margin and hides nothing after it", async ({ page }) => {

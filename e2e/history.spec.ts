@@ -106,12 +106,12 @@ test("undo goes on after a reload, in a cycle and in a program", async ({ page }
 
   await page.getByRole("link", { name: t.page.home }).click();
   await page.getByRole("button", { name: t.page.programs.example(t.page.examples.flange) }).click();
-  await editor.line("M30").click();
+  await editor.line("M136").click();
   await page.keyboard.press("End");
   await page.keyboard.type(" ; END");
-  await expect(editor.line("M30")).toContainText("; END");
+  await expect(editor.line("M136")).toContainText("; END");
   await page.reload();
-  await expect(editor.line("M30")).toContainText("; END");
+  await expect(editor.line("M136")).toContainText("; END");
   await turnwise.undo();
-  await expect(editor.line("M30")).not.toContainText("; END");
+  await expect(editor.line("M136")).not.toContainText("; END");
 });

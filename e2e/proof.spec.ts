@@ -22,6 +22,6 @@ test("a part that is parted off leaves the picture, and turning it afterwards is
   await editor.paste(await readFile("tests/proof/parted-off-then-turned.h", "utf8"));
   await expect(editor.total(t.findings.verdict.title)).toContainText(t.findings.verdict.faults(1));
   await editor.show("findings");
-  await expect(findings.panel.getByText("das in Satz 9 abgetrennt wurde").first()).toBeVisible();
+  await expect(findings.panel.getByText("Satz 9 trennt dieses Stück").first()).toBeVisible();
   await expectAccessibleAndFits(page);
 });

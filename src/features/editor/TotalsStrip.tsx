@@ -1,7 +1,7 @@
 import { useEffect, type ReactNode } from "react";
 import { formatFixed } from "../../i18n/number.ts";
 import type { Step } from "../../kernel/time/step.ts";
-import type { Program } from "../../nc/program.ts";
+import { blockNumbers, type Program } from "../../nc/program.ts";
 import { isOff, operationsOf } from "../../program/edits/operations.ts";
 import type { Run } from "../../program/state/run-types.ts";
 import { restartComparison, followComparing } from "../../app/findings/effect/compared.ts";
@@ -43,11 +43,24 @@ function toolChangesOf({ steps, operations }: Run): number {
 }
 
 /**
- * Operations of a program as in its list, where those without a turning cycle or a tool count too; more where a call or
- * a loop runs one of them again.
+ * Operations of a program as in its list, where those without a turning cycle or a tool count too; without those that
+ * are skipped. More where a call or a loop runs one of them again.
  */
-export function operationCount(program: Program, { operations }: Pick<Run, "operations">): number {
-  const listed = operationsOf(program).units.filter((own) => !isOff(program, own));
+export function operationCount(
+  program: Program,
+  { operations, steps, stepBlocks, plane }: Pick<Run, "operations" | "steps" | "stepBlocks" | "plane">,
+): number {
+  const numbers = blockNumbers(program);
+  const called = new Set(operations.map(({ block }) => block));
+  const cutting = new Set([
+    ...stepBlocks.filter((_, i) => steps[i]?.move.kind !== "rapid"),
+    ...plane.map(({ index }) => index),
+  ]);
+  const listed = operationsOf(program).units.filter(
+    (own) =>
+      !isOff(program, own) &&
+      numbers.some((block, i) => i >= own.from && i < own.to && (cutting.has(i) || called.has(block))),
+  );
   return Math.max(operations.length, listed.length);
 }
 
