@@ -33,7 +33,7 @@ export function EntranceProgress() {
         </a>
       )}
       {first && goOn && (
-        <a className="button" href={href}>
+        <a className="small" href={href}>
           {goOn}
         </a>
       )}

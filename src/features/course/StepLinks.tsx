@@ -19,7 +19,7 @@ export function MissedLink({
 }) {
   return missed.kind === "task" ? (
     <button type="button" className={className} onClick={() => void beginTaskOfCourse(missed.task.id, true)}>
-      <span>{children}</span>
+      {children}
     </button>
   ) : (
     <a className={className} href={courseHref(missed.lesson.id, missed.page)}>
