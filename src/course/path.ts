@@ -51,41 +51,24 @@ export function lessonToContinue<L extends OutlinedLesson>(lessons: readonly L[]
   return lessons.slice(Math.max(0, at)).find(isOpen) ?? lessons.find(isOpen) ?? null;
 }
 
-/** What follows in the course. */
-export type NextStep<L extends OutlinedLesson> =
-  | { readonly kind: "task"; readonly lesson: L; readonly task: L["tasks"][number] }
-  | { readonly kind: "lesson"; readonly lesson: L };
-
 /** The lesson after one; null after the last, and for a lesson that is not among them. */
 export function lessonAfter<L extends OutlinedLesson>(lessons: readonly L[], id: string): L | null {
   const index = lessons.findIndex((lesson) => lesson.id === id);
   return index < 0 ? null : (lessons[index + 1] ?? null);
 }
 
-/** After an exercise: the next open one of its lesson, else the next lesson; null at the end of the course. */
-export function stepAfterTask<L extends OutlinedLesson>(
-  lessons: readonly L[],
-  progress: CourseProgress,
-  id: string,
-): NextStep<L> | null {
-  const lesson = lessons.find(({ tasks }) => tasks.some((task) => task.id === id));
-  if (!lesson) return null;
-  const index = lesson.tasks.findIndex((task) => task.id === id);
-  const others = [...lesson.tasks.slice(index + 1), ...lesson.tasks.slice(0, index)];
-  const task = others.find((each) => !isPassed(progress, each));
-  if (task) return { kind: "task", lesson, task };
-  const after = lessonAfter(lessons, lesson.id);
-  return after && { kind: "lesson", lesson: after };
-}
-
 interface ReviewedLesson extends OutlinedLesson {
   readonly questions: readonly { readonly id: string; readonly page: number }[];
 }
 
-/** What was missed: an exercise that was passed with help, or a question whose last answer was wrong, by its page. */
-export type Missed<L extends OutlinedLesson> =
-  | { readonly kind: "task"; readonly lesson: L; readonly task: L["tasks"][number] }
-  | { readonly kind: "question"; readonly lesson: L; readonly id: string; readonly page: number };
+/**
+ * What was missed, and when, ms since 1970: an exercise that was passed with help, or a question whose last answer was
+ * wrong, by its page.
+ */
+export type Missed<L extends OutlinedLesson> = { readonly lesson: L; readonly when: number } & (
+  | { readonly kind: "task"; readonly task: L["tasks"][number] }
+  | { readonly kind: "question"; readonly id: string; readonly page: number }
+);
 
 /** All that was missed, in the order of the lessons; of each, its questions before its exercises. */
 export const missedIn = <L extends ReviewedLesson>(
@@ -93,10 +76,71 @@ export const missedIn = <L extends ReviewedLesson>(
   progress: CourseProgress,
 ): readonly Missed<L>[] =>
   lessons.flatMap((lesson): readonly Missed<L>[] => [
-    ...lesson.questions
-      .filter(({ id }) => answerToQuestion(progress, lesson.id, id)?.last === "wrong")
-      .map(({ id, page }) => ({ kind: "question" as const, lesson, id, page })),
-    ...lesson.tasks
-      .filter(({ id }) => needsRepeat(progressOfTask(progress, id)))
-      .map((task) => ({ kind: "task" as const, lesson, task })),
+    ...lesson.questions.flatMap(({ id, page }) => {
+      const answer = answerToQuestion(progress, lesson.id, id);
+      return answer?.last === "wrong" ? [{ kind: "question" as const, lesson, id, page, when: answer.when }] : [];
+    }),
+    ...lesson.tasks.flatMap((task) => {
+      const now = progressOfTask(progress, task.id);
+      return now.passed && needsRepeat(now) ? [{ kind: "task" as const, lesson, task, when: now.passed.when }] : [];
+    }),
   ]);
+
+/** What follows in the course. A review comes before a lesson, which stays as the other way; null: it was the last. */
+export type NextStep<L extends OutlinedLesson> =
+  | { readonly kind: "task"; readonly lesson: L; readonly task: L["tasks"][number] }
+  | { readonly kind: "lesson"; readonly lesson: L }
+  | { readonly kind: "review"; readonly missed: readonly Missed<L>[]; readonly lesson: L | null };
+
+/** A course: the lessons of a path, all lessons, and the chapters of all. */
+export interface OutlinedCourse<L> {
+  readonly lessons: readonly L[];
+  readonly all: readonly L[];
+  readonly chapters: readonly { readonly lessons: readonly string[] }[];
+}
+
+/** The lesson at whose end a step is asked for, and the exercise of it that was passed last. */
+export interface EndOfLesson {
+  readonly lesson: string;
+  readonly task?: string;
+}
+
+/** At the end of a lesson: the next open exercise of it, else the next lesson that is not done. */
+function stepInOrder<L extends OutlinedLesson>(
+  lessons: readonly L[],
+  progress: CourseProgress,
+  end: EndOfLesson,
+): Exclude<NextStep<L>, { kind: "review" }> | null {
+  const at = lessons.findIndex(({ id }) => id === end.lesson);
+  const lesson = lessons[at];
+  if (!lesson) return null;
+  const index = lesson.tasks.findIndex(({ id }) => id === end.task);
+  const others = [...lesson.tasks.slice(index + 1), ...lesson.tasks.slice(0, Math.max(0, index))];
+  const task = others.find((each) => !isPassed(progress, each));
+  if (task) return { kind: "task", lesson, task };
+  const after = lessons.slice(at + 1).find((each) => stateOfLesson(each, progress) !== "done");
+  return after ? { kind: "lesson", lesson: after } : null;
+}
+
+/**
+ * The next step at the end of a lesson, or else from where the learner was last. Between two chapters, and on a later
+ * day than a miss, that is the review of what was missed. `today`: when the day began, ms since 1970.
+ */
+export function nextStep<L extends ReviewedLesson>(
+  { lessons, all, chapters }: OutlinedCourse<L>,
+  progress: CourseProgress,
+  today: number,
+  end: EndOfLesson | null = null,
+): NextStep<L> | null {
+  const open = end ? null : lessonToContinue(lessons, progress);
+  const step = end ? stepInOrder(lessons, progress, end) : open && { kind: "lesson" as const, lesson: open };
+  if (step?.kind === "task") return step;
+  const next = step?.lesson ?? null;
+  const left = end?.lesson ?? progress.last?.lesson ?? next?.id;
+  const isChapterEnd =
+    next === null ||
+    chapters.some((chapter) => chapter.lessons.some((id) => id === left) && !chapter.lessons.includes(next.id));
+  const missed = missedIn(all, progress);
+  const isDue = missed.length > 0 && (isChapterEnd || missed.some(({ when }) => when < today));
+  return isDue ? { kind: "review", missed, lesson: next } : step;
+}

@@ -96,15 +96,16 @@ describe("a repeated attempt", () => {
 });
 
 test("the last answer to a question counts, and all are counted", () => {
-  const wrong = withAnswer(NO_PROGRESS, "tool", "nose", false);
-  expect(answerToQuestion(wrong, "tool", "nose")).toEqual({ last: "wrong", answers: 1 });
-  expect(answerToQuestion(withAnswer(wrong, "tool", "nose", true), "tool", "nose")).toEqual({
+  const wrong = withAnswer(NO_PROGRESS, "tool", "nose", false, 5);
+  expect(answerToQuestion(wrong, "tool", "nose")).toEqual({ last: "wrong", answers: 1, when: 5 });
+  expect(answerToQuestion(withAnswer(wrong, "tool", "nose", true, 6), "tool", "nose")).toEqual({
     last: "right",
     answers: 2,
+    when: 6,
   });
   expect(answerToQuestion(wrong, "tool", "edge")).toBeUndefined();
   expect(answerToQuestion(wrong, "constructor", "name")).toBeUndefined();
-  expect(answerToQuestion(withAnswer(wrong, "tool", "edge", true), "tool", "nose")?.last).toBe("wrong");
+  expect(answerToQuestion(withAnswer(wrong, "tool", "edge", true, 6), "tool", "nose")?.last).toBe("wrong");
 });
 
 describe("the place", () => {
@@ -132,7 +133,13 @@ const event = fc.oneof(
     score: fc.integer({ min: 1, max: 100 }),
   }),
   fc.record({ does: fc.constant("start" as const), task: ids }),
-  fc.record({ does: fc.constant("answer" as const), lesson: ids, question: ids, isRight: fc.boolean() }),
+  fc.record({
+    does: fc.constant("answer" as const),
+    lesson: ids,
+    question: ids,
+    isRight: fc.boolean(),
+    when: fc.integer({ min: 1, max: 9999 }),
+  }),
   fc.record({ does: fc.constant("read" as const), lesson: ids, page: fc.constantFrom(1, 4, "tasks" as const) }),
 );
 type Event = typeof event extends fc.Arbitrary<infer E> ? E : never;
@@ -149,7 +156,7 @@ function after(progress: CourseProgress, each: Event): CourseProgress {
     case "start":
       return withStart(progress, each.task);
     case "answer":
-      return withAnswer(progress, each.lesson, each.question, each.isRight);
+      return withAnswer(progress, each.lesson, each.question, each.isRight, each.when);
     case "read":
       return withPlace(progress, { lesson: each.lesson, number: 7, page: each.page });
   }
@@ -207,7 +214,7 @@ describe("imported progress", () => {
   test("only untouched progress is empty", () => {
     expect(isEmptyProgress(NO_PROGRESS)).toBe(true);
     expect(isEmptyProgress(withTry(NO_PROGRESS, "a-1"))).toBe(false);
-    expect(isEmptyProgress(withAnswer(NO_PROGRESS, "tool", "nose", true))).toBe(false);
+    expect(isEmptyProgress(withAnswer(NO_PROGRESS, "tool", "nose", true, 6))).toBe(false);
     expect(isEmptyProgress(withPlace(NO_PROGRESS, { lesson: "tool", number: 2, page: 1 }))).toBe(false);
   });
 });

@@ -32,8 +32,11 @@ const taskProgress = z.object({
 });
 export type TaskProgress = z.output<typeof taskProgress>;
 
-/** A question on a page: the last answer, and the number of answers. A question without an answer has no entry. */
-const answered = z.object({ last: z.enum(["right", "wrong"]), answers: count });
+/**
+ * A question on a page: the last answer, when it was given, ms since 1970 (0: not known), and the number of answers. A
+ * question without an answer has no entry.
+ */
+const answered = z.object({ last: z.enum(["right", "wrong"]), answers: count, when: z._default(z.number(), 0) });
 export type AnsweredQuestion = z.output<typeof answered>;
 
 /** A page of a lesson from 1, or the tasks behind the last one. */
@@ -190,10 +193,11 @@ export function withAnswer(
   lesson: string,
   question: string,
   isRight: boolean,
+  when: number,
 ): CourseProgress {
   const answers = (answerToQuestion(progress, lesson, question)?.answers ?? 0) + 1;
   const ofLesson = Object.hasOwn(progress.questions, lesson) ? progress.questions[lesson] : {};
-  const now: AnsweredQuestion = { last: isRight ? "right" : "wrong", answers };
+  const now: AnsweredQuestion = { last: isRight ? "right" : "wrong", answers, when };
   return { ...progress, questions: { ...progress.questions, [lesson]: { ...ofLesson, [question]: now } } };
 }
 
@@ -228,6 +232,7 @@ function mergedTask(one: TaskProgress, other: TaskProgress): TaskProgress {
 const mergedAnswer = (one: AnsweredQuestion, other: AnsweredQuestion): AnsweredQuestion => ({
   last: one.last === "right" ? "right" : other.last,
   answers: Math.max(one.answers, other.answers),
+  when: Math.max(one.when, other.when),
 });
 
 function mergedQuestions(mine: CourseProgress, brought: CourseProgress): CourseProgress["questions"] {

@@ -1,9 +1,8 @@
 import { missedIn } from "../../course/path.ts";
 import { progressOfTask, stateOfTask } from "../../course/progress.ts";
 import type { LessonEntry } from "../../app/records/course/content.ts";
-import { courseHref } from "../../app/place/course-links.ts";
 import { useLearning } from "../../app/records/course/progress.ts";
-import { beginTaskOfCourse } from "./begin-task.ts";
+import { MissedLink } from "./StepLinks.tsx";
 import { TaskStateMark } from "./TaskStateMark.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
@@ -26,16 +25,12 @@ export function CourseReview({ lessons, open }: { readonly lessons: readonly Les
         {missed.map((each) =>
           each.kind === "task" ? (
             <li key={each.task.id}>
-              <button type="button" className="button" onClick={() => void beginTaskOfCourse(each.task.id, true)}>
-                <span>{t.repeat(each.task.title)}</span>
-              </button>
+              <MissedLink missed={each}>{t.repeat(each.task.title)}</MissedLink>
               <TaskStateMark state={stateOfTask(progressOfTask(list, each.task.id))} />
             </li>
           ) : (
             <li key={`${each.lesson.id} ${each.id}`}>
-              <a className="button" href={courseHref(each.lesson.id, each.page)}>
-                {t.question(String(each.lesson.number), String(each.page))}
-              </a>
+              <MissedLink missed={each}>{t.question(String(each.lesson.number), String(each.page))}</MissedLink>
               <span className="soft small">{each.lesson.title}</span>
             </li>
           ),

@@ -8,9 +8,10 @@ import { beginTaskOfCourse } from "./begin-task.ts";
 import { openLessonExample } from "./open-example.ts";
 import { PassedBar } from "./PassedBar.tsx";
 import { useLearning } from "../../app/records/course/progress.ts";
+import { StepLinks } from "./StepLinks.tsx";
 import { TaskStateMark } from "./TaskStateMark.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
-import { lessonsAround, useCoursePath, useStudyTime } from "./use-course-path.ts";
+import { lessonsAround, useCoursePath, useNextStep, useStudyTime } from "./use-course-path.ts";
 
 function TaskList({ tasks, label }: { readonly tasks: readonly TaskEntry[]; readonly label: string }) {
   const t = useTexts("course");
@@ -51,12 +52,11 @@ export function LessonTasks({
   const t = useTexts("course"),
     words = useTexts("course-path");
   const path = useCoursePath();
-  const { list } = useLearning();
   const around = lessonsAround(path, entry.id);
   const { tasks } = around.find(({ id }) => id === entry.id) ?? entry;
   const more = entry.tasks.filter(({ id }) => tasks.every((task) => task.id !== id));
-  const next = lessonAfter(around, entry.id);
-  const isDone = tasks.every(({ id }) => progressOfTask(list, id).passed !== null);
+  const step = useNextStep({ lesson: entry.id });
+  const next = step && lessonAfter(around, entry.id);
   const { example } = lesson;
   return (
     <div className="lesson-end">
@@ -86,13 +86,11 @@ export function LessonTasks({
         </section>
       )}
       <div className="lesson-onward">
-        {next ? (
-          <a className={isDone ? "button primary" : "button"} href={courseHref(next.id)}>
-            {t.nextLesson(String(next.number), next.title)}
-          </a>
+        {step && step.kind !== "task" ? (
+          <StepLinks step={step} />
         ) : (
-          <a className={isDone ? "button primary" : "button"} href={courseHref()}>
-            {t.toList}
+          <a className={step ? "button" : "button primary"} href={courseHref(next?.id ?? null)}>
+            {next ? t.nextLesson(String(next.number), next.title) : t.toList}
           </a>
         )}
       </div>

@@ -11,13 +11,15 @@ import { clock } from "../../app/base/clock.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { createPlaybackStore } from "../../app/calculation/playback-store.ts";
-import { noteAnswer, useAnswerToQuestion } from "../../app/records/course/progress.ts";
+import { noteAnswer, useAnswerToQuestion, useLearning } from "../../app/records/course/progress.ts";
 import { LessonPicture } from "./LessonPicture.tsx";
 import { LessonProgram } from "./LessonProgram.tsx";
 import { LessonQuestion, type Pressed } from "./LessonQuestion.tsx";
 import { LessonSlide } from "./LessonSlide.tsx";
 import { Paragraphs } from "./Paragraphs.tsx";
 import type { LessonPageOf } from "./lesson-pages.ts";
+import { StepLinks } from "./StepLinks.tsx";
+import { useNextStep } from "./use-course-path.ts";
 import { useLessonRun } from "./use-lesson-run.ts";
 
 /** Decimals of a pointed place, mm. */
@@ -31,6 +33,18 @@ interface Done {
   readonly isSolved?: boolean;
 }
 const NOTHING: Done = {};
+
+/** On a page of a lesson that was read before, when its question is answered at last: what is next. */
+function AfterReview({ lesson }: { readonly lesson: string }) {
+  const step = useNextStep();
+  const isRead = useLearning((s) => s.list.read.includes(lesson));
+  if (!isRead || step === null || step.kind === "task") return null;
+  return (
+    <div className="course-ways">
+      <StepLinks step={step} />
+    </div>
+  );
+}
 
 /** A page: its text next to the lathe, its slider and its question. */
 export function PageOfLesson({
@@ -116,6 +130,7 @@ export function PageOfLesson({
             }}
           />
         )}
+        {done.isSolved && last && last.answers > 1 && <AfterReview lesson={lesson} />}
         <LessonProgram
           lines={lines}
           playback={playback}

@@ -1,5 +1,7 @@
 import type { CoursePathTexts } from "../en/course-path.ts";
 
+const count = (n: number, one: string): string => (n === 0 ? "" : n === 1 ? `1 ${one}` : `${n} ${one}n`);
+
 export const coursePath = {
   choose: "Weg durch den Kurs",
   whole: { title: "Ganzer Kurs", about: "Vom ersten Absatz bis zum fertigen Teil" },
@@ -13,6 +15,8 @@ export const coursePath = {
   review: {
     title: (n) => `Wiederholen (${n})`,
     lead: "Aufgaben, die mit Hilfe gelöst wurden, und falsch beantwortete Fragen.",
+    step: (questions, exercises, time) =>
+      `Wiederholen: ${[count(questions, "Frage"), count(exercises, "Aufgabe"), time].filter(Boolean).join(", ")}`,
     question: (lesson, page) => `Frage in Lektion ${lesson}, Seite ${page}`,
     repeat: (title) => `Aufgabe wiederholen: ${title}`,
   },
@@ -21,7 +25,5 @@ export const coursePath = {
     skip: "Zum Ende springen",
     again: "Noch einmal abspielen",
     handIn: "Abgeben",
-    nextLesson: (n, title) => `Weiter: Lektion ${n}, ${title}`,
-    review: (n) => `Weiter: wiederholen (${n})`,
   },
 } satisfies CoursePathTexts;

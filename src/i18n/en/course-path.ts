@@ -1,5 +1,7 @@
 import type { Shape } from "../shape.ts";
 
+const count = (n: number, one: string): string => (n === 0 ? "" : n === 1 ? `1 ${one}` : `${n} ${one}s`);
+
 /**
  * The way through the course: its paths and chapters, the time it takes, what was missed, and the next step. Numbers
  * arrive as text.
@@ -17,6 +19,8 @@ export const coursePath = {
   review: {
     title: (n: string) => `Review (${n})`,
     lead: "Exercises passed with help, and questions answered wrongly.",
+    step: (questions: number, exercises: number, time: string) =>
+      `Review: ${[count(questions, "question"), count(exercises, "exercise"), time].filter(Boolean).join(", ")}`,
     question: (lesson: string, page: string) => `Question in lesson ${lesson}, page ${page}`,
     repeat: (title: string) => `Repeat exercise: ${title}`,
   },
@@ -25,8 +29,6 @@ export const coursePath = {
     skip: "Skip to the end",
     again: "Play again",
     handIn: "Hand in",
-    nextLesson: (n: string, title: string) => `Next: lesson ${n}, ${title}`,
-    review: (n: string) => `Next: review (${n})`,
   },
 };
 

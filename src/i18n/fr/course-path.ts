@@ -1,5 +1,7 @@
 import type { CoursePathTexts } from "../en/course-path.ts";
 
+const count = (n: number, one: string): string => (n === 0 ? "" : n === 1 ? `1 ${one}` : `${n} ${one}s`);
+
 export const coursePath = {
   choose: "Parcours",
   whole: { title: "Cours complet", about: "Du premier épaulement à la pièce complète" },
@@ -13,6 +15,8 @@ export const coursePath = {
   review: {
     title: (n) => `À revoir (${n})`,
     lead: "Exercices réussis avec de l’aide, et réponses fausses.",
+    step: (questions, exercises, time) =>
+      `À revoir : ${[count(questions, "question"), count(exercises, "exercice"), time].filter(Boolean).join(", ")}`,
     question: (lesson, page) => `Question de la leçon ${lesson}, page ${page}`,
     repeat: (title) => `Refaire l’exercice : ${title}`,
   },
@@ -21,7 +25,5 @@ export const coursePath = {
     skip: "Aller à la fin",
     again: "Relire",
     handIn: "Rendre",
-    nextLesson: (n, title) => `Suite : leçon ${n}, ${title}`,
-    review: (n) => `Suite : à revoir (${n})`,
   },
 } satisfies CoursePathTexts;

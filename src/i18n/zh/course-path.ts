@@ -13,6 +13,8 @@ export const coursePath = {
   review: {
     title: (n) => `复习（${n}）`,
     lead: "借助提示通过的练习，以及答错的问题。",
+    step: (questions, exercises, time) =>
+      `复习：${[questions > 0 && `${questions} 道题`, exercises > 0 && `${exercises} 个练习`, time].filter(Boolean).join("，")}`,
     question: (lesson, page) => `第 ${lesson} 课第 ${page} 页的问题`,
     repeat: (title) => `重做练习：${title}`,
   },
@@ -21,7 +23,5 @@ export const coursePath = {
     skip: "跳到结尾",
     again: "再播放一次",
     handIn: "提交结果",
-    nextLesson: (n, title) => `下一步：第 ${n} 课，${title}`,
-    review: (n) => `下一步：复习（${n}）`,
   },
 } satisfies CoursePathTexts;

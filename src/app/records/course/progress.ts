@@ -55,7 +55,7 @@ export const useAnswerToQuestion = (lesson: string, question: string): AnsweredQ
   useLearning((s) => answerToQuestion(s.list, lesson, question));
 /** A question on a page of a lesson was answered. */
 export const noteAnswer = (lesson: string, question: string, isRight: boolean): void =>
-  change((now) => withAnswer(now, lesson, question, isRight));
+  change((now) => withAnswer(now, lesson, question, isRight, time()));
 
 /** A page of a lesson was opened. */
 export const noteLessonPage = (at: CourseMark): void => change((now) => withPlace(now, at));

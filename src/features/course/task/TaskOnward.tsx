@@ -1,6 +1,5 @@
 import { Suspense, useMemo, useState } from "react";
 import { isMadeAsLearned } from "../../../course/judge/word-rule.ts";
-import { missedIn, stepAfterTask } from "../../../course/path.ts";
 import { nextOpenTask } from "../../../course/task-set.ts";
 import type { Task, TaskWords } from "../../../course/task.ts";
 import { inScreenLanguage } from "../../../course/words.ts";
@@ -16,7 +15,8 @@ import { useLearning, useTaskProgress } from "../../../app/records/course/progre
 import { setOfTask, useSavedSets } from "../../../app/records/course/saved-sets.ts";
 import { beginTaskOfCourse } from "../begin-task.ts";
 import { PassedBar } from "../PassedBar.tsx";
-import { lessonsAround, useCoursePath } from "../use-course-path.ts";
+import { StepLinks } from "../StepLinks.tsx";
+import { lessonsAround, useCoursePath, useNextStep } from "../use-course-path.ts";
 import { resumeOrStartTask, startTask } from "./begin.ts";
 import { playMade } from "./play-made.ts";
 import { useTaskView } from "./task-view.ts";
@@ -68,14 +68,11 @@ function NextOfInstructor({ task, t }: Omit<Props, "words">) {
   );
 }
 
-/** The next step in the course, as one button; an instructor's task is handed in. */
+/** The next step in the course; an instructor's task is handed in. */
 function NextStep({ task, t }: Omit<Props, "words">) {
-  const texts = useTexts("course-path").made;
-  const { all } = useCoursePath();
   const of = useLessonOfTask(task.id);
-  const { list } = useLearning();
+  const step = useNextStep({ lesson: of?.lesson.id ?? "", task: task.id });
   if (!of) return <NextOfInstructor task={task} t={t} />;
-  const step = stepAfterTask(of.lessons, list, task.id);
   if (step?.kind === "task") {
     const { id, title } = step.task;
     return (
@@ -84,14 +81,10 @@ function NextStep({ task, t }: Omit<Props, "words">) {
       </button>
     );
   }
-  const missed = step ? 0 : missedIn(all, list).length;
+  if (step) return <StepLinks step={step} className="button primary task-next" />;
   return (
-    <a className="button primary task-next" href={courseHref(step?.lesson.id ?? null)}>
-      {step
-        ? texts.nextLesson(String(step.lesson.number), step.lesson.title)
-        : missed > 0
-          ? texts.review(String(missed))
-          : t.toCourse}
+    <a className="button primary task-next" href={courseHref()}>
+      {t.toCourse}
     </a>
   );
 }
