@@ -283,11 +283,12 @@ export default defineConfig({
           groups: [
             ...PARTS.map((part, i) => ({
               name: (id: string, modules: Modules) => (partOf(id, modules) === part ? part : null),
+              debugName: part,
               priority: PARTS.length - i,
             })),
             // Shared by all texts of a language: not a part of any of them.
             { name: "typography", test: /\/i18n\/\w+\/typography\//, priority: 0.5 },
-            { name: laterPartOf, priority: 0 },
+            { name: laterPartOf, debugName: "later", priority: 0 },
           ],
         },
       },

@@ -34,7 +34,7 @@ export function VerdictText({ verdict, reasons = 0 }: { readonly verdict: ShownV
       {icon && <Icon name={icon} />}
       <span>
         <span className="verdict-title">{verdictTitle(t, lengths, verdict)}</span>
-        {isOwn && <span className="verdict-reason">{task.against}</span>}
+        {isOwn && <span className="verdict-reason verdict-against">{task.against}</span>}
         {all.map((reason) => (
           <span key={reason} className="verdict-reason">
             {reason}
