@@ -4,7 +4,14 @@ import { useEffect, useEffectEvent, type RefObject } from "react";
 const FAR = 60;
 
 /** Elements that handle the arrow keys themselves. */
-const TAKES_KEYS = "input, select, textarea, [role=slider], dialog, pre";
+const TAKES_KEYS = "input, select, textarea, [role=slider], dialog";
+
+/** Whether the arrow keys are needed elsewhere: by a field, or to scroll a program sideways. */
+function takesKeys(target: EventTarget | null): boolean {
+  if (!(target instanceof Element)) return false;
+  const program = target.closest("pre");
+  return target.closest(TAKES_KEYS) !== null || (program !== null && program.scrollWidth > program.clientWidth + 1);
+}
 
 /** Whether the page can scroll further: then the page keys scroll. */
 const scrolls = (page: HTMLElement | null): boolean =>
@@ -23,7 +30,7 @@ export function usePageTurning(page: RefObject<HTMLElement | null>, onTurn: (by:
     const onKey = (event: KeyboardEvent) => {
       const { key, target } = event;
       if (event.ctrlKey || event.metaKey || event.altKey || event.shiftKey || event.defaultPrevented) return;
-      if (document.querySelector("dialog[open]") || (target instanceof Element && target.closest(TAKES_KEYS))) return;
+      if (document.querySelector("dialog[open]") || takesKeys(target)) return;
       const isPageKey = key === "PageDown" || key === "PageUp";
       if (isPageKey && scrolls(page.current)) return;
       if (key === "ArrowRight" || key === "PageDown") turn(1);
@@ -41,7 +48,7 @@ export function usePageTurning(page: RefObject<HTMLElement | null>, onTurn: (by:
     let from: { readonly x: number; readonly y: number } | null = null;
     const begin = ({ touches, target }: TouchEvent) => {
       const [touch] = touches;
-      const isFree = touches.length === 1 && touch && target instanceof Element && !target.closest(TAKES_KEYS);
+      const isFree = touches.length === 1 && touch && !takesKeys(target);
       from = isFree ? { x: touch.clientX, y: touch.clientY } : null;
     };
     const end = ({ changedTouches: [touch] }: TouchEvent) => {
