@@ -24,11 +24,9 @@ const exam = z.object({
   tries: z.optional(z.int().check(z.gte(1), z.lte(SET_LIMITS.tries))),
   reports: z.enum(EXAM_REPORTS),
 });
-export type ExamTerms = z.infer<typeof exam>;
 
 /** What learners get besides the assignment: hints and solution, hints alone, or neither. */
 export const SET_HELP = ["all", "hints", "none"] as const;
-export type SetHelp = (typeof SET_HELP)[number];
 
 export const setSchema = z.object({
   format: z.literal(SET_FORMAT),

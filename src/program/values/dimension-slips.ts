@@ -103,14 +103,6 @@ function diameterOutside(cycle: Cycle, values: EndCheckInput["values"], blank: n
   return { at, code: "diameterOutside", severity: "error", data: { value, blank } } as const;
 }
 
-/** Codes of a slip in the dimensions that a cycle is refused for. */
-export const SLIP_CODES: ReadonlySet<string> = new Set<Issue["code"]>([
-  "endInFront",
-  "startInFront",
-  "endsExchanged",
-  "diameterOutside",
-]);
-
 const isSame = (a: Issue, b: Issue): boolean => a.code === b.code && a.at === b.at;
 
 const isRefused = (issues: readonly Issue[]): boolean => issues.some(({ severity }) => severity === "error");
