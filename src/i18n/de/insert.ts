@@ -23,7 +23,7 @@ export const insert: InsertTexts = {
   unsuitable: (tools) => `Ungeeignete Werkzeuge (${tools})`,
   noTool: "Kein Werkzeug der Tabelle erreicht diese Stelle.",
   hand: {
-    title: "Ohne Drehzyklus",
+    title: "Weitere Bearbeitungen",
     of: {
       chamfer: "Fase von Hand (L)",
       partOff: "Abstechen",
@@ -31,6 +31,12 @@ export const insert: InsertTexts = {
       drill: "Bohren in der Drehmitte",
       tap: "Gewindebohren in der Drehmitte",
     },
+    undercut: "Freistich nach Norm",
+    undercutName: "Bezeichnung des Freistichs",
+    noShoulder: "Das Rohteil hat hier keine Schulter: Durchmesser und Position eingeben.",
+    cylinder: "Durchmesser am Freistich",
+    shoulder: "Schulter in Z",
+    undercutUnfit: "Der Freistich passt hier nicht: Zylinder oder Planfläche ist zu kurz.",
     sizes: { size: "Fase", z: "Rückseite in Z" },
     noTool: "Die Werkzeugtabelle hat kein Werkzeug dafür.",
     drills: "Bohrer und Gewindebohrer",

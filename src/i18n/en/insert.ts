@@ -24,7 +24,7 @@ export const insert = {
   unsuitable: (tools: number) => `Unsuitable tools (${tools})`,
   noTool: "No tool in the table reaches this place.",
   hand: {
-    title: "Without a turning cycle",
+    title: "Other operations",
     of: {
       chamfer: "Chamfer by hand (L)",
       partOff: "Part off",
@@ -32,6 +32,12 @@ export const insert = {
       drill: "Drill on the axis",
       tap: "Tap on the axis",
     },
+    undercut: "Undercut by name",
+    undercutName: "Designation of the undercut",
+    noShoulder: "The stock has no shoulder here: type diameter and position.",
+    cylinder: "Diameter at the undercut",
+    shoulder: "Shoulder in Z",
+    undercutUnfit: "The undercut does not fit here: the cylinder or the face is too short.",
     sizes: { size: "Chamfer", z: "Rear face in Z" },
     noTool: "The tool table has no tool for this.",
     drills: "Drills and taps",

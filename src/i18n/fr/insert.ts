@@ -23,7 +23,7 @@ export const insert: InsertTexts = {
   unsuitable: (tools) => `Outils inadaptés (${tools})`,
   noTool: "Aucun outil du tableau n’atteint cet endroit.",
   hand: {
-    title: "Sans cycle de tournage",
+    title: "Autres opérations",
     of: {
       chamfer: "Chanfrein à la main (L)",
       partOff: "Tronçonner",
@@ -31,6 +31,12 @@ export const insert: InsertTexts = {
       drill: "Percer dans l’axe",
       tap: "Tarauder dans l’axe",
     },
+    undercut: "Dégagement normalisé",
+    undercutName: "Désignation du dégagement",
+    noShoulder: "Le brut n’a pas d’épaulement ici : saisir le diamètre et la position.",
+    cylinder: "Diamètre au dégagement",
+    shoulder: "Épaulement en Z",
+    undercutUnfit: "Le dégagement ne convient pas ici : le cylindre ou la face est trop court.",
     sizes: { size: "Chanfrein", z: "Face arrière en Z" },
     noTool: "Le tableau d’outils n’a pas d’outil pour cela.",
     drills: "Forets et tarauds",

@@ -23,7 +23,7 @@ export const insert: InsertTexts = {
   unsuitable: (tools) => `不适用的刀具（${tools}）`,
   noTool: "刀具表中没有刀具能到达此处。",
   hand: {
-    title: "不用车削循环",
+    title: "其他工序",
     of: {
       chamfer: "手动倒角 (L)",
       partOff: "切断",
@@ -31,6 +31,12 @@ export const insert: InsertTexts = {
       drill: "轴线钻孔",
       tap: "轴线攻丝",
     },
+    undercut: "按标准的退刀槽",
+    undercutName: "退刀槽代号",
+    noShoulder: "毛坯此处没有台阶：请输入直径和位置。",
+    cylinder: "退刀槽处直径",
+    shoulder: "台阶 Z",
+    undercutUnfit: "此处放不下该退刀槽：圆柱面或端面太短。",
     sizes: { size: "倒角", z: "后端面 Z" },
     noTool: "刀具表中没有适用的刀具。",
     drills: "钻头和丝锥",

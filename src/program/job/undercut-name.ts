@@ -18,9 +18,9 @@ import {
   type ThreadRelief,
 } from "../../kernel/contour/thread-relief.ts";
 import { undercutOfPitch } from "../../kernel/contour/undercut-table.ts";
-import type { RecessWord, RecessWords, UndercutForm } from "../../kernel/contour/undercut.ts";
+import { undercutShape, type RecessWord, type RecessWords, type UndercutForm } from "../../kernel/contour/undercut.ts";
 import { SAME } from "../../kernel/tolerance.ts";
-import { radians, rounded, type Diameter } from "../../kernel/units.ts";
+import { diameter, radians, rounded, type Diameter } from "../../kernel/units.ts";
 
 /** Where an undercut is: diameter of its cylinder, mm, and whether in a bore. */
 export interface UndercutPlace {
@@ -241,6 +241,14 @@ export function undercutsNamed(typed: string, place: UndercutPlace | null): Unde
   const near = neighboursOfPitch(pitch);
   const sizes = [near.below, near.above].flatMap((p) => (p === undefined ? [] : (namedRelief(form, p, place) ?? [])));
   return { notes: [{ code: "pitch", pitch, ...near }], sizes };
+}
+
+/** Breadth of the recess in the face above the floor (g) of form F, mm; null for the other forms. */
+export function breadthOnFace(g: ReliefGroove): number | null {
+  if (g.form !== "F") return null;
+  const shape = undercutShape({ kind: "undercut", form: "F", words: grooveWords(g, 0) }, diameter(2 * g.f), false);
+  const top = "vertices" in shape ? shape.vertices.at(-1) : undefined;
+  return top ? Number((top.v + g.t1).toFixed(1)) : null;
 }
 
 const agrees = (words: RecessWords, own: RecessWords): boolean =>
