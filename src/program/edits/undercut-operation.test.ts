@@ -3,6 +3,7 @@ import { cycleByNumber } from "../../cycles/index.ts";
 import { ncLabels } from "../../i18n/nc-labels.ts";
 import { parse } from "../../nc/parse.ts";
 import { print } from "../../nc/program.ts";
+import { grooveNamed } from "../../kernel/contour/relief-groove.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { diameter } from "../../kernel/units.ts";
 import { verdictOf } from "../../report/verdict.ts";
@@ -15,11 +16,11 @@ import { jobFor, tipAtCall } from "../job/requested-job.ts";
 import { undercutsNamed } from "../job/undercut-name.ts";
 import { run } from "../run/run.ts";
 import { shippedTools } from "../tools/shipped-tools.ts";
-import { standardUndercutTools } from "../tools/standard-undercut-tools.ts";
+import { standardUndercutTools } from "../iso-codes/standard-undercut-tools.ts";
 import { readList, shippedList } from "../tools/tool-list.ts";
 import { rankTools, type ToolFit } from "../tools/which-tool.ts";
-import { withOperation } from "./added-operation.ts";
-import { placeOf, reachingFirst, shouldersOf, undercutJob } from "./undercut-operation.ts";
+import { withHandOperation, withOperation } from "./added-operation.ts";
+import { placeOf, reachingFirst, shouldersOf, undercutCut, undercutJob } from "./undercut-operation.ts";
 
 const shop = { tools: shippedTools, rapid: 10_000 };
 
@@ -68,13 +69,17 @@ function undercut(site: "outside" | "inside", typed: string) {
   const own = ranked(shippedTools);
   const best = own.makesContour ? own : ranked(standard);
   if (!best.makesContour) throw new Error(`no tool for ${typed}`);
-  const made = run(
-    parse(print(withOperation(before, { ...job, tool: best.tool.T }, ncLabels("en"), { title: typed }))),
-    { ...shop, tools: [...shippedTools, ...standard] },
-  );
+  const called = { ...job, tool: best.tool.T };
+  const path = named && undercutCut(named, called);
+  const next = path
+    ? withHandOperation(before, { ...called, start: path.start }, path.cut, { title: typed })
+    : withOperation(before, called, ncLabels("en"), { title: typed });
+  const made = run(parse(print(next)), { ...shop, tools: [...shippedTools, ...standard] });
   const simulation = simulate(made);
   return { tool: best.tool.NAME, made, simulation, points: producedParts(simulation).flat() };
 }
+
+const sizeOf = (typed: string) => typed.slice(2).split("x").map(Number) as [number, number];
 
 describe("an undercut as an operation", () => {
   test("finds the shoulder behind the radius that the nose leaves", () => {
@@ -87,14 +92,14 @@ describe("an undercut as an operation", () => {
   test.each([
     ["outside", "E 0.6x0.3", "DNMG-55-R04", 39.4],
     ["outside", "E 0.8x0.3", "DNMG-55-R04", 39.4],
-    ["outside", "F 0.8x0.3", "UNDERCUT-V35-R04", 39.4],
-    ["outside", "F 1x0.2", "UNDERCUT-V35-R04", 39.6],
-    ["outside", "F 0.4x0.2", "UNDERCUT-V35-R04", 39.6],
+    ["outside", "F 0.8x0.3", "VBMT160404-SVHBR", 39.4],
+    ["outside", "F 1x0.2", "VBMT160404-SVHBR", 39.6],
+    ["outside", "F 0.4x0.2", "VBMT160402-SVHBR", 39.6],
     ["outside", "DIN 76-A 1.5", "DNMG-55-R04", 37.7],
     ["outside", "DIN 76-B 1.5", "DNMG-55-R04", 37.7],
     ["outside", "E 0.6x0.3 z0.2", "DNMG-55-R04", 39],
     ["inside", "E 0.6x0.3", "BORE-DCMT-55-R04", 36.6],
-    ["inside", "F 0.6x0.3", "BORE-UNDERCUT-V35-R04", 36.6],
+    ["inside", "F 0.6x0.3", "BORE-VBMT110304-A20S", 36.6],
     // The floor is at nominal + 0.5: a bore of 36 is M36 × 1.5.
     ["inside", "DIN 76-D 1.5", "BORE-DCMT-55-R04", 36.5],
   ] as const)("%s %s is cut and proved", (site, typed, name, floor) => {
@@ -106,6 +111,15 @@ describe("an undercut as an operation", () => {
     const at = points.filter(({ z }) => z < -17 && z > -20.5).map(({ r }) => 2 * r);
     const deepest = site === "outside" ? Math.min(...at) : Math.max(...at.filter((d) => d < 45));
     expect(deepest).toBeCloseTo(floor, 2);
+    const behindFace =
+      -20 -
+      Math.min(
+        ...points
+          .filter(({ r }) => 2 * r > 26 && 2 * r < 46)
+          .map(({ z }) => z)
+          .filter((z) => z > -21),
+      );
+    expect(behindFace).toBeCloseTo(typed.startsWith("F") ? (grooveNamed("F", ...sizeOf(typed))?.t2 ?? 0) : 0, 2);
   });
 
   test("none where the face is too low or UDC has no such form", () => {

@@ -3,8 +3,11 @@ import { noseRadius } from "../../kernel/cutter/insert.ts";
 import { contourFrom, type ContourElement } from "../../kernel/contour/contour.ts";
 import { undercutShape } from "../../kernel/contour/undercut.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
-import { at, type Ring } from "../../kernel/geometry/point.ts";
+import { at, part, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import { axial, diameter, radius, rounded, toDiameter, toRadius } from "../../kernel/units.ts";
+import { noWords, type AxisWord, type Words } from "../../nc/words.ts";
+import type { Statement } from "../../nc/statement.ts";
+import { readRows } from "../job/contour-rows.ts";
 import { newRow, type ContourRow, type SetJob } from "../job/job.ts";
 import { jobFor } from "../job/requested-job.ts";
 import { boxAroundContour } from "../job/requested-shape.ts";
@@ -141,11 +144,57 @@ export const placeOf = ({ surface: { from, site } }: Shoulder): UndercutPlace =>
   isInside: site === "inside",
 });
 
+/** Feed along an undercut, mm/rev. */
+const FEED = 0.1;
+
+function pathBlock(segment: Segment, words: Partial<Words>): Statement {
+  const axes: AxisWord[] = [
+    { axis: "X", value: rounded(toDiameter(segment.to.r)), incremental: false },
+    { axis: "Z", value: rounded(segment.to.z), incremental: false },
+  ];
+  if (segment.kind === "line") return { kind: "path", path: "L", words: { ...noWords, axes, ...words } };
+  const size = rounded(Math.hypot(segment.from.z - segment.centre.z, segment.from.r - segment.centre.r));
+  return { kind: "path", path: "CR", words: { ...noWords, axes, radius: size, turn: segment.turn, ...words } };
+}
+
+/**
+ * Form F as path blocks with tip radius compensation: its recess reaches behind the face, where the passes of a
+ * longitudinal cycle do not go. Null for the other forms, which `undercutJob` cuts.
+ */
+export function undercutCut(
+  { udc }: NamedUndercut,
+  job: SetJob,
+): { readonly start: SetJob["start"]; readonly cut: readonly Statement[] } | null {
+  const { segments } = readRows(job.contour).contour;
+  const [first, last] = [segments[0], segments.at(-1)];
+  if (udc?.form !== "F" || !first || !last) return null;
+  const inside = last.to.r < first.from.r;
+  const to = (p: Pt): Segment => part.line(p, p);
+  const above = (p: Pt, z: number) => at(axial(p.z + z), radius(Math.max(0, p.r + (inside ? -CLEARANCE : CLEARANCE))));
+  const away = above(last.to, CLEARANCE);
+  const back = at(axial(Number(job.start.z)), toRadius(diameter(Number(job.start.x))));
+  return {
+    start: job.start,
+    cut: [
+      ...(inside ? [pathBlock(to(at(back.z, above(first.from, 0).r)), { feed: "max" })] : []),
+      pathBlock(to(above(first.from, 0)), { feed: "max" }),
+      pathBlock(to(first.from), { compensation: inside ? "RL" : "RR", feed: { value: FEED, unit: "F" } }),
+      ...segments.map((s) => pathBlock(s, {})),
+      pathBlock(to(away), { compensation: "R0" }),
+      ...(inside
+        ? [pathBlock(to(at(back.z, away.r)), { feed: "max" })]
+        : [pathBlock(to(at(away.z, back.r)), { feed: "max" })]),
+    ],
+  };
+}
+
 /**
  * The tools as tried on an undercut: those whose nose is no larger than its radius make it whole, finishing tools first.
+ * Tip radius compensation (form F) needs a nose that is smaller than the arc.
  */
 export function reachingFirst(fits: readonly ToolFit[], { udc }: NamedUndercut): readonly ToolFit[] {
-  const small = (tool: Tool) => noseRadius(tool) <= (udc?.words.R ?? 0) + SAME_PLACE;
+  const most = (udc?.words.R ?? 0) + (udc?.form === "F" ? -SAME_PLACE : SAME_PLACE);
+  const small = (tool: Tool) => noseRadius(tool) <= most;
   const rank = ({ makesContour, tool }: ToolFit) => (makesContour ? 0 : 2) + (tool.TYPE === "FINISH" ? 0 : 1);
   return fits
     .map((fit) => ({ ...fit, makesContour: fit.makesContour && small(fit.tool) }))

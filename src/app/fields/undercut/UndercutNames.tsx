@@ -59,7 +59,7 @@ export function UndercutNames({ words: t, label, place, present, onTake, isNew =
         if (e.key === "Escape") {
           e.preventDefault();
           setOpen(false);
-        } else setOpen(true);
+        } else if (e.key !== "Enter") setOpen(true);
         e.stopPropagation();
       }}
       onFocus={() => setOpen(true)}

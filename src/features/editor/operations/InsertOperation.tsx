@@ -167,6 +167,10 @@ function Opened({ words, behind }: { readonly words: InsertTexts; readonly behin
               insertOperation(made, behind);
               dialog.current?.close();
             }}
+            onCut={(job, cut, title) => {
+              insertHandOperation(job, cut, { behind, title });
+              dialog.current?.close();
+            }}
           />
         </Suspense>
       )}

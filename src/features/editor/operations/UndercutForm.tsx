@@ -2,10 +2,17 @@ import { useEffect, useMemo, useRef, useState } from "react";
 import type { InsertTexts } from "../../../i18n/en/insert.ts";
 import { diameter, rounded } from "../../../kernel/units.ts";
 import { countsInches, typedForProgram, typedInMillimetres } from "../../../program/edits/program-unit.ts";
-import { placeOf, reachingFirst, shouldersOf, undercutJob } from "../../../program/edits/undercut-operation.ts";
-import type { SpindleDraft } from "../../../program/job/job.ts";
+import {
+  placeOf,
+  reachingFirst,
+  shouldersOf,
+  undercutCut,
+  undercutJob,
+} from "../../../program/edits/undercut-operation.ts";
+import type { Statement } from "../../../nc/statement.ts";
+import type { SetJob, SpindleDraft } from "../../../program/job/job.ts";
 import type { NamedUndercut, UndercutPlace } from "../../../program/job/undercut-name.ts";
-import { standardUndercutTools } from "../../../program/tools/standard-undercut-tools.ts";
+import { standardUndercutTools } from "../../../program/iso-codes/standard-undercut-tools.ts";
 import { anyNumber, readText, type Field } from "../../../program/values/field.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { Message } from "../../../app/base/Message.tsx";
@@ -29,13 +36,15 @@ interface Props {
   readonly before: StateBefore;
   readonly onBack: () => void;
   readonly onInsert: (made: InsertedOperation) => void;
+  /** Path blocks instead of a cycle. */
+  readonly onCut: (job: SetJob, cut: readonly Statement[], title: string) => void;
 }
 
 const ACROSS: Field = { ...anyNumber, id: "undercut.x", range: [0.001, 99_999.999], optional: false, decimals: 3 };
 const ALONG: Field = { ...anyNumber, id: "undercut.z", range: [-99_999.999, 99_999.999], optional: false, decimals: 3 };
 
 /** Asks for an undercut by its designation, its shoulder and its tool; the tools are tried on it. */
-export function UndercutForm({ words, site, before, onBack, onInsert }: Props) {
+export function UndercutForm({ words, site, before, onBack, onInsert, onCut }: Props) {
   const t = useTexts().operations;
   const names = useTextsOrNull("undercuts");
   const inches = useSession((s) => countsInches(s.reading.program));
@@ -81,7 +90,10 @@ export function UndercutForm({ words, site, before, onBack, onInsert }: Props) {
   const insert = () => {
     if (!usable) return;
     if (isStandard) addStandardTool(standardUndercutTools, chosen);
-    onInsert({ job: { ...job, spindle: turns, tool: chosen }, title: title ?? own, contour: undefined, sizes: {} });
+    const called = { ...job, spindle: turns, tool: chosen };
+    const path = named && undercutCut(named, called);
+    if (path) onCut({ ...called, start: path.start }, path.cut, title ?? own);
+    else onInsert({ job: called, title: title ?? own, contour: undefined, sizes: {} });
   };
   const isHere = names !== null;
   useEffect(() => {
