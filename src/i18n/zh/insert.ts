@@ -28,6 +28,7 @@ export const insert: InsertTexts = {
       chamfer: "手动倒角 (L)",
       partOff: "切断",
       partOffChamfered: "带后倒角切断",
+      centre: "按标准的中心孔",
       drill: "轴线钻孔",
       tap: "轴线攻丝",
     },
@@ -37,6 +38,14 @@ export const insert: InsertTexts = {
     cylinder: "退刀槽处直径",
     shoulder: "台阶 Z",
     undercutUnfit: "此处放不下该退刀槽：圆柱面或端面太短。",
+    hole: {
+      name: "中心孔代号",
+      unknown: "可用：ISO 6411 和 DIN 332-1 的 A、B、R 型，1、1.6、2、2.5、3.15、4、6.3 或 10，例如 ISO 6411-A 4/8.5。",
+      size: (mouth, depth) =>
+        `端面处 ⌀${mouth}，最小深度 ${depth}。尺寸取自 ISO 6411 和 DIN 332-1 的公开表格；轴径仅为参考值。`,
+      pilot: "钻头的 LCUTS 是其导向段长度：请测量，深度由此得出。",
+      formR: "R 型侧面按直线绘制；其半径未知。",
+    },
     sizes: { size: "倒角", z: "后端面 Z" },
     noTool: "刀具表中没有适用的刀具。",
     drills: "钻头和丝锥",

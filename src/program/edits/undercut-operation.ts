@@ -14,6 +14,7 @@ import { boxAroundContour } from "../job/requested-shape.ts";
 import { frontOf, surfacesOf, type StockSurface } from "../job/stock-surface.ts";
 import type { NamedUndercut, UndercutPlace } from "../job/undercut-name.ts";
 import type { ToolFit } from "../tools/which-tool.ts";
+import { INTENDED_CUT } from "../state/intended-cuts.ts";
 import { positionAsTyped } from "../values/typed-value.ts";
 
 /** A shoulder of the stock: a cylinder whose rear end meets a face. */
@@ -162,7 +163,7 @@ function pathBlock(segment: Segment, words: Partial<Words>): Statement {
  * longitudinal cycle do not go. Null for the other forms, which `undercutJob` cuts.
  */
 export function undercutCut(
-  { udc }: NamedUndercut,
+  { name, udc }: NamedUndercut,
   job: SetJob,
 ): { readonly start: SetJob["start"]; readonly cut: readonly Statement[] } | null {
   const { segments } = readRows(job.contour).contour;
@@ -178,6 +179,7 @@ export function undercutCut(
     cut: [
       ...(inside ? [pathBlock(to(at(back.z, above(first.from, 0).r)), { feed: "max" })] : []),
       pathBlock(to(above(first.from, 0)), { feed: "max" }),
+      { kind: "comment", text: `${INTENDED_CUT} ${name.replace("×", "x")}` },
       pathBlock(to(first.from), { compensation: inside ? "RL" : "RR", feed: { value: FEED, unit: "F" } }),
       ...segments.map((s) => pathBlock(s, {})),
       pathBlock(to(away), { compensation: "R0" }),

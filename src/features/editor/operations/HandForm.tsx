@@ -27,6 +27,8 @@ import { useLengths } from "../../../app/calculation/lengths.ts";
 import { useSession } from "../../../app/fields/blocks/session.ts";
 import { useToolList } from "../../../app/document/work-tools.ts";
 import { showTools } from "../../../app/place/place.ts";
+import { centreNamed } from "../../../kernel/cutter/centre-drill.ts";
+import { CentreField, proposedCentre } from "./CentreField.tsx";
 import { AskedNumber, isUsable, OPEN_NUMBER } from "./AskedNumber.tsx";
 import { SpindleFields, isSpindleUsable } from "./PlaceFields.tsx";
 import { addStandardDrill, useDrills } from "./drills.ts";
@@ -62,6 +64,7 @@ export function HandForm({ words, work, site, before, onBack, onInsert }: Props)
   const [title, setTitle] = useState(() => words.hand.of[work].toUpperCase());
   const [picked, pick] = useState<StockSurface | null>(null);
   const [typed, type] = useState(UNTYPED);
+  const [centre, nameCentre] = useState<string | null>(null);
   const [spindle, setSpindle] = useState<SpindleDraft | null>(null);
   const [taken, take] = useState<number | null>(null);
   const { stock, operations } = before;
@@ -71,7 +74,8 @@ export function HandForm({ words, work, site, before, onBack, onInsert }: Props)
     return edges.filter((each) => hasFreeEdge(each, stock));
   }, [stock, work, site]);
   const surface = picked ?? (work === "chamfer" ? (surfaces[0] ?? null) : longestOf(surfaces));
-  const needed = { isInside: surface?.site === "inside", depth: surface ? wallOf(stock, surface) : 0 };
+  const hole = work === "centre" ? centreNamed(centre ?? proposedCentre(stock)) : null;
+  const needed = { isInside: surface?.site === "inside", depth: surface ? wallOf(stock, surface) : 0, hole };
   const turning = useToolList();
   const drills = useDrills();
   const onAxis = isOnAxis(work);
@@ -133,6 +137,14 @@ export function HandForm({ words, work, site, before, onBack, onInsert }: Props)
               <StockPlace words={words} stock={stock} surfaces={surfaces} chosen={surface} onChoose={pick} />
             )
           )}
+          {work === "centre" && (
+            <CentreField
+              words={words.hand.hole}
+              text={centre ?? proposedCentre(stock)}
+              hole={hole}
+              onText={nameCentre}
+            />
+          )}
           {asked.map((size) => (
             <AskedNumber
               key={size}
@@ -146,7 +158,7 @@ export function HandForm({ words, work, site, before, onBack, onInsert }: Props)
           {turns && <SpindleFields spindle={turns} onSpindle={setSpindle} />}
         </div>
         {isStandard && <Message tone="info">{words.hand.standard}</Message>}
-        {tools.length > 0 ? (
+        {work === "centre" && !hole ? null : tools.length > 0 ? (
           <ToolChoice
             fits={null}
             among={tools}
