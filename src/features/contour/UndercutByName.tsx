@@ -22,13 +22,15 @@ interface Props {
 export function UndercutByName({ row, number, place, isNew, onChange }: Props) {
   const words = useTextsOrNull("undercuts");
   const { per } = useLengths();
+  const present = nameOf(row, per, place);
   return (
     words && (
       <UndercutNames
         words={words}
         label={words.of(number)}
         place={place}
-        present={nameOf(row, per, place)}
+        present={present}
+        hint={present?.udc?.form === "F" ? words.notes.faceOfF : null}
         isNew={isNew}
         field={{ "data-row": row.id, "data-field": "undercut" }}
         onTake={({ udc }) => udc && onChange({ form: udc.form, words: typedWords(udc.words, per) }, null)}

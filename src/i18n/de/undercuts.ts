@@ -18,6 +18,8 @@ export const undercuts: UndercutTexts = {
     side: (asked, taken) => `Form ${asked} gilt für die andere Seite, Form ${taken} wird genommen.`,
     pitch: (pitch) => `DIN 76 enthält die Steigung ${pitch} nicht.`,
     formG: "UDC hat keine Form G: mit Geraden und Bögen zeichnen.",
+    faceOfF:
+      "Der Zyklus lässt den Einstich in die Planfläche (t2) stehen. „Freistich nach Norm“, als Bearbeitung eingefügt, schneidet ihn mit Bahnsätzen.",
     faceOfH: (t2) => `TYPE_H schneidet t2 = ${t2} nicht in die Planfläche.`,
     allowance: (z) => `Maße vor dem Schleifen mit z = ${z}: auch die Kontur mit dieser Zugabe programmieren.`,
   },

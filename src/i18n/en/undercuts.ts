@@ -17,6 +17,8 @@ export const undercuts = {
     side: (asked: string, taken: string) => `Form ${asked} is for the other side, form ${taken} is taken.`,
     pitch: (pitch: string) => `DIN 76 does not list pitch ${pitch}.`,
     formG: "UDC has no form G: draw it with lines and arcs.",
+    faceOfF:
+      "The cycle leaves the recess in the face (t2). “Undercut by name”, inserted as an operation, cuts it with path blocks.",
     faceOfH: (t2: string) => `TYPE_H does not cut t2 = ${t2} into the face.`,
     allowance: (z: string) => `Sizes before grinding with z = ${z}: program the contour with this material too.`,
   },

@@ -20,6 +20,8 @@ export const undercuts: UndercutTexts = {
     side: (asked, taken) => `La forme ${asked} concerne l’autre côté, la forme ${taken} est prise.`,
     pitch: (pitch) => `DIN 76 ne contient pas le pas ${pitch}.`,
     formG: "UDC n’a pas de forme G : la dessiner par droites et arcs.",
+    faceOfF:
+      "Le cycle laisse le dégagement de la face (t2). « Dégagement normalisé », inséré comme opération, l’usine avec des séquences de contour.",
     faceOfH: (t2) => `TYPE_H n’usine pas t2 = ${t2} dans la face.`,
     allowance: (z) => `Cotes avant rectification avec z = ${z} : programmer aussi le contour avec cette surépaisseur.`,
   },

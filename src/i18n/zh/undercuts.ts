@@ -16,6 +16,7 @@ export const undercuts: UndercutTexts = {
     side: (asked, taken) => `${asked} 型用于另一侧，改用 ${taken} 型。`,
     pitch: (pitch) => `DIN 76 中没有螺距 ${pitch}。`,
     formG: "UDC 没有 G 型：请用直线和圆弧绘制。",
+    faceOfF: "循环会留下端面中的凹槽（t2）。作为工序插入“按标准的退刀槽”，用轨迹程序段切出。",
     faceOfH: (t2) => `TYPE_H 不在端面中切出 t2 = ${t2}。`,
     allowance: (z) => `磨削前的尺寸，z = ${z}：轮廓也要带此余量编程。`,
   },

@@ -58,7 +58,7 @@ export function ComboboxInput({
   const at = chosenOf(box, count);
   const option = at < 0 ? undefined : optionId(box, at);
   useEffect(() => {
-    if (option !== undefined) document.getElementById(option)?.scrollIntoView({ block: "nearest" });
+    if (option !== undefined) document.getElementById(option)?.scrollIntoView?.({ block: "nearest" });
   }, [option, box.typed]);
   const onKey = (event: KeyboardEvent) => {
     const step = STEPS[event.key];

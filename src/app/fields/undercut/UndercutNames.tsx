@@ -17,6 +17,8 @@ interface Props {
   /** The designation in use; null for none. */
   readonly present: NamedUndercut | null;
   readonly onTake: (named: NamedUndercut) => void;
+  /** What the place of the undercut leaves of the designation in use. */
+  readonly hint?: string | null;
   /** Takes the focus when it is shown. */
   readonly isNew?: boolean;
   readonly field?: Readonly<Record<`data-${string}`, string>>;
@@ -26,7 +28,16 @@ interface Props {
 const NONE = -1;
 
 /** Finds an undercut by its designation: by what is typed, or among those for the diameter. */
-export function UndercutNames({ words: t, label, place, present, onTake, isNew = false, field = {} }: Props) {
+export function UndercutNames({
+  words: t,
+  label,
+  place,
+  present,
+  onTake,
+  hint = null,
+  isNew = false,
+  field = {},
+}: Props) {
   const language = useSettings((s) => s.language);
   const box = useCombobox(NONE);
   const own = useRef<HTMLDivElement>(null);
@@ -120,6 +131,11 @@ export function UndercutNames({ words: t, label, place, present, onTake, isNew =
             {noteText(t, note, write)}
           </Message>
         ))}
+        {hint !== null && (
+          <Message tone="info" className="small">
+            {hint}
+          </Message>
+        )}
         {(open || present) && <p className="small soft">{t.source}</p>}
       </div>
       <p role="status" className="unseen">

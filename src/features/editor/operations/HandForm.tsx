@@ -61,7 +61,7 @@ export function HandForm({ words, work, site, before, onBack, onInsert }: Props)
   const inches = useSession((s) => countsInches(s.reading.program));
   const unit = useLengths().words;
   const form = useRef<HTMLFormElement>(null);
-  const [title, setTitle] = useState(() => words.hand.of[work].toUpperCase());
+  const [titled, setTitle] = useState<string | null>(null);
   const [picked, pick] = useState<StockSurface | null>(null);
   const [typed, type] = useState(UNTYPED);
   const [centre, nameCentre] = useState<string | null>(null);
@@ -74,7 +74,9 @@ export function HandForm({ words, work, site, before, onBack, onInsert }: Props)
     return edges.filter((each) => hasFreeEdge(each, stock));
   }, [stock, work, site]);
   const surface = picked ?? (work === "chamfer" ? (surfaces[0] ?? null) : longestOf(surfaces));
-  const hole = work === "centre" ? centreNamed(centre ?? proposedCentre(stock)) : null;
+  const named = centre ?? proposedCentre(stock);
+  const hole = work === "centre" ? centreNamed(named) : null;
+  const title = titled ?? (hole ? named : words.hand.of[work]).toUpperCase();
   const needed = { isInside: surface?.site === "inside", depth: surface ? wallOf(stock, surface) : 0, hole };
   const turning = useToolList();
   const drills = useDrills();
@@ -127,6 +129,7 @@ export function HandForm({ words, work, site, before, onBack, onInsert }: Props)
     >
       <div className="operation-body">
         <div className="operation-ask">
+          {work === "centre" && <CentreField words={words.hand.hole} text={named} hole={hole} onText={nameCentre} />}
           <TitleField title={title} onTitle={setTitle} />
           {stock.length === 0 || !surface ? (
             <Message tone="warning" className="wide">
@@ -136,14 +139,6 @@ export function HandForm({ words, work, site, before, onBack, onInsert }: Props)
             !isOnAxis(work) && (
               <StockPlace words={words} stock={stock} surfaces={surfaces} chosen={surface} onChoose={pick} />
             )
-          )}
-          {work === "centre" && (
-            <CentreField
-              words={words.hand.hole}
-              text={centre ?? proposedCentre(stock)}
-              hole={hole}
-              onText={nameCentre}
-            />
           )}
           {asked.map((size) => (
             <AskedNumber
