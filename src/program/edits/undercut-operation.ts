@@ -47,10 +47,12 @@ export function shouldersOf(stock: readonly Ring[], site: "outside" | "inside"):
 const BESIDE = 1;
 /** Clearance of the start point, mm. */
 const CLEARANCE = 2;
+/** The same above an undercut that is roughed: its passes begin there. */
+const ROUGHED = 0.5;
 /** Finishing, and roughing before it; deeper undercuts are roughed, mm on the radius. */
 const [FINISH, BOTH] = ["2", "0"];
 const DEEPEST_FINISH = 0.6;
-const INFEED = "0.5";
+const INFEED = "1";
 
 /** The longitudinal cycle for a contour of a subprogram. */
 const cycle = catalogue.find(({ group, contour }) => group === "longitudinal" && contour === "free");
@@ -114,7 +116,7 @@ export function undercutJob(
   return {
     ...made,
     contour: rows,
-    start: startBeside(place, { z, begin, stock }),
+    start: startBeside(place, { z, begin, stock, clear: depth > DEEPEST_FINISH ? ROUGHED : CLEARANCE }),
     drafts: {
       [cycle.number]:
         depth > DEEPEST_FINISH
@@ -127,11 +129,16 @@ export function undercutJob(
 /** The tip clear of all material in front of the shoulder: above it outside, in front of the bore inside. */
 function startBeside(
   { diameter: d, isInside }: UndercutPlace,
-  { z, begin, stock }: { readonly z: number; readonly begin: number; readonly stock: readonly Ring[] },
+  {
+    z,
+    begin,
+    stock,
+    clear,
+  }: { readonly z: number; readonly begin: number; readonly stock: readonly Ring[]; readonly clear: number },
 ): SetJob["start"] {
   const ahead = stock.flat().flatMap((p) => (p.z > z + SAME_PLACE ? [p.r] : []));
   const own = toRadius(d);
-  const r = isInside ? Math.min(own, ...ahead) - CLEARANCE : Math.max(own, ...ahead) + CLEARANCE;
+  const r = isInside ? Math.min(own, ...ahead) - clear : Math.max(own, ...ahead) + clear;
   const front = isInside && stock.length > 0 ? Math.max(begin, frontOf(stock)) : begin;
   return {
     x: positionAsTyped(rounded(toDiameter(radius(Math.max(0, r))))),
