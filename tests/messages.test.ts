@@ -128,6 +128,7 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   compensationActive: { side: "RL" },
   feedZero: { word: "FAUTO" },
   drillTooShort: { depth: 52.5, edges: 43 },
+  centreMouth: { mouth: 6.7, wanted: 8.5, depth: 8.897 },
   pitchOfTap: { pitch: 1.25, tap: 1.5 },
   freeChosen: {},
   freeUnsolved: { form: "FCT" },

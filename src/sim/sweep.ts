@@ -1,3 +1,4 @@
+import { centreParts } from "../kernel/cutter/drill.ts";
 import { hypotenuse } from "../kernel/geometry/vectors.ts";
 import { at, part, type Pt, type Ring, type Segment } from "../kernel/geometry/point.ts";
 import type { Step } from "../kernel/time/step.ts";
@@ -136,9 +137,19 @@ function stamped(outline: Ring, from: Pt, move: ThreadMove, fraction: number): S
   return { pieces: piecesOf(rings), rings };
 }
 
+/** The convex parts of a centre drill in place of its outline, which is not convex. */
+function partsOf(outline: Ring, { tool }: Step): readonly Ring[] {
+  const parts = centreParts(tool);
+  return parts ? parts.map((part) => part.map(({ u, v }) => at(u, v))) : [outline];
+}
+
 /** The sweep of an outline in a step up to `fraction`, on this side of the axis. */
 export function sweptBy(outline: Ring, step: Step, fraction = 1, chord = CHORD): Sweep {
   if (!(fraction > 0)) return { pieces: [], rings: [] };
+  if (step.tool.centre) {
+    const sweeps = partsOf(outline, step).map((each) => sweptAlong(each, waypoints(step, fraction, chord)));
+    return { pieces: sweeps.flatMap(({ pieces }) => pieces), rings: sweeps.flatMap(({ rings }) => rings) };
+  }
   if (step.move.kind === "thread") return stamped(outline, step.from, step.move, fraction);
   return sweptAlong(outline, waypoints(step, fraction, chord));
 }
@@ -149,7 +160,7 @@ export const coveredOn = (outline: Ring, path: Segment, chord = CHORD): Sweep =>
 
 /** The sweep of an outline in a step up to `fraction`, as convex pieces. */
 export const sweepOf = (outline: Ring, step: Step, fraction = 1): Ring[] =>
-  alongPoints(outline, waypoints(step, fraction));
+  partsOf(outline, step).flatMap((each) => alongPoints(each, waypoints(step, fraction)));
 
 /** The area that an outline covers along a path, as convex pieces. */
 export const sweepAlong = (outline: Ring, path: Segment): Ring[] => alongPoints(outline, flattened(path, CHORD));

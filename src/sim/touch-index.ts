@@ -3,8 +3,9 @@ import type { Step } from "../kernel/time/step.ts";
 import { pathOf } from "../kernel/time/time.ts";
 import { CHORD, SAME } from "../kernel/tolerance.ts";
 import type { Tool } from "../kernel/plan/tool.ts";
-import { part, type Pt } from "../kernel/geometry/point.ts";
+import { at, part, type Pt, type Ring } from "../kernel/geometry/point.ts";
 import type { Box } from "../kernel/geometry/segments.ts";
+import { boxOf } from "../kernel/area/box.ts";
 import { convexPieceOf, type ConvexPiece } from "./piece.ts";
 import type { PlayPosition } from "./simulation.ts";
 import { sweptBy } from "./sweep.ts";
@@ -163,6 +164,13 @@ function blocksOf(steps: readonly Step[], shapes: Shapes, before: Blocks | null)
   return { steps, blocks, groups };
 }
 
+/** A convex outline of a tool: itself, or the box around a centre drill. */
+function aroundTool(outline: Ring, { centre }: Tool): Ring {
+  if (!centre) return outline;
+  const { left, right, low, high } = boxOf(outline);
+  return [at(left, low), at(right, low), at(right, high), at(left, high)];
+}
+
 /** Builds the index of a run. */
 export const touchIndex = (steps: readonly Step[]): TouchIndex =>
   indexOf(steps, null, { outlines: new WeakMap(), ways: new WeakMap() });
@@ -170,7 +178,7 @@ export const touchIndex = (steps: readonly Step[]): TouchIndex =>
 function indexOf(steps: readonly Step[], before: Blocks | null, shapes: Shapes): TouchIndex {
   const { outlines } = shapes;
   const outlineOf = (tool: Tool): ConvexPiece => {
-    const made = outlines.get(tool) ?? convexPieceOf(insertOutline(tool, CHORD));
+    const made = outlines.get(tool) ?? convexPieceOf(aroundTool(insertOutline(tool, CHORD), tool));
     outlines.set(tool, made);
     return made;
   };

@@ -1,3 +1,4 @@
+import type { Tool } from "../../kernel/plan/tool.ts";
 import type { Job, SetJob } from "../../program/job/job.ts";
 import type { Operation } from "../../program/state/run-types.ts";
 import type { ToolFit } from "../../program/tools/which-tool.ts";
@@ -55,9 +56,12 @@ export async function fitsOf(job: Job, outcome: Outcome): Promise<readonly ToolF
 }
 
 /** The same for a work that has not been run, from its own start point. */
-export async function fitsOfWork(job: SetJob): Promise<readonly ToolFit[] | null> {
+export async function fitsOfWork(
+  job: SetJob,
+  tools: readonly Tool[] = toolTable().tools,
+): Promise<readonly ToolFit[] | null> {
   try {
-    return await askAgain((engine) => engine.fitsOfWork(job, toolTable().tools));
+    return await askAgain((engine) => engine.fitsOfWork(job, tools));
   } catch {
     return null;
   }

@@ -1,4 +1,5 @@
 import { useEffect, useRef, useState } from "react";
+import type { Tool } from "../../kernel/plan/tool.ts";
 import type { ToolFit } from "../../program/tools/which-tool.ts";
 import type { SetJob } from "../../program/job/job.ts";
 import { CALCULATING } from "../base/waits.ts";
@@ -66,6 +67,6 @@ export function useFitsOfLine(line: number | null): readonly ToolFit[] | null {
   return useDebouncedFits(operation ? () => fitsOfCall(operation) : null, operation);
 }
 
-/** What each tool can do with the values of a work that is not open. */
-export const useFitsOfWork = (job: SetJob | null): readonly ToolFit[] | null =>
-  useDebouncedFits(job ? () => fitsOfWork(job) : null, job);
+/** What each tool, by default of the table, can do with the values of a work that is not open. */
+export const useFitsOfWork = (job: SetJob | null, tools?: readonly Tool[]): readonly ToolFit[] | null =>
+  useDebouncedFits(job ? () => fitsOfWork(job, tools) : null, job);

@@ -6,6 +6,7 @@ import type { RowField, RowIssue, RowReading } from "../../program/job/contour-r
 import type { ContourRow } from "../../program/job/job.ts";
 import { axial, diameter, toRadius } from "../../kernel/units.ts";
 import { polarNames, polarOf, polarTyped, withPolar, type PolarName } from "../../program/job/polar-row.ts";
+import type { UndercutPlace } from "../../program/job/undercut-name.ts";
 import { Message } from "../../app/base/Message.tsx";
 import { issueText } from "../../app/calculation/issue-text.ts";
 import { chooseElement } from "../../app/place/contour-place.ts";
@@ -17,6 +18,10 @@ interface Props {
   /** Counted from 1. */
   readonly number: number;
   readonly reading: RowReading | undefined;
+  /** Corner of an undercut; null for any other row. */
+  readonly undercut: UndercutPlace | null;
+  /** An undercut that was put in just now. */
+  readonly isNew: boolean;
   readonly issues: readonly RowIssue[];
   readonly active: boolean;
   /** Whether the fields of angle, length and tangency are shown. */
@@ -52,10 +57,24 @@ export const ContourLine = memo(
     a.isLong === b.isLong &&
     a.onChange === b.onChange &&
     isAlike(a.reading, b.reading) &&
+    isAlike(a.undercut, b.undercut) &&
+    a.isNew === b.isNew &&
     isAlike(a.issues, b.issues),
 );
 
-function Line({ row, number, reading, issues, active, details, language, isLong, onChange: changeRow }: Props) {
+function Line({
+  row,
+  number,
+  reading,
+  undercut,
+  isNew,
+  issues,
+  active,
+  details,
+  language,
+  isLong,
+  onChange: changeRow,
+}: Props) {
   const onChange = (change: Partial<ContourRow>, place: string | null) => changeRow(row.id, change, place);
   const all = texts(language),
     t = all.contour;
@@ -230,7 +249,15 @@ function Line({ row, number, reading, issues, active, details, language, isLong,
       </td>
       <td role="cell" className="contour-words">
         {(row.kind === "UDC" || row.kind === "GRV") && (
-          <RecessFields row={row} number={number} language={language} describedBy={`${id}-wrong`} onChange={onChange} />
+          <RecessFields
+            row={row}
+            number={number}
+            language={language}
+            describedBy={`${id}-wrong`}
+            place={undercut}
+            isNew={isNew}
+            onChange={onChange}
+          />
         )}
       </td>
       <td role="cell" className="contour-wrong" id={`${id}-wrong`}>

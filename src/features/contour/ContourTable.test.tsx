@@ -1,4 +1,4 @@
-import { cleanup, fireEvent, render, screen, within } from "@testing-library/react";
+import { cleanup, fireEvent, render, screen, waitFor, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { useState } from "react";
 import { afterEach, beforeAll, expect, test } from "vitest";
@@ -204,4 +204,27 @@ test("in a long table a letter right after a digit loses nothing: I, and C for a
   fireEvent.keyDown(x, { key: "c" });
   expect(rows()).toHaveLength(121);
   expect(rows()[59]).toMatchObject({ x: "71", incrementalX: true });
+});
+
+test("an undercut is put into a corner and filled by its designation; its words have that name", async () => {
+  const user = userEvent.setup();
+  const last = shown([newRow("e1", { x: "40", z: "0" }), newRow("e2", { z: "-30" }), newRow("e3", { x: "60" })]);
+  await user.click(field("Element 2, Z"));
+  await user.click(screen.getByRole("button", { name: "Undercut in the corner after element 2" }));
+  const name = await screen.findByRole("combobox", { name: "Element 3, undercut by name" });
+  await waitFor(() => expect(document.activeElement).toBe(name));
+  expect(screen.getAllByRole("option", { name: /^DIN 509/ }).length).toBeGreaterThan(6);
+  await user.keyboard("freistich f1,2x0,2{Enter}");
+  expect(last.rows[2]).toMatchObject({
+    kind: "UDC",
+    form: "F",
+    words: { R: "1.2", DEPTH: "0.2", BREADTH: "2.5", ANGLE: "15", FACEDEPTH: "0.1", FACEANGLE: "8" },
+  });
+  expect(name.getAttribute("placeholder")).toBe("DIN 509-F 1.2×0.2");
+  expect(screen.queryAllByRole("option", { name: /^DIN 509/ })).toEqual([]);
+  // A letter of a designation is no command of the table.
+  await user.keyboard("DIN 76-C 2");
+  expect(last.rows).toHaveLength(4);
+  await user.keyboard("{Enter}");
+  expect(last.rows[2]).toMatchObject({ form: "THREAD", words: { PITCH: "2", DEPTH: "1.5", BREADTH: "7" } });
 });

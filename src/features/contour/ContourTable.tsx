@@ -15,12 +15,14 @@ import { texts } from "../../app/base/settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { readRows, type RowIssue } from "../../program/job/contour-rows.ts";
 import type { ContourRow } from "../../program/job/job.ts";
+import { undercutPlace } from "../../program/job/undercut-place.ts";
+import { useLengths } from "../../app/calculation/lengths.ts";
 import { ContourDrawing } from "./ContourDrawing.tsx";
 import { ContourLine } from "./ContourLine.tsx";
 import { RowTools } from "./RowTools.tsx";
 import { chooseElement, useChosenRow, useContourPlace } from "../../app/place/contour-place.ts";
 import { FIRST_FOCUS } from "../../app/base/focus-guard.ts";
-import { cornerOf, cornerRowOf, type CornerKind } from "./drawing-edits.ts";
+import { cornerOf, cornerRowOf, undercutBehind, type CornerKind } from "./drawing-edits.ts";
 import { DxfImport } from "./DxfImport.tsx";
 import { FaultList } from "./FaultList.tsx";
 import { changed, withDuplicatedRow, withRow, withRowMoved, withoutRow, type Edited } from "./row-edits.ts";
@@ -55,10 +57,12 @@ function Table({ rows, onChange, language, isDrawingElsewhere = false }: Props) 
   const active = useChosenRow(rows),
     activeId = active === null ? null : (rows[active]?.id ?? null);
   const asked = useContourPlace((p) => p.keyboard);
+  const [fresh, setFresh] = useState<string | null>(null);
   const [said, setSaid] = useState({ text: "", times: 0 });
   /** Announces an edit, also if the same one is repeated. */
   const say = (text: string) => setSaid((old) => ({ text, times: old.times + 1 }));
-  const reading = readRows(rows);
+  const reading = readRows(rows),
+    { per } = useLengths();
   const focusRow = useRowFocus(table);
   /** The newest rows: a digit just typed is not rendered yet. */
   const now = useRef({ rows, onChange });
@@ -100,6 +104,13 @@ function Table({ rows, onChange, language, isDrawingElsewhere = false }: Props) 
   const corner = (kind: CornerKind) => {
     const edited = cornerOf(now.current.rows, active, kind);
     if (edited) edit(edited, t.done.added, "r");
+  };
+  const undercut = () => {
+    const made = cornerRow === null ? null : undercutBehind(now.current.rows, cornerRow);
+    if (!made) return;
+    setFresh(made.focus);
+    if (made.rows === rows) focusRow(made.focus, "undercut");
+    else edit(made, t.done.added, "form");
   };
   const onKeyDown = useTableKeys(table, { ...actions, corner });
   const pick = (row: number) => {
@@ -154,6 +165,7 @@ function Table({ rows, onChange, language, isDrawingElsewhere = false }: Props) 
             details={details}
             corner={cornerRow === null ? null : cornerRow + 1}
             onCorner={corner}
+            onUndercut={undercut}
             onDetails={() => setWanted(!details)}
           >
             <DxfImport
@@ -204,6 +216,8 @@ function Table({ rows, onChange, language, isDrawingElsewhere = false }: Props) 
                     row={row}
                     number={i + 1}
                     reading={reading.rows[i]}
+                    undercut={row.kind === "UDC" ? undercutPlace(reading.rows, i, per) : null}
+                    isNew={row.id === fresh}
                     issues={issues.get(i) ?? NO_ISSUES}
                     active={row.id === activeId}
                     details={details}

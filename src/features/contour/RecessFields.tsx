@@ -1,3 +1,4 @@
+import { Suspense } from "react";
 import { texts } from "../../app/base/settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { UNDERCUT_FORMS } from "../../kernel/contour/undercut.ts";
@@ -6,6 +7,10 @@ import { formWord } from "../../program/blocks/recess-words.ts";
 import { isDiameterWord, recessWords } from "../../program/job/read-row.ts";
 import { NumberInput } from "../../app/fields/number/NumberInput.tsx";
 import { closeStep } from "../../app/document/steps.ts";
+import { lazyPart } from "../../app/base/parts.ts";
+import type { UndercutPlace } from "../../program/job/undercut-name.ts";
+
+const UndercutByName = lazyPart(async () => ({ default: (await import("./UndercutByName.tsx")).UndercutByName }));
 
 interface Props {
   readonly row: ContourRow;
@@ -13,15 +18,23 @@ interface Props {
   readonly number: number;
   readonly language: Language;
   readonly describedBy: string;
+  /** Corner of an undercut; null while unknown. */
+  readonly place: UndercutPlace | null;
+  readonly isNew: boolean;
   readonly onChange: (change: Partial<ContourRow>, place: string | null) => void;
 }
 
 /** Form and words of an undercut or recess; an empty word takes its standard value, or is omitted. */
-export function RecessFields({ row, number, language, describedBy, onChange }: Props) {
+export function RecessFields({ row, number, language, describedBy, place, isNew, onChange }: Props) {
   const t = texts(language).contour;
   const forms = row.kind === "UDC" ? UNDERCUT_FORMS : (["RADIAL", "AXIAL"] as const);
   return (
     <div className="contour-recess">
+      {row.kind === "UDC" && (
+        <Suspense>
+          <UndercutByName row={row} number={number} place={place} isNew={isNew} onChange={onChange} />
+        </Suspense>
+      )}
       <label>
         <span>{row.kind}</span>
         <select

@@ -15,6 +15,7 @@ const paths = {
   down: "M12 5v14M6 13l6 6 6-6",
   round: "M5 20V13a8 8 0 0 1 8-8h7",
   chamfer: "M5 20V12l7-7h8",
+  undercut: "M3 10h6l3 4h5V4h4M17 14v6H3",
 } as const;
 
 interface Props {
@@ -27,6 +28,7 @@ interface Props {
   /** The element whose end corner can be broken, from 1; null when there is none. */
   readonly corner: number | null;
   readonly onCorner: (kind: CornerKind) => void;
+  readonly onUndercut: () => void;
   /** Whether the fields of angle and length are shown. */
   readonly details: boolean;
   readonly onDetails: () => void;
@@ -43,6 +45,7 @@ export function RowTools({
   language,
   corner,
   onCorner,
+  onUndercut,
   details,
   onDetails,
   children,
@@ -73,6 +76,7 @@ export function RowTools({
       act: () => onCorner("RND"),
     },
     { icon: "chamfer", name: t.chamfer(corner ?? n), off: corner === null, act: () => onCorner("CHF") },
+    { icon: "undercut", name: t.undercut(corner ?? n), off: corner === null, act: onUndercut },
     {
       icon: "remove",
       name: t.remove(n),

@@ -159,3 +159,12 @@ export function cornerOf(rows: Rows, row: number | null, kind: CornerKind): Edit
   const at = cornerRowOf(rows, row);
   return at === null ? null : cornerSized(rows, at, kind, Number(cornerBehind(rows, at)?.r.replace(",", ".")) || 1);
 }
+
+/** Puts an undercut into the corner at the end of a row; a rounding or chamfer there gives way, an undercut stays. */
+export function undercutBehind(rows: Rows, row: number): Edited | null {
+  const there = rows[row + 1];
+  if (!isCorner(rows, row)) return null;
+  if (there?.kind === "UDC") return { rows, focus: there.id };
+  const made = newRow(freshId(rows), { kind: "UDC", form: "E" });
+  return { rows: rows.toSpliced(row + 1, cornerBehind(rows, row) ? 1 : 0, made), focus: made.id };
+}

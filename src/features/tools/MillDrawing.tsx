@@ -1,3 +1,5 @@
+import { centreNamed, centreProfile } from "../../kernel/cutter/centre-drill.ts";
+import type { Flat } from "../../kernel/geometry/flat.ts";
 import { pointLength } from "../../kernel/cutter/drill.ts";
 import { radius, toDiameter } from "../../kernel/units.ts";
 import { formatNumber } from "../../i18n/number.ts";
@@ -24,6 +26,8 @@ interface Side {
   readonly point: number;
   readonly edges: number | null;
   readonly pitch: number | null;
+  /** Half outline of a centre drill from the point, mm; null for any other tool. */
+  readonly profile: readonly Flat[] | null;
 }
 
 function sideOf(mill: MillTool): Side {
@@ -31,9 +35,10 @@ function sideOf(mill: MillTool): Side {
   const drill = drillOf(mill);
   return {
     across,
-    point: drill ? pointLength(drill) : 0,
+    point: drill?.centre ? (centreProfile(drill.centre, drill.R ?? 0).at(-1)?.u ?? 0) : drill ? pointLength(drill) : 0,
     edges: drill?.CUTLENGTH ?? null,
     pitch: drill?.PITCH ?? null,
+    profile: drill?.centre ? centreProfile(drill.centre, drill.R ?? 0) : null,
   };
 }
 
@@ -54,7 +59,12 @@ function Outline({ side, scale }: { readonly side: Side; readonly scale: number 
     step < CLOSEST_TURNS
       ? []
       : Array.from({ length: Math.floor((shoulder - top) / step) }, (_, i) => shoulder - (i + 1) * step);
-  const tip = side.point > 0 ? `L${middle} ${foot}` : "";
+  const at = (sign: number) => (p: Flat) => `L${middle + sign * p.v * scale} ${foot - p.u * scale}`;
+  const tip = side.profile
+    ? [...side.profile.toReversed().map(at(1)), ...side.profile.map(at(-1))].join("")
+    : side.point > 0
+      ? `L${middle} ${foot}`
+      : "";
   return (
     <>
       {top > 0 && <path className="shape-holder" d={`M${middle - half} 0H${middle + half}V${top}H${middle - half}Z`} />}
@@ -86,6 +96,7 @@ export function MillDrawing({ mill }: { readonly mill: MillTool | null }) {
   const bar = scaleLengthFor(span / 6);
   const number = (n: number) => formatNumber(language, n);
   const angle = side.point > 0 ? `${number(mill["T-ANGLE"] ?? 0)}°` : t.flat;
+  const hole = mill.TYPE === "CENTER" ? centreNamed(mill.NAME) : null;
   const pointed = mill.TYPE === "DRILL" || mill.TYPE === "CENTER";
   return (
     <figure className="live-insert" aria-label={t.millDrawing}>
@@ -105,6 +116,7 @@ export function MillDrawing({ mill }: { readonly mill: MillTool | null }) {
         <span className="soft number">
           ⌀ {t.scale(number(side.across))}
           {pointed && ` · ${angle}`}
+          {hole && ` · ${hole.form}${number(hole.d1)} / ${number(hole.d3)}`}
         </span>
         {side.edges !== null && <span className="soft number">{t.edges(number(side.edges))}</span>}
         {side.pitch !== null && <span className="soft number">{t.pitch(number(side.pitch))}</span>}

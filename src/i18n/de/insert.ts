@@ -23,13 +23,29 @@ export const insert: InsertTexts = {
   unsuitable: (tools) => `Ungeeignete Werkzeuge (${tools})`,
   noTool: "Kein Werkzeug der Tabelle erreicht diese Stelle.",
   hand: {
-    title: "Ohne Drehzyklus",
+    title: "Weitere Bearbeitungen",
     of: {
       chamfer: "Fase von Hand (L)",
       partOff: "Abstechen",
       partOffChamfered: "Abstechen mit Fase hinten",
+      centre: "Zentrierbohrung nach Norm",
       drill: "Bohren in der Drehmitte",
       tap: "Gewindebohren in der Drehmitte",
+    },
+    undercut: "Freistich nach Norm",
+    undercutName: "Bezeichnung des Freistichs",
+    noShoulder: "Das Rohteil hat hier keine Schulter: Durchmesser und Position eingeben.",
+    cylinder: "Durchmesser am Freistich",
+    shoulder: "Schulter in Z",
+    undercutUnfit: "Der Freistich passt hier nicht: Zylinder oder Planfläche ist zu kurz.",
+    hole: {
+      name: "Bezeichnung der Zentrierbohrung",
+      unknown:
+        "Bekannt: ISO 6411 und DIN 332-1, Formen A, B und R mit 1, 1,6, 2, 2,5, 3,15, 4, 6,3 oder 10, z. B. ISO 6411-A 4/8,5.",
+      size: (mouth, depth) =>
+        `⌀${mouth} an der Planfläche, Mindesttiefe ${depth}. Maße aus öffentlichen Tabellen der ISO 6411 und DIN 332-1; die Zuordnung zur Welle ist ein Richtwert.`,
+      pilot: "LCUTS des Bohrers ist die Länge seines Zapfens: messen, die Tiefe folgt daraus.",
+      formR: "Die Flanke der Form R ist gerade gezeichnet; ihr Radius ist nicht bekannt.",
     },
     sizes: { size: "Fase", z: "Rückseite in Z" },
     noTool: "Die Werkzeugtabelle hat kein Werkzeug dafür.",

@@ -24,13 +24,29 @@ export const insert = {
   unsuitable: (tools: number) => `Unsuitable tools (${tools})`,
   noTool: "No tool in the table reaches this place.",
   hand: {
-    title: "Without a turning cycle",
+    title: "Other operations",
     of: {
       chamfer: "Chamfer by hand (L)",
       partOff: "Part off",
       partOffChamfered: "Part off with back chamfer",
+      centre: "Centre hole by name",
       drill: "Drill on the axis",
       tap: "Tap on the axis",
+    },
+    undercut: "Undercut by name",
+    undercutName: "Designation of the undercut",
+    noShoulder: "The stock has no shoulder here: type diameter and position.",
+    cylinder: "Diameter at the undercut",
+    shoulder: "Shoulder in Z",
+    undercutUnfit: "The undercut does not fit here: the cylinder or the face is too short.",
+    hole: {
+      name: "Designation of the centre hole",
+      unknown:
+        "Known: ISO 6411 and DIN 332-1, forms A, B and R with 1, 1.6, 2, 2.5, 3.15, 4, 6.3 or 10, e.g. ISO 6411-A 4/8.5.",
+      size: (mouth: string, depth: string) =>
+        `⌀${mouth} at the face, least depth ${depth}. Sizes from public tables of ISO 6411 and DIN 332-1; the shaft is a guide value.`,
+      pilot: "LCUTS of the drill is the length of its pilot: measure it, the depth follows from it.",
+      formR: "The flank of form R is drawn straight; its radius is not known.",
     },
     sizes: { size: "Chamfer", z: "Rear face in Z" },
     noTool: "The tool table has no tool for this.",

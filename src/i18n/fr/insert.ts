@@ -23,13 +23,29 @@ export const insert: InsertTexts = {
   unsuitable: (tools) => `Outils inadaptés (${tools})`,
   noTool: "Aucun outil du tableau n’atteint cet endroit.",
   hand: {
-    title: "Sans cycle de tournage",
+    title: "Autres opérations",
     of: {
       chamfer: "Chanfrein à la main (L)",
       partOff: "Tronçonner",
       partOffChamfered: "Tronçonner avec chanfrein arrière",
+      centre: "Trou de centre normalisé",
       drill: "Percer dans l’axe",
       tap: "Tarauder dans l’axe",
+    },
+    undercut: "Dégagement normalisé",
+    undercutName: "Désignation du dégagement",
+    noShoulder: "Le brut n’a pas d’épaulement ici : saisir le diamètre et la position.",
+    cylinder: "Diamètre au dégagement",
+    shoulder: "Épaulement en Z",
+    undercutUnfit: "Le dégagement ne convient pas ici : le cylindre ou la face est trop court.",
+    hole: {
+      name: "Désignation du trou de centre",
+      unknown:
+        "Connus : ISO 6411 et DIN 332-1, formes A, B et R avec 1, 1,6, 2, 2,5, 3,15, 4, 6,3 ou 10, p. ex. ISO 6411-A 4/8,5.",
+      size: (mouth, depth) =>
+        `⌀${mouth} à la face, profondeur minimale ${depth}. Cotes de tableaux publics d’ISO 6411 et DIN 332-1 ; l’arbre est une valeur indicative.`,
+      pilot: "LCUTS du foret est la longueur de son pilote : la mesurer, la profondeur en découle.",
+      formR: "Le flanc de la forme R est dessiné droit ; son rayon n’est pas connu.",
     },
     sizes: { size: "Chanfrein", z: "Face arrière en Z" },
     noTool: "Le tableau d’outils n’a pas d’outil pour cela.",

@@ -4,7 +4,7 @@ import { issue, type Issue } from "../plan/issue.ts";
 import { at, part, type Segment } from "../geometry/point.ts";
 import { SAME } from "../tolerance.ts";
 import { toDiameter } from "../units.ts";
-import { neighboursOfPitch } from "./undercut-table.ts";
+import { neighboursOfPitch } from "./thread-relief.ts";
 import { undercutShape, type Undercut } from "./undercut.ts";
 
 const { lengthOf, line } = part;

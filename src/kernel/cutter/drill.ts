@@ -1,3 +1,4 @@
+import { centreProfile } from "./centre-drill.ts";
 import { METRIC } from "../contour/metric-thread.ts";
 import type { Convex } from "../reach/convex.ts";
 import type { Flat } from "../geometry/flat.ts";
@@ -41,22 +42,54 @@ export function holeOf(t: Tool, pitch: number = t.PITCH ?? 0): NeededHole | null
   return { radius: length(least), drill: length(pitch > 0 ? Math.max(least, r - HALF_PITCH * pitch) : least) };
 }
 
+/** End of a drill above its point, mm. */
+const endOf = (t: Tool, shoulder: number) => shoulder + Math.max(t.CUTLENGTH ?? LONG, t.R ?? 0);
+
+/** Half outline from the point to the full radius: distance from the point, and radius. */
+function profileOf(t: Tool): readonly Flat[] {
+  const r = t.R ?? 0;
+  if (t.centre) return centreProfile(t.centre, r);
+  const point = pointLength(t);
+  return [...(point > 0 ? [{ u: 0, v: 0 }] : []), { u: point, v: r }];
+}
+
 /** A drill on the axis, relative to its point, in side view: it points to -Z and lies on both sides of the axis. */
 export function drillShape(t: Tool): Convex {
-  const [r, point] = [t.R ?? 0, pointLength(t)];
-  const end = point + Math.max(t.CUTLENGTH ?? LONG, r);
+  const profile = profileOf(t);
+  const shoulder = profile[profile.length - 1] ?? { u: 0, v: 0 };
+  const end = endOf(t, shoulder.u);
+  const across = profile.filter(({ v }) => v > 0);
   const corners: Flat[] = [
-    { u: point, v: -r },
-    { u: end, v: -r },
-    { u: end, v: r },
-    { u: point, v: r },
+    ...across.map(({ u, v }) => ({ u, v: -v })),
+    { u: end, v: -shoulder.v },
+    { u: end, v: shoulder.v },
+    ...across.toReversed(),
   ];
-  if (point > 0) corners.push({ u: 0, v: 0 });
-  const features = ["secondaryEdge", "back", "mainEdge", "nose", "nose"] as const;
+  if (profile[0]?.v === 0) corners.push({ u: 0, v: 0 });
+  const features = [
+    ...across.map(() => "secondaryEdge" as const),
+    "back" as const,
+    ...across.map(() => "mainEdge" as const),
+  ];
   return corners.map((from, i) => ({
     kind: "line",
     from,
     to: corners[(i + 1) % corners.length] as Flat,
     feature: features[i] ?? "nose",
   }));
+}
+
+/** A centre drill as convex parts, whose union is its shape; null for any other tool. */
+export function centreParts(t: Tool): readonly (readonly Flat[])[] | null {
+  if (!t.centre) return null;
+  const profile = centreProfile(t.centre, t.R ?? 0);
+  const end = endOf(t, profile[profile.length - 1]?.u ?? 0);
+  // Each part runs on to the end: a cone has the cylinder above it.
+  return profile.slice(1).map((to, i) => {
+    const from = profile[i] as Flat;
+    const half = [from, to, { u: end, v: to.v }];
+    return [...half.map(({ u, v }) => ({ u, v: -v })), ...half.toReversed()].filter(
+      (p, k, all) => Math.hypot(p.u - (all[k - 1]?.u ?? Infinity), p.v - (all[k - 1]?.v ?? 0)) > 0,
+    );
+  });
 }

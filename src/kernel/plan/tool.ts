@@ -5,6 +5,31 @@ export type ToolType = (typeof TOOL_TYPES)[number];
 /** Tools on the axis that cut a bore of their own shape; they are stored in the table of milling tools. */
 export const DRILL_TYPES = ["DRILL", "CENTER", "TAP"] as const;
 export type DrillType = (typeof DRILL_TYPES)[number];
+/** Forms of centre holes: A plain, B with a protecting cone of 120°, R with a curved flank. */
+export const CENTRE_FORMS = ["A", "B", "R"] as const;
+export type CentreForm = (typeof CENTRE_FORMS)[number];
+
+/** A centre hole of ISO 6411 or DIN 332-1, diameters and depths in mm. */
+export interface CentreHole {
+  readonly form: CentreForm;
+  /** Pilot, and mouth of the cone of 60°. */
+  readonly d1: number;
+  readonly d2: number;
+  /** Mouth of the protecting cone of 120°; that of the whole hole. */
+  readonly d3: number;
+  /** Least depth from the face to the end of the pilot. */
+  readonly t: number;
+  /** Shaft diameters that it is a guide value for: above the first, up to the second. */
+  readonly over: number;
+  readonly upTo: number;
+}
+
+/** A centre drill: the hole it is made for, and the length of its pilot from the point to the cone, mm. */
+export interface CentreDrill {
+  readonly hole: CentreHole;
+  readonly pilot: Length;
+}
+
 /** Tip orientation 1..9, as on HEIDENHAIN lathes. */
 export type TipOrientation = 1 | 2 | 3 | 4 | 5 | 6 | 7 | 8 | 9;
 
@@ -40,6 +65,8 @@ export interface Tool {
   readonly RS: Length;
   /** Radius of a drill, with its delta. */
   readonly R?: Length;
+  /** Shape of a centre drill whose name states its hole. */
+  readonly centre?: CentreDrill;
   /** Pitch of a tap. */
   readonly PITCH?: Length;
   readonly ZL?: Length;

@@ -1,3 +1,4 @@
+import { centreDepth, mouthAt } from "../../kernel/cutter/centre-drill.ts";
 import { depthAtRadius, isDrill, pointLength } from "../../kernel/cutter/drill.ts";
 import type { Move } from "../../kernel/plan/move.ts";
 import { at as pointAt, type Pt } from "../../kernel/geometry/point.ts";
@@ -88,6 +89,7 @@ function judge(machine: Machine, { defined, tool, bore, q }: Judged, index: numb
       programIssue("drillTooShort", "warning", { depth: bore.surface - bore.bottom, edges }, "tool"),
       index,
     );
+  centreMouth(machine, { tool, bore }, index);
   const tapping = DRILL_WORDS.get(defined.cycle)?.includes("Q239");
   const pitch = Math.abs(q("Q239"));
   if (tapping && tool.PITCH !== undefined && Math.abs(tool.PITCH - pitch) > SAME)
@@ -99,6 +101,22 @@ function judge(machine: Machine, { defined, tool, bore, q }: Judged, index: numb
     say(
       programIssue("feedUnlikely", "warning", { feed: machine.feedOf(feed), unit: machine.feedUnit }, "Q206"),
       "Q206",
+    );
+}
+
+/** A mouth this much off its size still carries the centre, mm. */
+const MOUTH = 0.15;
+
+/** Reports a centre hole that is too shallow or too deep for its size. */
+function centreMouth(machine: Machine, { tool, bore }: Pick<Judged, "tool" | "bore">, index: number): void {
+  const { centre } = tool;
+  if (!centre) return;
+  const mouth = mouthAt(centre, tool.R ?? 0, bore.surface - bore.bottom);
+  const wanted = centre.hole.d3;
+  if (Math.abs(mouth - wanted) > MOUTH)
+    machine.log.report(
+      programIssue("centreMouth", "warning", { mouth, wanted, depth: centreDepth(centre) }, "Q201"),
+      index,
     );
 }
 

@@ -11,6 +11,9 @@ import { emptyProgram } from "../job/empty-program.ts";
 import { exampleJob, type SetJob } from "../job/job.ts";
 import { surfacesOf } from "../job/stock-surface.ts";
 import { run } from "../run/run.ts";
+import { drillOf } from "../tools/drill-of.ts";
+import { standardDrills } from "../tools/standard-drills.ts";
+import { readList, shippedList } from "../tools/tool-list.ts";
 import { shippedTools } from "../tools/shipped-tools.ts";
 import { withHandOperation } from "./added-operation.ts";
 import { canDo, handCut, speedOnAxis, type HandWork } from "./hand-operation.ts";
@@ -32,6 +35,16 @@ const shop = { tools: [...shippedTools, drill, tap], rapid: 10_000 };
 function toolOf(T: number): Tool {
   const tool = shippedTools.find((each) => each.T === T);
   if (!tool) throw new Error(`no tool ${T}`);
+  return tool;
+}
+
+/** A standard centre drill as a tool on the axis. */
+function centreTool(name: string): Tool {
+  const row = readList(standardDrills(shippedList).map((cells, i) => ({ id: `c${i}`, cells }))).table.mills?.find(
+    ({ NAME }) => NAME === name,
+  );
+  const tool = row && drillOf(row);
+  if (!tool) throw new Error(`no ${name}`);
   return tool;
 }
 
@@ -69,6 +82,38 @@ describe("an operation without a cycle", () => {
     const { points } = finalOf(added(blank(bore), "chamfer", toolOf(T), { size: 1.7, z: 0 }, inside));
     expect(has(points, across, 0)).toBe(true);
     expect(has(points, inside ? 28.4 : 60.2, -1.7)).toBe(true);
+  });
+
+  test.each([
+    ["CENTER-A4", 8.5, 8.5, 4, -8.897],
+    ["CENTER-A2.5", 5.3, 5.3, 2.5, -5.525],
+    ["CENTER-B4", 12.5, 8.5, 4, -10.052],
+    ["CENTER-R4", 8.5, 8.5, 4, -7.4],
+  ])("%s leaves its mouth, cones and pilot", (name, mouth, d2, d1, bottom) => {
+    const centre = centreTool(name);
+    const made = run(added(blank("0"), "centre", centre), { ...shop, tools: [...shippedTools, centre] });
+    expect(made.issues.filter(({ issue }) => issue.severity !== "info")).toEqual([]);
+    const simulation = simulate(made);
+    expect(simulation.findings).toEqual([]);
+    const points = producedParts(simulation).flat();
+    expect(has(points, mouth, 0)).toBe(true);
+    const below = (mouth - d2) / 2 / Math.tan(Math.PI / 3);
+    expect(has(points, d2, -below)).toBe(true);
+    expect(has(points, d1, -below - (d2 - d1) / 2 / Math.tan(Math.PI / 6))).toBe(true);
+    expect(has(points, 0, bottom)).toBe(true);
+  });
+
+  test.each([
+    [-6, "centreMouth"],
+    [-8.9, null],
+    [-10, "centreMouth"],
+  ])("a centre hole A4 drilled to %s", (depth, code) => {
+    const centre = centreTool("CENTER-A4");
+    const program = parse(print(added(blank("0"), "centre", centre)).replace(/Q201=-8\.898/, `Q201=${depth}`));
+    const { issues } = run(program, { ...shop, tools: [...shippedTools, centre] });
+    expect(issues.filter(({ issue }) => issue.severity !== "info").map(({ issue }) => issue.code)).toEqual(
+      code === null ? [] : [code],
+    );
   });
 
   test.each(["partOff", "partOffChamfered"] as const)("%s leaves the part with its rear face", (work) => {

@@ -1,7 +1,8 @@
+import { centreDepth } from "../../kernel/cutter/centre-drill.ts";
 import { isDrill } from "../../kernel/cutter/drill.ts";
 import { cuttingWidth, noseRadius, tipDirection } from "../../kernel/cutter/insert.ts";
-import type { Tool } from "../../kernel/plan/tool.ts";
-import { radius, rounded, toDiameter } from "../../kernel/units.ts";
+import type { CentreHole, Tool } from "../../kernel/plan/tool.ts";
+import { radius, rounded, roundedUp, toDiameter } from "../../kernel/units.ts";
 import type { Statement } from "../../nc/statement.ts";
 import { noWords, type AxisWord, type CycleParameter, type Words } from "../../nc/words.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
@@ -9,7 +10,7 @@ import { frontOf, startOnSurface, type StockSurface } from "../job/stock-surface
 import { positionAsTyped } from "../values/typed-value.ts";
 
 /** Operations without a turning cycle: by path blocks, or with a drilling cycle on the axis. */
-export const HAND_WORKS = ["chamfer", "partOff", "partOffChamfered", "drill", "tap"] as const;
+export const HAND_WORKS = ["chamfer", "partOff", "partOffChamfered", "centre", "drill", "tap"] as const;
 export type HandWork = (typeof HAND_WORKS)[number];
 
 /** Sizes that only the drawing knows: of a chamfer, and the Z of the rear face. */
@@ -21,18 +22,29 @@ export const sizesOf = (work: HandWork): readonly HandSize[] => {
   return work === "partOffChamfered" ? ["z", "size"] : [];
 };
 
-export const isOnAxis = (work: HandWork): work is "drill" | "tap" => work === "drill" || work === "tap";
+/** Operations on the axis, with a tool of the milling table. */
+export type AxisWork = "centre" | "drill" | "tap";
+export const isOnAxis = (work: HandWork): work is AxisWork => work === "centre" || work === "drill" || work === "tap";
 
 /** Radial depth of a cut through the stock, from its surface to the axis or through the wall of its bore, mm. */
 export const wallOf = (stock: readonly Ring[], { from }: StockSurface): number =>
   from.r - Math.min(...stock.flat().map(({ r }) => r));
 
+/** Side and depth of an operation, and the centre hole that it makes. */
+export interface Needed {
+  readonly isInside: boolean;
+  readonly depth: number;
+  readonly hole?: CentreHole | null;
+}
+
 /** Whether a tool can do it, on this side and to this depth. */
-export function canDo(work: HandWork, tool: Tool, { isInside, depth }: { isInside: boolean; depth: number }): boolean {
+export function canDo(work: HandWork, tool: Tool, { isInside, depth, hole }: Needed): boolean {
   const { u, v } = tipDirection(tool.TO);
   switch (work) {
     case "drill":
-      return isDrill(tool) && tool.TYPE !== "TAP";
+      return isDrill(tool) && tool.TYPE !== "TAP" && !tool.centre;
+    case "centre":
+      return tool.centre?.hole.form === hole?.form && tool.centre?.hole.d1 === hole?.d1 && hole !== undefined;
     case "tap":
       return tool.TYPE === "TAP";
     case "chamfer":
@@ -47,7 +59,7 @@ const LEAD = 1;
 const CLEARANCE = 2;
 const OVER_BORE = 1;
 /** Feeds, mm/rev. */
-const FEED = { chamfer: 0.12, partOff: 0.06, drill: 0.12 };
+const FEED = { chamfer: 0.12, partOff: 0.06, drill: 0.12, centre: 0.05 };
 /** A nose radius lies off the theoretical corner: a 45° path moves by this share of the radius along either axis. */
 const NOSE = 2 - Math.SQRT2;
 
@@ -118,14 +130,14 @@ function partOff({ stock, surface, tool, sizes }: HandContext, isChamfered: bool
 const parameter = (q: string, value: number | null, label: string): CycleParameter => ({ q, value, label });
 
 /** A drilling cycle on the axis; depth and pitch stay open where the tool does not know them. */
-function onAxis(work: "drill" | "tap", { stock, tool }: HandContext): HandCut {
+function onAxis(work: AxisWork, { stock, tool }: HandContext): HandCut {
   const front = frontOf(stock);
   const surface = parameter("Q203", Math.min(0, front), "SURFACE COORDINATE");
   const [first, second] = [
     parameter("Q200", CLEARANCE, "SET-UP CLEARANCE"),
     parameter("Q204", 50, "2ND SET-UP CLEARANCE"),
   ];
-  const depth = (label: string) => parameter("Q201", null, label);
+  const depth = (label: string) => parameter("Q201", tool.centre ? -roundedUp(centreDepth(tool.centre)) : null, label);
   const cycle: Statement =
     work === "tap"
       ? {
@@ -140,21 +152,38 @@ function onAxis(work: "drill" | "tap", { stock, tool }: HandContext): HandCut {
             second,
           ],
         }
-      : {
-          kind: "cycle",
-          cycle: 200,
-          name: "DRILLING",
-          parameters: [
-            first,
-            depth("DEPTH"),
-            parameter("Q206", FEED.drill, "FEED RATE FOR PLNGNG"),
-            parameter("Q202", 5, "PLUNGING DEPTH"),
-            parameter("Q210", 0, "DWELL TIME AT TOP"),
-            surface,
-            second,
-            parameter("Q211", 0, "DWELL TIME AT DEPTH"),
-          ],
-        };
+      : work === "centre"
+        ? {
+            kind: "cycle",
+            cycle: 240,
+            name: "CENTERING",
+            parameters: [
+              first,
+              // A pilot precedes the cone: the depth is given, not the diameter.
+              parameter("Q343", 0, "SELECT DIA./DEPTH"),
+              depth("DEPTH"),
+              parameter("Q344", 0, "DIAMETER"),
+              parameter("Q206", FEED.centre, "FEED RATE FOR PLNGNG"),
+              parameter("Q211", 0, "DWELL TIME AT DEPTH"),
+              surface,
+              second,
+            ],
+          }
+        : {
+            kind: "cycle",
+            cycle: 200,
+            name: "DRILLING",
+            parameters: [
+              first,
+              depth("DEPTH"),
+              parameter("Q206", FEED.drill, "FEED RATE FOR PLNGNG"),
+              parameter("Q202", 5, "PLUNGING DEPTH"),
+              parameter("Q210", 0, "DWELL TIME AT TOP"),
+              surface,
+              second,
+              parameter("Q211", 0, "DWELL TIME AT DEPTH"),
+            ],
+          };
   return {
     start: startAt(0, front + CLEARANCE),
     cut: [cycle, { kind: "cycleCall", how: "", words: noWords }],
@@ -163,15 +192,15 @@ function onAxis(work: "drill" | "tap", { stock, tool }: HandContext): HandCut {
 
 /** The path of an operation without a turning cycle. */
 export function handCut(work: HandWork, context: HandContext): HandCut {
-  if (work === "drill" || work === "tap") return onAxis(work, context);
+  if (isOnAxis(work)) return onAxis(work, context);
   return work === "chamfer" ? chamfer(context) : partOff(context, work === "partOffChamfered");
 }
 
 /** Cutting speeds of drills and taps, m/min. */
-const ON_AXIS = { drill: 60, tap: 12 };
+const ON_AXIS = { centre: 25, drill: 60, tap: 12 };
 
 /** Speed of a tool on the axis, rpm: it cuts at its own diameter. */
-export function speedOnAxis(work: "drill" | "tap", tool: Tool): number {
-  const across = Math.max(1, toDiameter(radius(tool.R ?? 0)));
+export function speedOnAxis(work: AxisWork, tool: Tool): number {
+  const across = Math.max(1, tool.centre?.hole.d2 ?? toDiameter(radius(tool.R ?? 0)));
   return Math.max(10, Math.round((100 * ON_AXIS[work]) / (Math.PI * across)) * 10);
 }

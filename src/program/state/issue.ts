@@ -24,6 +24,8 @@ interface Data {
   feedUnlikely: { feed: number; unit: FeedUnit };
   /** Bore deeper than the cutting edge length of the drill. */
   drillTooShort: { depth: number; edges: number };
+  /** A centre drill whose mouth at the face is not that of its hole. */
+  centreMouth: { mouth: number; wanted: number; depth: number };
   /** Pitch of the cycle differs from that of the tap. */
   pitchOfTap: { pitch: number; tap: number };
   cycleNeverCalled: { cycle: number };

@@ -1,3 +1,4 @@
+import { centreDrill } from "../../kernel/cutter/centre-drill.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { degrees, length } from "../../kernel/units.ts";
 import type { Mill } from "./plane-types.ts";
@@ -5,6 +6,8 @@ import type { Mill } from "./plane-types.ts";
 /** A drill of the milling table as a tool for turning on the axis; null for a mill. An empty cell may be 0. */
 export function drillOf(row: Mill): Tool | null {
   if (!row.TYPE || !(row.R + (row.DR ?? 0) > 0)) return null;
+  // LCUTS of a centre drill is the length of its pilot.
+  const centre = row.TYPE === "CENTER" ? centreDrill(row.NAME, row.LCUTS) : null;
   return {
     T: row.T,
     NAME: row.NAME,
@@ -13,7 +16,8 @@ export function drillOf(row: Mill): Tool | null {
     RS: length(0),
     R: length(row.R + (row.DR ?? 0)),
     ...(row.TYPE !== "TAP" && row["T-ANGLE"] && { "T-ANGLE": degrees(row["T-ANGLE"]) }),
-    ...(row.LCUTS && { CUTLENGTH: length(row.LCUTS) }),
+    ...(centre && { centre }),
+    ...(row.LCUTS && !centre && { CUTLENGTH: length(row.LCUTS) }),
     ...(row.PITCH && { PITCH: length(row.PITCH) }),
   };
 }

@@ -1,3 +1,4 @@
+import { CENTRE_FORMS, type CentreForm } from "../../kernel/plan/tool.ts";
 import { freeNumber, type ToolList } from "./tool-list.ts";
 import type { ToolEntry } from "./tool-entry.ts";
 
@@ -8,6 +9,31 @@ const POINT = "118";
 /** Drills by diameter with the flute length of DIN 338, mm; the smaller ones are the core holes of the taps. */
 const drill = (NAME: string, R: string, LCUTS: string): Cells => ({ NAME, TYPE: "DRILL", R, "T-ANGLE": POINT, LCUTS });
 const tap = (NAME: string, R: string, PITCH: string, LCUTS: string): Cells => ({ NAME, TYPE: "TAP", R, PITCH, LCUTS });
+
+/**
+ * Body and pilot of the centre drills of a size, mm: A and R, then B. Recalled of ISO 866 and ISO 2540 (tag K): LCUTS is
+ * the length of the pilot, which decides how deep the hole gets, and is measured on the drill.
+ */
+const CENTRES: readonly (readonly [d1: number, body: number, bodyB: number, pilot: number])[] = [
+  [1, 3.15, 4, 1.3],
+  [1.6, 4, 6.3, 2],
+  [2, 5, 8, 2.5],
+  [2.5, 6.3, 10, 3.1],
+  [3.15, 8, 11.2, 3.9],
+  [4, 10, 14, 5],
+  [6.3, 16, 20, 8],
+  [10, 25, 31.5, 12.8],
+];
+/** Angle of the cone, degrees. */
+const CONE = "60";
+const centre = (form: CentreForm, d1: number, body: number, pilot: number): Cells => ({
+  NAME: `CENTER-${form}${d1}`,
+  TYPE: "CENTER",
+  R: String(body / 2),
+  "T-ANGLE": CONE,
+  // The pilot of R is not known: the shortest of the standard is taken.
+  ...(form !== "R" && { LCUTS: String(pilot) }),
+});
 
 const ROWS: readonly Cells[] = [
   drill("DRILL-D5", "2.5", "52"),
@@ -21,11 +47,14 @@ const ROWS: readonly Cells[] = [
   tap("TAP-M8", "4", "1.25", "18"),
   tap("TAP-M10", "5", "1.5", "20"),
   tap("TAP-M12", "6", "1.75", "24"),
+  ...CENTRE_FORMS.flatMap((form) =>
+    CENTRES.map(([d1, body, bodyB, pilot]) => centre(form, d1, form === "B" ? bodyB : body, pilot)),
+  ),
 ];
 /** Their numbers follow this one. */
 const BEHIND = 30;
 
-/** Usual drills and taps as rows of a table, each with a free number. */
+/** Usual drills, taps and centre drills as rows of a table, each with a free number. */
 export function standardDrills(list: ToolList): readonly Cells[] {
   let last = BEHIND;
   return ROWS.map((cells) => ({ T: String((last = freeNumber(list, last))), ...cells }));

@@ -13,9 +13,10 @@ export interface Combobox {
   readonly change: (next: { readonly typed?: string; readonly chosen: number }) => void;
 }
 
-export function useCombobox(): Combobox {
+/** `chosen`: the option that Enter takes before anything is typed; −1: none. */
+export function useCombobox(chosen = 0): Combobox {
   const id = useId();
-  const [state, set] = useState({ typed: "", chosen: 0 });
+  const [state, set] = useState({ typed: "", chosen });
   return { id, ...state, change: (next) => set((before) => ({ ...before, ...next })) };
 }
 
@@ -39,6 +40,9 @@ export function ComboboxInput({
   take,
   className,
   input,
+  placeholder = label,
+  describedBy,
+  field = {},
 }: {
   readonly box: Combobox;
   readonly count: number;
@@ -46,11 +50,15 @@ export function ComboboxInput({
   readonly take: (index: number) => void;
   readonly className: string;
   readonly input?: RefObject<HTMLInputElement | null>;
+  readonly placeholder?: string;
+  readonly describedBy?: string;
+  /** Names of the field for the form around it. */
+  readonly field?: Readonly<Record<`data-${string}`, string>>;
 }) {
   const at = chosenOf(box, count);
   const option = at < 0 ? undefined : optionId(box, at);
   useEffect(() => {
-    if (option !== undefined) document.getElementById(option)?.scrollIntoView({ block: "nearest" });
+    if (option !== undefined) document.getElementById(option)?.scrollIntoView?.({ block: "nearest" });
   }, [option, box.typed]);
   const onKey = (event: KeyboardEvent) => {
     const step = STEPS[event.key];
@@ -68,12 +76,14 @@ export function ComboboxInput({
   };
   return (
     <input
+      {...field}
       ref={input}
       type="text"
       className={className}
       role="combobox"
       aria-label={label}
-      placeholder={label}
+      placeholder={placeholder}
+      aria-describedby={describedBy}
       aria-expanded={count > 0}
       aria-controls={box.id}
       aria-autocomplete="list"

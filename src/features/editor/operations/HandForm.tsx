@@ -27,6 +27,8 @@ import { useLengths } from "../../../app/calculation/lengths.ts";
 import { useSession } from "../../../app/fields/blocks/session.ts";
 import { useToolList } from "../../../app/document/work-tools.ts";
 import { showTools } from "../../../app/place/place.ts";
+import { centreNamed } from "../../../kernel/cutter/centre-drill.ts";
+import { CentreField, proposedCentre } from "./CentreField.tsx";
 import { AskedNumber, isUsable, OPEN_NUMBER } from "./AskedNumber.tsx";
 import { SpindleFields, isSpindleUsable } from "./PlaceFields.tsx";
 import { addStandardDrill, useDrills } from "./drills.ts";
@@ -59,9 +61,10 @@ export function HandForm({ words, work, site, before, onBack, onInsert }: Props)
   const inches = useSession((s) => countsInches(s.reading.program));
   const unit = useLengths().words;
   const form = useRef<HTMLFormElement>(null);
-  const [title, setTitle] = useState(() => words.hand.of[work].toUpperCase());
+  const [titled, setTitle] = useState<string | null>(null);
   const [picked, pick] = useState<StockSurface | null>(null);
   const [typed, type] = useState(UNTYPED);
+  const [centre, nameCentre] = useState<string | null>(null);
   const [spindle, setSpindle] = useState<SpindleDraft | null>(null);
   const [taken, take] = useState<number | null>(null);
   const { stock, operations } = before;
@@ -71,7 +74,10 @@ export function HandForm({ words, work, site, before, onBack, onInsert }: Props)
     return edges.filter((each) => hasFreeEdge(each, stock));
   }, [stock, work, site]);
   const surface = picked ?? (work === "chamfer" ? (surfaces[0] ?? null) : longestOf(surfaces));
-  const needed = { isInside: surface?.site === "inside", depth: surface ? wallOf(stock, surface) : 0 };
+  const named = centre ?? proposedCentre(stock);
+  const hole = work === "centre" ? centreNamed(named) : null;
+  const title = titled ?? (hole ? named : words.hand.of[work]).toUpperCase();
+  const needed = { isInside: surface?.site === "inside", depth: surface ? wallOf(stock, surface) : 0, hole };
   const turning = useToolList();
   const drills = useDrills();
   const onAxis = isOnAxis(work);
@@ -123,6 +129,7 @@ export function HandForm({ words, work, site, before, onBack, onInsert }: Props)
     >
       <div className="operation-body">
         <div className="operation-ask">
+          {work === "centre" && <CentreField words={words.hand.hole} text={named} hole={hole} onText={nameCentre} />}
           <TitleField title={title} onTitle={setTitle} />
           {stock.length === 0 || !surface ? (
             <Message tone="warning" className="wide">
@@ -146,7 +153,7 @@ export function HandForm({ words, work, site, before, onBack, onInsert }: Props)
           {turns && <SpindleFields spindle={turns} onSpindle={setSpindle} />}
         </div>
         {isStandard && <Message tone="info">{words.hand.standard}</Message>}
-        {tools.length > 0 ? (
+        {work === "centre" && !hole ? null : tools.length > 0 ? (
           <ToolChoice
             fits={null}
             among={tools}

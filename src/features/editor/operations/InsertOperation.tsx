@@ -7,7 +7,6 @@ import { ncLanguageOf } from "../../../i18n/languages.ts";
 import { ncLabels } from "../../../i18n/nc-labels.ts";
 import { startLines } from "../../../nc/program.ts";
 import type { Statement } from "../../../nc/statement.ts";
-import type { HandWork } from "../../../program/edits/hand-operation.ts";
 import type { SetJob } from "../../../program/job/job.ts";
 import { withHandOperation, withOperation } from "../../../program/edits/added-operation.ts";
 import { sitesOf } from "../../../program/job/proposed-operation.ts";
@@ -31,12 +30,14 @@ import { useGuidedBlock } from "../../../app/place/open-call.ts";
 import { useEditor } from "../../../app/document/store.ts";
 import { fieldsOf } from "../../../app/fields/blocks/block-fields.ts";
 import { HandForm } from "./HandForm.tsx";
-import { handOffer } from "./hand-offer.tsx";
+import { handOffer, nameOf, type HandWork } from "./hand-offer.tsx";
 import { OperationForm, type InsertedOperation } from "./OperationForm.tsx";
 import { stateBefore, type StateBefore } from "./stock-before.ts";
 import "./operations.css";
 
 const WhichCycle = lazyPart(async () => ({ default: await whichSlot.fetch() }));
+
+const UndercutForm = lazyPart(async () => ({ default: (await import("./UndercutForm.tsx")).UndercutForm }));
 
 const SITES: readonly Site[] = ["outside", "inside", "face"];
 const NOTHING: StateBefore = { stock: [], operations: [] };
@@ -122,7 +123,7 @@ function Opened({ words, behind }: { readonly words: InsertTexts; readonly behin
       className="operation-dialog"
       first=".cycle-search-field"
       title={insert}
-      heading={cycle ? cycleWords(t, cycle.number) : work ? words.hand.of[work] : insert}
+      heading={cycle ? cycleWords(t, cycle.number) : work ? nameOf(words.hand, work) : insert}
       actions={
         !cycle &&
         !work && (
@@ -147,12 +148,33 @@ function Opened({ words, behind }: { readonly words: InsertTexts; readonly behin
           <CycleChooser
             narrow
             among={(number) => sitesOfCycle(number).includes(site)}
-            more={handOffer(words, site, setWork)}
+            more={handOffer(words, site, (taken) => {
+              if (taken === "undercut" && site === "face") setSite("outside");
+              setWork(taken);
+            })}
             ways={[{ name: choose, short: choose, go: take }]}
           />
         </div>
       )}
-      {work && (
+      {work === "undercut" && site !== "face" && (
+        <Suspense>
+          <UndercutForm
+            words={words}
+            site={site}
+            before={before}
+            onBack={() => setWork(null)}
+            onInsert={(made) => {
+              insertOperation(made, behind);
+              dialog.current?.close();
+            }}
+            onCut={(job, cut, title) => {
+              insertHandOperation(job, cut, { behind, title });
+              dialog.current?.close();
+            }}
+          />
+        </Suspense>
+      )}
+      {work && work !== "undercut" && (
         <HandForm
           words={words}
           work={work}

@@ -29,13 +29,28 @@ export function useDrills(): Drills {
   }, [own, shop]);
 }
 
-/** Adds a standard drill to the table of the open work. */
-export function addStandardDrill(T: number): void {
+type StandardRows = (list: ToolList) => readonly ToolList[number]["cells"][];
+
+/** Turning tools of a standard list, with numbers that are free in the open work's table. */
+export function useStandardTools(rowsOf: StandardRows): readonly Tool[] {
+  const shop = useTools((s) => s.list);
+  const own = useEditor((s) => bundleOf(s).tools);
+  return useMemo(() => {
+    const rows = rowsOf(own ?? shop).map((cells, i) => ({ id: `standard ${i}`, cells }));
+    return readList(rows).table.tools;
+  }, [own, shop, rowsOf]);
+}
+
+/** Adds a tool of a standard list to the table of the open work. */
+export function addStandardTool(rowsOf: StandardRows, T: number): void {
   const list = listInUse();
-  const cells = standardDrills(list).find((row) => Number(row.T) === T);
+  const cells = rowsOf(list).find((row) => Number(row.T) === T);
   if (!cells) return;
   const next: ToolList = [...list, { id: newId(list), cells }];
   const bundle = onlyBundle(bundleOf(useEditor.getState()));
   if (bundle.tools) setBundle({ ...bundle, tools: next });
   else editTools(() => next);
 }
+
+/** Adds a standard drill to the table of the open work. */
+export const addStandardDrill = (T: number): void => addStandardTool(standardDrills, T);

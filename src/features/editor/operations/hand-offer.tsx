@@ -1,15 +1,24 @@
 import type { Site } from "../../../cycles/shape-request.ts";
 import type { InsertTexts } from "../../../i18n/en/insert.ts";
-import { HAND_WORKS, isOnAxis, type HandWork } from "../../../program/edits/hand-operation.ts";
+import { HAND_WORKS, isOnAxis, type HandWork as PathWork } from "../../../program/edits/hand-operation.ts";
 import type { OtherRows } from "../../../app/fields/chooser/use-cycle-chooser.tsx";
 import { withoutAccents } from "../../../app/fields/chooser/search.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 
+/** Operations beside the cycles: by path blocks, on the axis, and by the name of a standard. */
+export type HandWork = PathWork | "undercut";
+const WORKS: readonly HandWork[] = ["undercut", ...HAND_WORKS];
+
 /** Whether an operation is listed under a site; the search finds it under each. */
 function belongsTo(work: HandWork, site: Site): boolean {
+  if (work === "undercut") return site !== "face";
   if (isOnAxis(work)) return site !== "outside";
   return work === "chamfer" ? site !== "face" : site === "outside";
 }
+
+/** The name of an operation. */
+export const nameOf = (hand: InsertTexts["hand"], work: HandWork): string =>
+  work === "undercut" ? hand.undercut : hand.of[work];
 
 /** Operations without a turning cycle, as rows of the chooser. */
 export function handOffer({ hand }: InsertTexts, site: Site, onTake: (work: HandWork) => void): OtherRows {
@@ -21,7 +30,7 @@ export function handOffer({ hand }: InsertTexts, site: Site, onTake: (work: Hand
           {works.map((work) => (
             <li key={work}>
               <button type="button" className="button" onClick={() => onTake(work)}>
-                <Icon name="add" /> {hand.of[work]}
+                <Icon name="add" /> {nameOf(hand, work)}
               </button>
             </li>
           ))}
@@ -29,14 +38,13 @@ export function handOffer({ hand }: InsertTexts, site: Site, onTake: (work: Hand
       </section>
     );
   return (sought) => {
-    if (sought === null)
-      return { count: 0, best: null, shown: rows(HAND_WORKS.filter((work) => belongsTo(work, site))) };
+    if (sought === null) return { count: 0, best: null, shown: rows(WORKS.filter((work) => belongsTo(work, site))) };
     const words = withoutAccents(sought).split(/\s+/);
-    const found = HAND_WORKS.filter((work) => words.every((word) => withoutAccents(hand.of[work]).includes(word)));
+    const found = WORKS.filter((work) => words.every((word) => withoutAccents(nameOf(hand, work)).includes(word)));
     const [first] = found;
     return {
       count: found.length,
-      best: first ? { name: hand.of[first], go: () => onTake(first) } : null,
+      best: first ? { name: nameOf(hand, first), go: () => onTake(first) } : null,
       shown: rows(found),
     };
   };

@@ -48,6 +48,7 @@ export const contour = {
     "Winkel, Länge oder T für tangential eingeben und Koordinaten weglassen: Sie werden vorwärts und rückwärts berechnet. Ein Fragezeichen lässt jede Koordinate offen. Das Programm enthält die berechneten Koordinaten.",
   round: (element) => `Ecke nach Element ${element} runden`,
   chamfer: (element) => `Ecke nach Element ${element} fasen`,
+  undercut: (element) => `Freistich in die Ecke nach Element ${element}`,
   drawTools: "Zeichenwerkzeuge",
   views: { label: "Bild", draw: "Kontur", lathe: "Drehen" },
   modeShort: { move: "Schieben", draw: "Zeichnen", round: "Runden", chamfer: "Fasen" },

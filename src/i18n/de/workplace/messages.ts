@@ -287,6 +287,8 @@ export const messages = {
       `Ein Vorschub von ${w.number(d.feed)} ${d.unit} ist unwahrscheinlich. M136 prüfen: Mit M136 gilt F in mm pro Umdrehung.`,
     drillTooShort: (d, w) =>
       `Die Bohrung ist ${w.size(d.depth)} tief, die Schneiden des Bohrers (LCUTS) sind ${w.size(d.edges)} lang: Der Schaft kann reiben.`,
+    centreMouth: (d, w) =>
+      `Die Zentrierbohrung hat an der Planfläche ⌀${w.size(d.mouth)} statt ⌀${w.size(d.wanted)}: Ihr Bohrer braucht die Tiefe ${w.size(d.depth)}.`,
     pitchOfTap: (d, w) =>
       `Q239 ist ${w.size(d.pitch)}, der Gewindebohrer in der Tabelle hat aber PITCH ${w.size(d.tap)}.`,
     freeChosen: () =>

@@ -48,6 +48,7 @@ export const contour = {
     "Enter an angle, a length or T (tangential) and omit coordinates: they are calculated forwards and backwards. A question mark leaves any coordinate open. The program contains the calculated coordinates.",
   round: (element: number) => `Round the corner after element ${element}`,
   chamfer: (element: number) => `Chamfer the corner after element ${element}`,
+  undercut: (element: number) => `Undercut in the corner after element ${element}`,
   drawTools: "Drawing tools",
   views: { label: "Picture", draw: "Contour", lathe: "Lathe" },
   modeShort: { move: "Move", draw: "Draw", round: "Round", chamfer: "Chamfer" },

@@ -277,6 +277,8 @@ export const messages = {
       `A feed of ${w.number(d.feed)} ${d.unit} is unlikely. Check M136: with M136, F is in mm per revolution.`,
     drillTooShort: (d, w) =>
       `The bore is ${w.size(d.depth)} deep, but the drill edges (LCUTS) are ${w.size(d.edges)} long: the shank may rub.`,
+    centreMouth: (d, w) =>
+      `The centre hole has ⌀${w.size(d.mouth)} at the face instead of ⌀${w.size(d.wanted)}: its drill needs a depth of ${w.size(d.depth)}.`,
     pitchOfTap: (d, w) => `Q239 is ${w.size(d.pitch)}, but the tap in the table has PITCH ${w.size(d.tap)}.`,
     freeChosen: () =>
       "From here several contours match the given values: the shortest is shown. The control uses the one " +

@@ -48,6 +48,7 @@ export const contour = {
     "Saisir un angle, une longueur ou T (tangent) et omettre des coordonnées : elles sont calculées en avant et en arrière. Un point d’interrogation laisse une coordonnée ouverte. Le programme contient les coordonnées calculées.",
   round: (element) => `Arrondir l’angle après l’élément ${element}`,
   chamfer: (element) => `Chanfreiner l’angle après l’élément ${element}`,
+  undercut: (element) => `Dégagement dans l’angle après l’élément ${element}`,
   drawTools: "Outils de dessin",
   views: { label: "Image", draw: "Contour", lathe: "Tour" },
   modeShort: { move: "Déplacer", draw: "Dessiner", round: "Arrondir", chamfer: "Chanfreiner" },

@@ -285,6 +285,8 @@ export const messages = {
       `Une avance de ${w.number(d.feed)} ${d.unit} est peu vraisemblable. Vérifier M136 : avec M136, F est en mm par tour.`,
     drillTooShort: (d, w) =>
       `Le trou a ${w.size(d.depth)} de profondeur, les arêtes du foret (LCUTS) ${w.size(d.edges)} : la queue peut frotter.`,
+    centreMouth: (d, w) =>
+      `Le trou de centre a ⌀${w.size(d.mouth)} à la face au lieu de ⌀${w.size(d.wanted)} : son foret demande une profondeur de ${w.size(d.depth)}.`,
     pitchOfTap: (d, w) => `Q239 vaut ${w.size(d.pitch)}, mais le taraud du tableau a un PITCH de ${w.size(d.tap)}.`,
     freeChosen: () =>
       "À partir d’ici, plusieurs contours correspondent aux données : le plus court est représenté. La commande " +

@@ -47,6 +47,7 @@ export const contour = {
     "输入角度、长度或 T（相切）并省略坐标，坐标会向前和向后计算。问号可让任何坐标待定。程序中写入计算出的坐标。",
   round: (element) => `将元素 ${element} 后的角倒圆`,
   chamfer: (element) => `将元素 ${element} 后的角倒角`,
+  undercut: (element) => `在元素 ${element} 后的角处加退刀槽`,
   drawTools: "绘图工具",
   views: { label: "图形", draw: "轮廓", lathe: "车削" },
   modeShort: { move: "移动", draw: "绘制", round: "倒圆", chamfer: "倒角" },

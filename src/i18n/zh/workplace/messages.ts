@@ -208,6 +208,8 @@ export const messages = {
     feedUnlikely: (d, w) => `${w.number(d.feed)} ${d.unit}的进给不合理。请检查M136：编程M136时F为毫米/转。`,
     drillTooShort: (d, w) =>
       `孔深${w.size(d.depth)}，而钻头切削刃长度（LCUTS）为${w.size(d.edges)}：钻柄可能摩擦孔壁。`,
+    centreMouth: (d, w) =>
+      `中心孔在端面处为⌀${w.size(d.mouth)}，应为⌀${w.size(d.wanted)}：其钻头需要深度${w.size(d.depth)}。`,
     pitchOfTap: (d, w) => `Q239为${w.size(d.pitch)}，而刀具表中丝锥的PITCH为${w.size(d.tap)}。`,
     freeChosen: () => "从这里起有多个轮廓符合所给数据：显示最短的轮廓。数控系统采用FSELECT选择的轮廓。",
     freeUnsolved: (d, w) => `${w.text(d.form)}：所给数据不能确定该元素，或相互矛盾。请给出更多数据，或使用FSELECT。`,
