@@ -1,0 +1,187 @@
+import type { Part21Entity, Part21Value } from "../../files/part21.ts";
+import { enumerationIn, listIn, numberIn, recordOf } from "../../files/part21-values.ts";
+import { domainOf, evenKnots, isSpline, knotsOf, splineAt, weighted, type Spline } from "./spline.ts";
+import type { StepGeometry } from "./step-geometry.ts";
+import { inFrame, vec3, type Vec3 } from "./vec3.ts";
+
+/** A curve of a solid over its parameter. */
+export interface StepCurve {
+  readonly kind: "line" | "round" | "conic" | "spline";
+  readonly at: (t: number) => Vec3;
+  /** Parameter of a point on the curve. */
+  readonly parameterOf: (p: Vec3) => number;
+  /** A full turn of circle and ellipse. */
+  readonly period: number | null;
+  /** Ends of a spline. */
+  readonly range: readonly [number, number] | null;
+}
+
+/** Points at which a spline is looked at to find the parameter of a point. */
+const LOOKS = 64;
+const MOST_POINTS = 5000;
+
+function splineCurve(s: Spline): StepCurve {
+  const [from, to] = domainOf(s),
+    at = (t: number) => splineAt(s, t);
+  const parameterOf = (p: Vec3) => {
+    if (vec3.apart(p, at(from)) < 1e-4) return from;
+    if (vec3.apart(p, at(to)) < 1e-4) return to;
+    let best = from,
+      near = Infinity,
+      step = (to - from) / LOOKS;
+    for (let i = 0; i <= LOOKS; i += 1) {
+      const far = vec3.apart(p, at(from + i * step));
+      if (far < near) [best, near] = [from + i * step, far];
+    }
+    for (; step > (to - from) * 1e-9; step /= 2)
+      for (const t of [best - step, best + step]) {
+        const far = vec3.apart(p, at(t));
+        if (far < near) [best, near] = [Math.min(Math.max(t, from), to), far];
+      }
+    return best;
+  };
+  return { kind: "spline", at, parameterOf, period: null, range: [from, to] };
+}
+
+/** Control points of a list; null where one is missing. */
+export function controlPoints(g: StepGeometry, list: Part21Value, weights: readonly Part21Value[] | null) {
+  const refs = listIn(list);
+  if (refs.length > MOST_POINTS) return null;
+  const points = refs.flatMap((v, i) => {
+    const p = g.point(v),
+      w = weights ? numberIn(weights[i]) : 1;
+    return p && w !== null ? [weighted(p, w)] : [];
+  });
+  return points.length === refs.length ? points : null;
+}
+
+/** One record with all parameters, the name first; a complex instance divides them among its records. */
+export const isSimple = (entity: Part21Entity) => entity.length === 1;
+
+/** Numbers of a list. */
+export const numbersIn = (v: Part21Value) => listIn(v).flatMap((n) => numberIn(n) ?? []);
+
+function splineOf(g: StepGeometry, v: Part21Value): StepCurve | null {
+  const entity = g.entity(v);
+  if (!entity) return null;
+  const withKnots = recordOf(entity, "B_SPLINE_CURVE_WITH_KNOTS"),
+    whole = isSimple(entity);
+  const base = whole ? entity[0]?.values.slice(1) : recordOf(entity, "B_SPLINE_CURVE")?.values;
+  const degree = base ? numberIn(base[0]) : null;
+  if (!base || degree === null) return null;
+  const points = controlPoints(g, base[1], whole ? null : (weightsOf(entity, "RATIONAL_B_SPLINE_CURVE") ?? null));
+  if (!points) return null;
+  const given = whole ? withKnots?.values.slice(6) : withKnots?.values;
+  const knots = given
+    ? knotsOf(numbersIn(given[1]), numbersIn(given[0]))
+    : evenKnots(points.length, degree, !recordOf(entity, "UNIFORM_CURVE"));
+  const spline = knots && { degree, points, knots };
+  return spline && isSpline(spline) ? splineCurve(spline) : null;
+}
+
+/** Weights of a rational record. */
+export const weightsOf = (entity: Parameters<typeof recordOf>[0], type: string) => {
+  const r = recordOf(entity, type);
+  return r && listIn(r.values[0]);
+};
+
+const SPLINES = ["B_SPLINE_CURVE_WITH_KNOTS", "B_SPLINE_CURVE", "BEZIER_CURVE", "QUASI_UNIFORM_CURVE", "UNIFORM_CURVE"];
+
+/** Curve of an entity; null for a kind that is not read. Curves on surfaces and trimmed ones are their basis. */
+export function stepCurve(g: StepGeometry, v: Part21Value, depth = 0): StepCurve | null {
+  const entity = g.entity(v);
+  if (!entity || depth > 5) return null;
+  if (entity.some((r) => SPLINES.includes(r.type))) return splineOf(g, v);
+  const { type, values } = entity[0] ?? { type: "", values: [] };
+  const onSurface = entity.find((r) => /^(SURFACE|SEAM|INTERSECTION|BOUNDED_SURFACE)_CURVE$/.test(r.type));
+  if (onSurface) return stepCurve(g, onSurface.values[isSimple(entity) ? 1 : 0], depth + 1);
+  switch (type) {
+    case "LINE": {
+      const from = g.point(values[1]),
+        vector = g.values(values[2], "VECTOR"),
+        d = vector && g.direction(vector[1]);
+      if (!from || !d) return null;
+      return {
+        kind: "line",
+        at: (t) => vec3.plus(from, vec3.times(d, t)),
+        parameterOf: (p) => vec3.dot(vec3.minus(p, from), d),
+        period: null,
+        range: null,
+      };
+    }
+    case "CIRCLE":
+    case "ELLIPSE":
+    case "HYPERBOLA": {
+      const f = g.frame(values[1]),
+        a = g.length(values[2]),
+        b = type === "CIRCLE" ? a : g.length(values[3]);
+      if (!f || a === null || b === null || a <= 0 || b <= 0) return null;
+      const x = (p: Vec3) => vec3.dot(vec3.minus(p, f.origin), f.x) / a,
+        y = (p: Vec3) => vec3.dot(vec3.minus(p, f.origin), f.y) / b;
+      return type === "HYPERBOLA"
+        ? {
+            kind: "conic",
+            at: (t) => inFrame(f, a * Math.cosh(t), b * Math.sinh(t)),
+            parameterOf: (p) => Math.asinh(y(p)),
+            period: null,
+            range: null,
+          }
+        : {
+            kind: "round",
+            at: (t) => inFrame(f, a * Math.cos(t), b * Math.sin(t)),
+            parameterOf: (p) => Math.atan2(y(p), x(p)),
+            period: 2 * Math.PI,
+            range: null,
+          };
+    }
+    case "PARABOLA": {
+      const f = g.frame(values[1]),
+        focal = g.length(values[2]);
+      if (!f || focal === null || focal <= 0) return null;
+      return {
+        kind: "conic",
+        at: (t) => inFrame(f, focal * t * t, 2 * focal * t),
+        parameterOf: (p) => vec3.dot(vec3.minus(p, f.origin), f.y) / (2 * focal),
+        period: null,
+        range: null,
+      };
+    }
+    case "POLYLINE": {
+      const points = controlPoints(g, values[1], null);
+      if (!points || points.length < 2) return null;
+      return splineCurve({ degree: 1, points, knots: evenKnots(points.length, 1, true) });
+    }
+    case "TRIMMED_CURVE":
+      return trimmed(g, values, depth);
+    default:
+      return null;
+  }
+}
+
+/** A trimmed curve: its basis, with the ends where they are given as points. */
+function trimmed(g: StepGeometry, values: readonly Part21Value[], depth: number): StepCurve | null {
+  const basis = stepCurve(g, values[1], depth + 1);
+  if (!basis) return null;
+  const end = (list: Part21Value) => {
+    for (const v of listIn(list)) {
+      const p = g.point(v);
+      if (p) return basis.parameterOf(p);
+    }
+    return null;
+  };
+  const [a, b] = [end(values[2]), end(values[3])];
+  if (a === null || b === null) return basis;
+  const forward = enumerationIn(values[4]) !== "F";
+  return { ...basis, range: basis.period === null ? [Math.min(a, b), Math.max(a, b)] : turnBetween(a, b, forward) };
+}
+
+/** Angles from a to b in a direction, at most a full turn; equal angles are a full turn. */
+export function turnBetween(a: number, b: number, forward: boolean): readonly [number, number] {
+  const turn = 2 * Math.PI,
+    ahead = (((b - a) % turn) + turn) % turn,
+    // Rounding must not make a full turn nothing, or nothing a full turn.
+    sweep = ahead < 1e-9 ? turn : ahead;
+  if (forward) return [a, a + sweep];
+  const back = turn - ahead;
+  return [a, a - (back < 1e-9 ? turn : back)];
+}
