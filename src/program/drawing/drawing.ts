@@ -41,6 +41,8 @@ export interface NoteValues {
   readonly hiddenLayer: { readonly layer: string; readonly count: number };
   readonly invisible: { readonly count: number };
   readonly paperSpace: { readonly count: number };
+  /** Model space is empty: the layout was read, whose scale is unknown. */
+  readonly paperUsed: {};
   readonly skipped: { readonly kind: string; readonly count: number };
   readonly broken: { readonly count: number };
   readonly missingBlock: { readonly block: string };

@@ -1,0 +1,89 @@
+import { part } from "../../kernel/geometry/point.ts";
+import type { Drawing, DrawingNote } from "./drawing.ts";
+import { withoutDoubles } from "./merge.ts";
+
+export { contourOf } from "./contour-of.ts";
+export { propose } from "./propose.ts";
+
+/** A file as it was opened. */
+export interface DrawingFile {
+  readonly name: string;
+  readonly bytes: Uint8Array;
+}
+
+/** A kind of drawing: the ends of its file names, its first bytes, and its reader, which is fetched on first use. */
+interface Format {
+  readonly kind: string;
+  readonly extensions: readonly string[];
+  /** Whether the first characters of a file are of this kind, whatever its name. */
+  readonly begins: RegExp;
+  readonly load: () => Promise<(bytes: Uint8Array, unit?: "mm" | "inch") => Drawing>;
+}
+
+const FORMATS: readonly Format[] = [
+  {
+    kind: "DXF",
+    extensions: ["dxf"],
+    begins: /^(?:\uFEFF|ï»¿)?\s*(?:999\s|0\s+SECTION)|^AutoCAD Binary DXF/,
+    load: async () => (await import("./dxf/read-dxf.ts")).readDxf,
+  },
+];
+
+/** Endings of the file names that can be opened, as in `accept` of a file field. */
+export const DRAWING_FILES: string = FORMATS.flatMap((f) => f.extensions.map((e) => `.${e}`)).join(",");
+/** Largest file that is read, bytes. */
+export const LARGEST_DRAWING = 30_000_000;
+
+const refused = (note: DrawingNote): Drawing => ({
+  curves: [],
+  unit: { unit: "mm", source: "assumed" },
+  texts: [],
+  tolerance: 0,
+  notes: [note],
+});
+
+/** Lines drawn twice are one; a drawing without a unit says its size; one without lines is an error. */
+function finished(drawing: Drawing): Drawing {
+  if (drawing.notes.some((n) => n.severity === "error")) return drawing;
+  const { curves, doubled } = withoutDoubles(drawing.curves);
+  const notes: DrawingNote[] = [...drawing.notes];
+  if (doubled > 0) notes.push({ code: "doubled", severity: "info", values: { count: doubled } });
+  if (curves.length === 0) notes.unshift({ code: "nothing", severity: "error", values: {} });
+  else if (drawing.unit.source === "assumed") {
+    const boxes = curves.map((c) => part.boxOf(c.segment)),
+      span = (low: (b: (typeof boxes)[number]) => number, high: (b: (typeof boxes)[number]) => number) =>
+        boxes.reduce((most, b) => Math.max(most, high(b)), -Infinity) -
+        boxes.reduce((least, b) => Math.min(least, low(b)), Infinity);
+    const values = {
+      width: span(
+        (b) => b.left,
+        (b) => b.right,
+      ),
+      height: span(
+        (b) => b.low,
+        (b) => b.high,
+      ),
+    };
+    notes.unshift({ code: "unitAssumed", severity: "warning", values });
+  }
+  return { ...drawing, curves, notes };
+}
+
+/**
+ * Reads a drawing of any known kind; the unit replaces the one of the file. What cannot be read is a note of severity
+ * error. Rejects only when the reader's code cannot be loaded.
+ */
+export async function readDrawing(file: DrawingFile, unit?: "mm" | "inch"): Promise<Drawing> {
+  const { bytes, name } = file;
+  if (bytes.length > LARGEST_DRAWING)
+    return refused({ code: "tooLarge", severity: "error", values: { limit: LARGEST_DRAWING / 1e6 } });
+  const head = String.fromCharCode(...bytes.subarray(0, 400)),
+    ending = /\.([^.]+)$/.exec(name.toLowerCase())?.[1] ?? "";
+  const format = FORMATS.find((f) => f.begins.test(head)) ?? FORMATS.find((f) => f.extensions.includes(ending));
+  if (!format) {
+    const kinds = FORMATS.map((f) => f.kind).join(", ");
+    return refused({ code: "unknownKind", severity: "error", values: { kinds } });
+  }
+  const read = await format.load();
+  return finished(read(bytes, unit));
+}

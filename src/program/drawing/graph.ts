@@ -1,0 +1,246 @@
+import { at, part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
+import { overlap, type Box } from "../../kernel/geometry/segments.ts";
+import { splitAt, TOUCHING, type HalfCurve } from "./halves.ts";
+
+/** A line or arc between two nodes; `isAxis`: added along the axis, part of no contour. */
+export interface Edge {
+  from: number;
+  to: number;
+  readonly segment: Segment;
+  readonly source: number;
+  readonly isAxis: boolean;
+}
+
+/** A gap between two ends that was closed. */
+export interface Join {
+  readonly width: number;
+  readonly at: Pt;
+  readonly node: number;
+}
+
+export interface Graph {
+  readonly nodes: readonly Pt[];
+  readonly edges: readonly Edge[];
+  readonly joins: readonly Join[];
+}
+
+/** Many loose ends are no outline with gaps: they are joined no farther than this, mm. */
+const MOST_LOOSE = 5000,
+  NARROW = 0.02;
+/** Most points in which curves are divided; drawings with more crossings are taken as drawn. */
+const MOST_CUTS = 60_000;
+
+const wider = (b: Box, by: number): Box => ({
+  left: b.left - by,
+  right: b.right + by,
+  low: b.low - by,
+  high: b.high + by,
+});
+
+/** Calls for each pair of curves whose boxes overlap, in order of their left ends. */
+function pairs(curves: readonly HalfCurve[], call: (a: number, b: number) => boolean): void {
+  const boxes = curves.map((c) => wider(part.boxOf(c.segment), TOUCHING)),
+    order = boxes.map((_, i) => i).toSorted((i, j) => (boxes[i]?.left ?? 0) - (boxes[j]?.left ?? 0));
+  let open: number[] = [];
+  for (const i of order) {
+    const box = boxes[i];
+    if (!box) continue;
+    open = open.filter((j) => (boxes[j]?.right ?? 0) >= box.left);
+    for (const j of open) {
+      const other = boxes[j];
+      if (other && overlap(box, other) && !call(i, j)) return;
+    }
+    open.push(i);
+  }
+}
+
+/** Curves divided where others end on them or cross them. */
+function divided(curves: readonly HalfCurve[]): HalfCurve[] {
+  const cuts: Pt[][] = curves.map(() => []);
+  let count = 0;
+  pairs(curves, (i, j) => {
+    const [a, b] = [curves[i]?.segment, curves[j]?.segment];
+    if (!a || !b) return true;
+    const cut = (s: Segment, index: number, p: Pt) => {
+      if (part.apart(p, s.from) > TOUCHING && part.apart(p, s.to) > TOUCHING && part.distanceTo(s, p) <= TOUCHING) {
+        cuts[index]?.push(p);
+        count += 1;
+      }
+    };
+    for (const p of [a.from, a.to]) cut(b, j, p);
+    for (const p of [b.from, b.to]) cut(a, i, p);
+    for (const p of part.meetings(a, b))
+      if (part.distanceTo(a, p) <= TOUCHING && part.distanceTo(b, p) <= TOUCHING) {
+        cut(a, i, p);
+        cut(b, j, p);
+      }
+    return count < MOST_CUTS;
+  });
+  if (count >= MOST_CUTS) return [...curves];
+  return curves.flatMap(({ segment, source }, i) =>
+    splitAt(segment, distinct(cuts[i] ?? [])).map((s) => ({ segment: s, source })),
+  );
+}
+const distinct = (points: readonly Pt[]) =>
+  points.filter((p, i) => points.findIndex((q) => part.apart(p, q) <= TOUCHING) === i);
+
+/** Points in a grid, so that near ones are found quickly. */
+class Places {
+  readonly all: Pt[] = [];
+  private readonly cells = new Map<string, number[]>();
+  private readonly reach: number;
+
+  constructor(reach: number) {
+    this.reach = reach;
+  }
+
+  private key = (p: Pt, dz: number, dr: number) =>
+    `${Math.floor(p.z / this.reach) + dz} ${Math.floor(p.r / this.reach) + dr}`;
+
+  add(p: Pt): number {
+    const index = this.all.push(p) - 1,
+      key = this.key(p, 0, 0),
+      there = this.cells.get(key);
+    if (there) there.push(index);
+    else this.cells.set(key, [index]);
+    return index;
+  }
+
+  /** Points within the reach, the nearest first. */
+  near(p: Pt): { readonly index: number; readonly far: number }[] {
+    return [-1, 0, 1]
+      .flatMap((dz) => [-1, 0, 1].flatMap((dr) => this.cells.get(this.key(p, dz, dr)) ?? []))
+      .map((index) => ({ index, far: part.apart(p, this.all[index] ?? p) }))
+      .filter(({ far }) => far <= this.reach)
+      .toSorted((a, b) => a.far - b.far);
+  }
+}
+
+/** Number of edges at each node. */
+export function degreesOf(nodes: readonly Pt[], edges: readonly Edge[]): number[] {
+  const degree = nodes.map(() => 0);
+  for (const e of edges) for (const n of [e.from, e.to]) degree[n] = (degree[n] ?? 0) + 1;
+  return degree;
+}
+
+/** Joins loose ends to the nearest loose end, then to the nearest curve, no farther than the gap; mutates the edges. */
+function joined(nodes: readonly Pt[], edges: Edge[], widest: number): Join[] {
+  const joins: Join[] = [],
+    degree = degreesOf(nodes, edges),
+    gap = degree.filter((d) => d === 1).length > MOST_LOOSE ? Math.min(widest, NARROW) : widest;
+  const places = new Places(gap),
+    numbers: number[] = [];
+  nodes.forEach((p, n) => {
+    if (degree[n] === 1) numbers[places.add(p)] = n;
+  });
+  const isBetween = (a: number, b: number) =>
+    edges.some((e) => (e.from === a && e.to === b) || (e.from === b && e.to === a));
+  const candidates = places.all
+    .flatMap((p, i) =>
+      places
+        .near(p)
+        .flatMap(({ index, far }) => (index > i ? [{ a: numbers[i] ?? 0, b: numbers[index] ?? 0, far }] : [])),
+    )
+    .toSorted((x, y) => x.far - y.far);
+  const done = new Set<number>();
+  const moved = new Map<number, number>();
+  for (const { a, b, far } of candidates) {
+    if (done.has(a) || done.has(b) || isBetween(a, b)) continue;
+    done.add(a).add(b);
+    moved.set(b, a);
+    joins.push({ width: far, at: middle(nodes[a], nodes[b]), node: a });
+  }
+  // A loose end that stops short of another curve, or of a corner.
+  const boxes = edges.map((e) => wider(part.boxOf(e.segment), gap));
+  for (const n of numbers) {
+    const p = nodes[n];
+    if (!p || done.has(n)) continue;
+    let best: { edge: number; far: number; on: Pt } | null = null;
+    edges.forEach((e, i) => {
+      const box = boxes[i];
+      if (!box || e.from === n || e.to === n || p.z < box.left || p.z > box.right || p.r < box.low || p.r > box.high)
+        return;
+      const on = part.nearestOn(e.segment, p),
+        far = part.apart(on, p);
+      if (far <= gap && (!best || far < best.far)) best = { edge: i, far, on };
+    });
+    const found = best as { edge: number; far: number; on: Pt } | null,
+      e = found && edges[found.edge];
+    if (!found || !e) continue;
+    done.add(n);
+    joins.push({ width: found.far, at: middle(p, found.on), node: n });
+    const end =
+      part.apart(found.on, e.segment.from) <= TOUCHING
+        ? e.from
+        : part.apart(found.on, e.segment.to) <= TOUCHING
+          ? e.to
+          : null;
+    if (end !== null) {
+      moved.set(n, end);
+      continue;
+    }
+    const [first, second] = splitAt(e.segment, [found.on]);
+    if (!first || !second) continue;
+    edges[found.edge] = { ...e, segment: first, to: n };
+    boxes[found.edge] = wider(part.boxOf(first), gap);
+    edges.push({ ...e, segment: second, from: n });
+    boxes.push(wider(part.boxOf(second), gap));
+  }
+  const target = (n: number): number => {
+    let to = n;
+    for (let i = 0; i < 4 && moved.has(to); i += 1) to = moved.get(to) ?? to;
+    return to;
+  };
+  for (const e of edges) {
+    e.from = target(e.from);
+    e.to = target(e.to);
+  }
+  return joins.map((j) => ({ ...j, node: target(j.node) }));
+}
+const middle = (a: Pt | undefined, b: Pt | undefined): Pt =>
+  a && b ? part.scaled(part.sum(a, b), 1 / 2) : (a ?? b ?? at(0, 0));
+
+/** Nodes and edges of the curves of a half: divided at their crossings, with loose ends joined up to the gap (mm). */
+export function graphOf(curves: readonly HalfCurve[], gap: number): Graph {
+  const places = new Places(TOUCHING);
+  const nodeAt = (p: Pt) => places.near(p)[0]?.index ?? places.add(p);
+  const edges: Edge[] = divided(curves).flatMap(({ segment, source }) => {
+    const [from, to] = [nodeAt(segment.from), nodeAt(segment.to)];
+    return from === to && part.lengthOf(segment) <= 2 * TOUCHING ? [] : [{ from, to, segment, source, isAxis: false }];
+  });
+  const joins = gap > TOUCHING ? joined(places.all, edges, gap) : [];
+  return { nodes: places.all, edges: edges.filter((e) => e.from !== e.to), joins };
+}
+
+/** Edges that hang together, as lists of indexes, and the pieces of the axis between the nodes of each on it. */
+export function componentsOf({ nodes, edges }: Graph): Edge[][] {
+  const parent = nodes.map((_, i) => i);
+  const root = (n: number): number => {
+    let at = n;
+    while (parent[at] !== at) {
+      const up = parent[parent[at] ?? at] ?? at;
+      parent[at] = up;
+      at = up;
+    }
+    return at;
+  };
+  for (const e of edges) parent[root(e.from)] = root(e.to);
+  const groups = new Map<number, Edge[]>();
+  for (const e of edges) {
+    const key = root(e.from),
+      there = groups.get(key);
+    if (there) there.push(e);
+    else groups.set(key, [e]);
+  }
+  return [...groups.values()].map((group) => {
+    const axis = [...new Set(group.flatMap((e) => [e.from, e.to]))]
+      .filter((n) => (nodes[n]?.r ?? 1) <= TOUCHING)
+      .toSorted((a, b) => (nodes[a]?.z ?? 0) - (nodes[b]?.z ?? 0));
+    const along = axis.slice(1).map((to, i): Edge => {
+      const from = axis[i] ?? to,
+        [p, q] = [nodes[from] ?? at(0, 0), nodes[to] ?? at(0, 0)];
+      return { from, to, segment: part.line(p, q), source: -1, isAxis: true };
+    });
+    return [...group, ...along];
+  });
+}
