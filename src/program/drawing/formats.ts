@@ -27,6 +27,12 @@ const FORMATS: readonly Format[] = [
     begins: /^(?:\uFEFF|ï»¿)?\s*(?:999\s|0\s+SECTION)|^AutoCAD Binary DXF/,
     load: async () => (await import("./dxf/read-dxf.ts")).readDxf,
   },
+  {
+    kind: "STEP",
+    extensions: ["step", "stp", "p21"],
+    begins: /^(?:\uFEFF|ï»¿)?\s*(?:\/\*[^]*?\*\/\s*)*ISO-10303-21\s*;/,
+    load: async () => (await import("./step/read-step.ts")).readStep,
+  },
 ];
 
 /** Endings of the file names that can be opened, as in `accept` of a file field. */

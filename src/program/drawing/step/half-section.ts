@@ -15,7 +15,7 @@ import {
 } from "./meridian.ts";
 import { pointsOfFace, type StepBody, type StepEdge, type StepFace } from "./step-body.ts";
 import type { StepSurface } from "./step-surface.ts";
-import { vec3, type Vec3 } from "./vec3.ts";
+import { add, minus, times, dot3, cross3, unit3, type V3 } from "../space.ts";
 
 /** A face with its surface. */
 export interface SurfacedFace {
@@ -70,10 +70,10 @@ function isPierced(axis: Axis3, face: StepFace): boolean {
       for (let i = 0; i + 1 < edge.points.length; i += 1) {
         const [p, q] = [edge.points[i], edge.points[i + 1]];
         if (!p || !q) continue;
-        const [a, b] = [vec3.minus(p, axis.origin), vec3.minus(q, axis.origin)],
-          flat = (v: Vec3) => vec3.minus(v, vec3.times(axis.direction, vec3.dot(v, axis.direction)));
+        const [a, b] = [minus(p, axis.origin), minus(q, axis.origin)],
+          flat = (v: V3) => minus(v, times(axis.direction, dot3(v, axis.direction)));
         const [u, v] = [flat(a), flat(b)];
-        sum += Math.atan2(vec3.dot(vec3.cross(u, v), axis.direction), vec3.dot(u, v));
+        sum += Math.atan2(dot3(cross3(u, v), axis.direction), dot3(u, v));
       }
     return Math.abs(sum) > Math.PI;
   });
@@ -88,15 +88,15 @@ function wayInto({ face }: SurfacedFace, m: Meridian, axis: Axis3): number {
     const place = sectionPoint(axis, p),
       t = meridianParameter(m, place),
       n = meridianNormal(m, t),
-      d = vec3.minus(p, axis.origin);
-    const radial = vec3.unit(vec3.minus(d, vec3.times(axis.direction, vec3.dot(d, axis.direction)))),
-      ahead = vec3.unit(vec3.minus(q, p));
+      d = minus(p, axis.origin);
+    const radial = unit3(minus(d, times(axis.direction, dot3(d, axis.direction)))),
+      ahead = unit3(minus(q, p));
     if (!radial || !ahead) continue;
     const sign = face.sense ? 1 : -1,
-      normal = vec3.plus(vec3.times(axis.direction, n.z * sign), vec3.times(radial, n.r * sign)),
-      inside = vec3.cross(normal, ahead);
+      normal = add(times(axis.direction, n.z * sign), times(radial, n.r * sign)),
+      inside = cross3(normal, ahead);
     const way = meridianDirection(m, t),
-      along = vec3.dot(inside, axis.direction) * way.z + vec3.dot(inside, radial) * way.r;
+      along = dot3(inside, axis.direction) * way.z + dot3(inside, radial) * way.r;
     if (Math.abs(along) > 0.5) return Math.sign(along);
   }
   return 0;
@@ -182,7 +182,8 @@ function union(spans: readonly (readonly [number, number])[], near: number, isRo
   return out;
 }
 
-const nearOf = (m: Meridian) => (m.kind === "arc" ? MEET / m.size : m.kind === "line" ? MEET : (m.profile.to - m.profile.from) * 1e-6);
+const nearOf = (m: Meridian) =>
+  m.kind === "arc" ? MEET / m.size : m.kind === "line" ? MEET : (m.profile.to - m.profile.from) * 1e-6;
 
 /** Segments of a part of a meridian. */
 function segmentsOf(m: Meridian, from: number, to: number): readonly Segment[] {
@@ -249,7 +250,7 @@ export function halfSection(body: StepBody, faces: readonly SurfacedFace[], axis
     const run = runs.find(
       (r) =>
         isSameMeridian(r.meridian, m) &&
-        (part.dot(meridianNormal(r.meridian, moved(r.meridian, m, span[0])), normal) > 0) === (r.outward === outward),
+        part.dot(meridianNormal(r.meridian, moved(r.meridian, m, span[0])), normal) > 0 === (r.outward === outward),
     );
     if (!run) runs.push({ meridian: m, kind: f.surface.kind, outward, spans: [span] });
     else if (m.kind === "arc") run.spans = [...run.spans, span];

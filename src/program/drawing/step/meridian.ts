@@ -1,10 +1,10 @@
 import { at, part, type Pt } from "../../../kernel/geometry/point.ts";
-import { vec3, type Vec3 } from "./vec3.ts";
+import { minus, dot3, cross3, size3, type V3 } from "../space.ts";
 
 /** Axis of revolution: a point and a direction of length 1. */
 export interface Axis3 {
-  readonly origin: Vec3;
-  readonly direction: Vec3;
+  readonly origin: V3;
+  readonly direction: V3;
 }
 
 /** Surfaces and axes nearer than this are the same, mm: CAD systems write places to about 1e-5. */
@@ -18,18 +18,15 @@ export const ROUGH = 0.03;
 export const PARALLEL = 1e-5;
 
 /** Place of a point in the half section of an axis: z along it, r its distance. */
-export function sectionPoint(axis: Axis3, p: Vec3): Pt {
-  const d = vec3.minus(p, axis.origin),
-    z = vec3.dot(d, axis.direction);
-  return at(z, Math.sqrt(Math.max(vec3.dot(d, d) - z * z, 0)));
+export function sectionPoint(axis: Axis3, p: V3): Pt {
+  const d = minus(p, axis.origin),
+    z = dot3(d, axis.direction);
+  return at(z, Math.sqrt(Math.max(dot3(d, d) - z * z, 0)));
 }
 
 /** Whether a line is this axis, in either direction. */
 export function isSameAxis(axis: Axis3, other: Axis3): boolean {
-  return (
-    vec3.size(vec3.cross(axis.direction, other.direction)) < PARALLEL * 10 &&
-    sectionPoint(axis, other.origin).r < ALIKE
-  );
+  return size3(cross3(axis.direction, other.direction)) < PARALLEL * 10 && sectionPoint(axis, other.origin).r < ALIKE;
 }
 
 /**
@@ -57,8 +54,7 @@ const pointsOf = ({ point, from, to }: Profile) =>
 
 /** Parameter of the point of a meridian that is nearest. */
 export function meridianParameter(m: Meridian, p: Pt): number {
-  if (m.kind === "line")
-    return (p.z - m.origin.z) * m.direction.z + (p.r - m.origin.r) * m.direction.r;
+  if (m.kind === "line") return (p.z - m.origin.z) * m.direction.z + (p.r - m.origin.r) * m.direction.r;
   if (m.kind === "arc") return Math.atan2(p.r - m.centre.r, p.z - m.centre.z);
   const { point, from, to } = m.profile,
     far = (t: number) => part.apart(point(t), p);
@@ -108,10 +104,7 @@ export function isSameMeridian(a: Meridian, b: Meridian): boolean {
     );
   }
   return (
-    a.kind === "arc" &&
-    b.kind === "arc" &&
-    part.apart(a.centre, b.centre) < ALIKE &&
-    Math.abs(a.size - b.size) < ALIKE
+    a.kind === "arc" && b.kind === "arc" && part.apart(a.centre, b.centre) < ALIKE && Math.abs(a.size - b.size) < ALIKE
   );
 }
 
@@ -128,8 +121,9 @@ export function meridianOf(profile: Profile, left: boolean, tolerance: number): 
       return { kind: "line", origin: first, direction, left };
   } else if (points.every((p) => part.apart(p, first) <= tolerance)) return null;
   // The ends of a closed profile coincide: its thirds are apart.
-  const round = circleOnAxis(points, tolerance) ?? (
-    length > tolerance
+  const round =
+    circleOnAxis(points, tolerance) ??
+    (length > tolerance
       ? circleThrough(first, middle, last)
       : circleThrough(first, points[LOOKS / 3] ?? middle, points[(2 * LOOKS) / 3] ?? last));
   if (round && points.every((p) => Math.abs(part.apart(p, round.centre) - round.size) < tolerance)) {
@@ -145,7 +139,9 @@ function circleOnAxis(points: readonly Pt[], tolerance: number): { readonly cent
   if (!a || !b || Math.abs(a.z - b.z) < tolerance) return null;
   const centre = at((a.z + b.z) / 2 + ((a.r - b.r) * (a.r + b.r)) / (2 * (a.z - b.z)), 0),
     size = part.apart(a, centre);
-  return size < 1e5 && points.every((p) => Math.abs(part.apart(p, centre) - size) < tolerance) ? { centre, size } : null;
+  return size < 1e5 && points.every((p) => Math.abs(part.apart(p, centre) - size) < tolerance)
+    ? { centre, size }
+    : null;
 }
 
 /** Circle through three points; null when they are in line or the circle is of no size a part has. */

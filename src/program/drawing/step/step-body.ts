@@ -3,11 +3,12 @@ import { enumerationIn, listIn, recordOf, referenceIn } from "../../files/part21
 import { stepCurve, turnBetween } from "./step-curve.ts";
 import { StepGeometry, type StepUnits } from "./step-geometry.ts";
 import { stepUnits } from "./step-units.ts";
-import { vec3, type Vec3 } from "./vec3.ts";
+import { type V3 } from "../space.ts";
+import { apart3 } from "./frame.ts";
 
 /** Points of an edge in the direction of its loop; a vertex alone is one point. */
 export interface StepEdge {
-  readonly points: readonly Vec3[];
+  readonly points: readonly V3[];
   /** Neither line nor of an unknown kind. */
   readonly isCurved: boolean;
 }
@@ -39,10 +40,10 @@ export const STEP_LIMITS = { bodies: 200, faces: 20_000 };
 /** Points of a curved edge; those of a full circle are 15° apart. */
 const POINTS = 24;
 
-const straight = (from: Vec3, to: Vec3): StepEdge => ({ points: [from, to], isCurved: false });
+const straight = (from: V3, to: V3): StepEdge => ({ points: [from, to], isCurved: false });
 const backwards = (e: StepEdge): StepEdge => ({ ...e, points: e.points.toReversed() });
 /** Points of all edges of a face. */
-export const pointsOfFace = (face: StepFace): Vec3[] => face.bounds.flatMap((b) => b.flatMap((e) => [...e.points]));
+export const pointsOfFace = (face: StepFace): V3[] => face.bounds.flatMap((b) => b.flatMap((e) => [...e.points]));
 const isTrue = (v: Part21Value) => enumerationIn(v) !== "F";
 
 class Shells {
@@ -68,12 +69,12 @@ class Shells {
     return edge;
   }
 
-  private along(values: readonly Part21Value[], from: Vec3, to: Vec3): StepEdge {
+  private along(values: readonly Part21Value[], from: V3, to: V3): StepEdge {
     const curve = stepCurve(this.g, values[3]);
     if (!curve) return straight(from, to);
     const forward = isTrue(values[4]),
       [a, b] = [curve.parameterOf(from), curve.parameterOf(to)];
-    const isClosed = vec3.apart(from, to) < 1e-6;
+    const isClosed = apart3(from, to) < 1e-6;
     let range: readonly [number, number] = [a, b];
     if (curve.period !== null) range = isClosed ? turnBetween(a, a, forward) : turnBetween(a, b, forward);
     else if (isClosed && curve.range) range = forward ? curve.range : [curve.range[1], curve.range[0]];

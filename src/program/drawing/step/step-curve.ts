@@ -1,15 +1,17 @@
 import type { Part21Entity, Part21Value } from "../../files/part21.ts";
 import { enumerationIn, listIn, numberIn, recordOf } from "../../files/part21-values.ts";
-import { domainOf, evenKnots, isSpline, knotsOf, splineAt, weighted, type Spline } from "./spline.ts";
 import type { StepGeometry } from "./step-geometry.ts";
-import { inFrame, vec3, type Vec3 } from "./vec3.ts";
+import { add, minus, times, dot3, placed, type Spline3, type V3 } from "../space.ts";
+import { splineOf, splinePoint } from "../splines.ts";
+import { domainOf, repeatedKnots, uniformKnots } from "./spline-surface.ts";
+import { apart3 } from "./frame.ts";
 
 /** A curve of a solid over its parameter. */
 export interface StepCurve {
   readonly kind: "line" | "round" | "conic" | "spline";
-  readonly at: (t: number) => Vec3;
+  readonly at: (t: number) => V3;
   /** Parameter of a point on the curve. */
-  readonly parameterOf: (p: Vec3) => number;
+  readonly parameterOf: (p: V3) => number;
   /** A full turn of circle and ellipse. */
   readonly period: number | null;
   /** Ends of a spline. */
@@ -18,24 +20,23 @@ export interface StepCurve {
 
 /** Points at which a spline is looked at to find the parameter of a point. */
 const LOOKS = 64;
-const MOST_POINTS = 5000;
 
-function splineCurve(s: Spline): StepCurve {
+function splineCurve(s: Spline3): StepCurve {
   const [from, to] = domainOf(s),
-    at = (t: number) => splineAt(s, t);
-  const parameterOf = (p: Vec3) => {
-    if (vec3.apart(p, at(from)) < 1e-4) return from;
-    if (vec3.apart(p, at(to)) < 1e-4) return to;
+    at = (t: number) => splinePoint(s, t);
+  const parameterOf = (p: V3) => {
+    if (apart3(p, at(from)) < 1e-4) return from;
+    if (apart3(p, at(to)) < 1e-4) return to;
     let best = from,
       near = Infinity,
       step = (to - from) / LOOKS;
     for (let i = 0; i <= LOOKS; i += 1) {
-      const far = vec3.apart(p, at(from + i * step));
+      const far = apart3(p, at(from + i * step));
       if (far < near) [best, near] = [from + i * step, far];
     }
     for (; step > (to - from) * 1e-9; step /= 2)
       for (const t of [best - step, best + step]) {
-        const far = vec3.apart(p, at(t));
+        const far = apart3(p, at(t));
         if (far < near) [best, near] = [Math.min(Math.max(t, from), to), far];
       }
     return best;
@@ -43,15 +44,13 @@ function splineCurve(s: Spline): StepCurve {
   return { kind: "spline", at, parameterOf, period: null, range: [from, to] };
 }
 
-/** Control points of a list; null where one is missing. */
-export function controlPoints(g: StepGeometry, list: Part21Value, weights: readonly Part21Value[] | null) {
-  const refs = listIn(list);
-  if (refs.length > MOST_POINTS) return null;
-  const points = refs.flatMap((v, i) => {
-    const p = g.point(v),
-      w = weights ? numberIn(weights[i]) : 1;
-    return p && w !== null ? [weighted(p, w)] : [];
-  });
+/** Points of a list; null where one is missing. */
+export function pointsIn(g: StepGeometry, list: Part21Value): readonly V3[] | null {
+  const refs = listIn(list),
+    points = refs.flatMap((v) => {
+      const p = g.point(v);
+      return p ? [p] : [];
+    });
   return points.length === refs.length ? points : null;
 }
 
@@ -61,29 +60,21 @@ export const isSimple = (entity: Part21Entity) => entity.length === 1;
 /** Numbers of a list. */
 export const numbersIn = (v: Part21Value) => listIn(v).flatMap((n) => numberIn(n) ?? []);
 
-function splineOf(g: StepGeometry, v: Part21Value): StepCurve | null {
-  const entity = g.entity(v);
-  if (!entity) return null;
+function splineIn(g: StepGeometry, entity: Part21Entity): StepCurve | null {
   const withKnots = recordOf(entity, "B_SPLINE_CURVE_WITH_KNOTS"),
     whole = isSimple(entity);
   const base = whole ? entity[0]?.values.slice(1) : recordOf(entity, "B_SPLINE_CURVE")?.values;
-  const degree = base ? numberIn(base[0]) : null;
-  if (!base || degree === null) return null;
-  const points = controlPoints(g, base[1], whole ? null : (weightsOf(entity, "RATIONAL_B_SPLINE_CURVE") ?? null));
-  if (!points) return null;
+  const degree = base ? numberIn(base[0]) : null,
+    points = base ? pointsIn(g, base[1]) : null;
+  if (degree === null || !points) return null;
   const given = whole ? withKnots?.values.slice(6) : withKnots?.values;
-  const knots = given
-    ? knotsOf(numbersIn(given[1]), numbersIn(given[0]))
-    : evenKnots(points.length, degree, !recordOf(entity, "UNIFORM_CURVE"));
-  const spline = knots && { degree, points, knots };
-  return spline && isSpline(spline) ? splineCurve(spline) : null;
+  // Without knots a spline begins and ends in its points, as Bézier curves do.
+  const bare = recordOf(entity, "UNIFORM_CURVE") ? uniformKnots(points.length, degree) : [],
+    knots = given ? repeatedKnots(numbersIn(given[1]), numbersIn(given[0])) : bare;
+  const weights = recordOf(entity, "RATIONAL_B_SPLINE_CURVE")?.values[0],
+    made = knots && splineOf(degree, knots, points, numbersIn(weights));
+  return made && splineCurve(made[0]);
 }
-
-/** Weights of a rational record. */
-export const weightsOf = (entity: Parameters<typeof recordOf>[0], type: string) => {
-  const r = recordOf(entity, type);
-  return r && listIn(r.values[0]);
-};
 
 const SPLINES = ["B_SPLINE_CURVE_WITH_KNOTS", "B_SPLINE_CURVE", "BEZIER_CURVE", "QUASI_UNIFORM_CURVE", "UNIFORM_CURVE"];
 
@@ -91,7 +82,7 @@ const SPLINES = ["B_SPLINE_CURVE_WITH_KNOTS", "B_SPLINE_CURVE", "BEZIER_CURVE", 
 export function stepCurve(g: StepGeometry, v: Part21Value, depth = 0): StepCurve | null {
   const entity = g.entity(v);
   if (!entity || depth > 5) return null;
-  if (entity.some((r) => SPLINES.includes(r.type))) return splineOf(g, v);
+  if (entity.some((r) => SPLINES.includes(r.type))) return splineIn(g, entity);
   const { type, values } = entity[0] ?? { type: "", values: [] };
   const onSurface = entity.find((r) => /^(SURFACE|SEAM|INTERSECTION|BOUNDED_SURFACE)_CURVE$/.test(r.type));
   if (onSurface) return stepCurve(g, onSurface.values[isSimple(entity) ? 1 : 0], depth + 1);
@@ -103,8 +94,8 @@ export function stepCurve(g: StepGeometry, v: Part21Value, depth = 0): StepCurve
       if (!from || !d) return null;
       return {
         kind: "line",
-        at: (t) => vec3.plus(from, vec3.times(d, t)),
-        parameterOf: (p) => vec3.dot(vec3.minus(p, from), d),
+        at: (t) => add(from, times(d, t)),
+        parameterOf: (p) => dot3(minus(p, from), d),
         period: null,
         range: null,
       };
@@ -116,19 +107,19 @@ export function stepCurve(g: StepGeometry, v: Part21Value, depth = 0): StepCurve
         a = g.length(values[2]),
         b = type === "CIRCLE" ? a : g.length(values[3]);
       if (!f || a === null || b === null || a <= 0 || b <= 0) return null;
-      const x = (p: Vec3) => vec3.dot(vec3.minus(p, f.origin), f.x) / a,
-        y = (p: Vec3) => vec3.dot(vec3.minus(p, f.origin), f.y) / b;
+      const x = (p: V3) => dot3(minus(p, f.origin), f.x) / a,
+        y = (p: V3) => dot3(minus(p, f.origin), f.y) / b;
       return type === "HYPERBOLA"
         ? {
             kind: "conic",
-            at: (t) => inFrame(f, a * Math.cosh(t), b * Math.sinh(t)),
+            at: (t) => placed(f, [a * Math.cosh(t), b * Math.sinh(t), 0]),
             parameterOf: (p) => Math.asinh(y(p)),
             period: null,
             range: null,
           }
         : {
             kind: "round",
-            at: (t) => inFrame(f, a * Math.cos(t), b * Math.sin(t)),
+            at: (t) => placed(f, [a * Math.cos(t), b * Math.sin(t), 0]),
             parameterOf: (p) => Math.atan2(y(p), x(p)),
             period: 2 * Math.PI,
             range: null,
@@ -140,16 +131,16 @@ export function stepCurve(g: StepGeometry, v: Part21Value, depth = 0): StepCurve
       if (!f || focal === null || focal <= 0) return null;
       return {
         kind: "conic",
-        at: (t) => inFrame(f, focal * t * t, 2 * focal * t),
-        parameterOf: (p) => vec3.dot(vec3.minus(p, f.origin), f.y) / (2 * focal),
+        at: (t) => placed(f, [focal * t * t, 2 * focal * t, 0]),
+        parameterOf: (p) => dot3(minus(p, f.origin), f.y) / (2 * focal),
         period: null,
         range: null,
       };
     }
     case "POLYLINE": {
-      const points = controlPoints(g, values[1], null);
-      if (!points || points.length < 2) return null;
-      return splineCurve({ degree: 1, points, knots: evenKnots(points.length, 1, true) });
+      const points = pointsIn(g, values[1]),
+        made = points && splineOf(1, [], points, []);
+      return made && splineCurve(made[0]);
     }
     case "TRIMMED_CURVE":
       return trimmed(g, values, depth);

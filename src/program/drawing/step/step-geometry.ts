@@ -1,6 +1,7 @@
 import type { Part21Entity, Part21File, Part21Value } from "../../files/part21.ts";
 import { listIn, numberIn, referenceIn } from "../../files/part21-values.ts";
-import { frameOf, vec3, type Frame, type Vec3 } from "./vec3.ts";
+import { unit3, type Placing, type V3 } from "../space.ts";
+import { frameOf } from "./frame.ts";
 
 /** Sizes of the units of a representation: mm and radians for 1 of the file. */
 export interface StepUnits {
@@ -17,7 +18,7 @@ const FAR = 1e6;
 export class StepGeometry {
   readonly file: Part21File;
   readonly units: StepUnits;
-  private readonly points = new Map<number, Vec3 | null>();
+  private readonly points = new Map<number, V3 | null>();
 
   constructor(file: Part21File, units: StepUnits) {
     this.file = file;
@@ -42,13 +43,13 @@ export class StepGeometry {
     return n === null || Math.abs(n * this.units.length) > FAR ? null : n * this.units.length;
   }
 
-  private coordinates(list: Part21Value, scale: number): Vec3 | null {
+  private coordinates(list: Part21Value, scale: number): V3 | null {
     const [x, y, z = 0] = listIn(list).map(numberIn);
     if (typeof x !== "number" || typeof y !== "number" || typeof z !== "number") return null;
     return Math.max(Math.abs(x), Math.abs(y), Math.abs(z)) * scale > FAR ? null : [x * scale, y * scale, z * scale];
   }
 
-  point(v: Part21Value): Vec3 | null {
+  point(v: Part21Value): V3 | null {
     const id = referenceIn(v);
     if (id === null) return null;
     const known = this.points.get(id);
@@ -63,14 +64,14 @@ export class StepGeometry {
     return found;
   }
 
-  direction(v: Part21Value): Vec3 | null {
+  direction(v: Part21Value): V3 | null {
     const d = this.values(v, "DIRECTION"),
       c = d && this.coordinates(d[1], 1);
-    return c && vec3.unit(c);
+    return c && unit3(c);
   }
 
   /** AXIS1_PLACEMENT or AXIS2_PLACEMENT_3D; missing directions are those of the file's axes. */
-  frame(v: Part21Value): Frame | null {
+  frame(v: Part21Value): Placing | null {
     const p = this.values(v, "AXIS2_PLACEMENT_3D", "AXIS1_PLACEMENT"),
       origin = p && this.point(p[1]);
     return p && origin ? frameOf(origin, this.direction(p[2]) ?? [0, 0, 1], this.direction(p[3])) : null;

@@ -1,20 +1,22 @@
 import { at, type Pt } from "../../../kernel/geometry/point.ts";
-import type { Part21Value } from "../../files/part21.ts";
+import type { Part21Entity, Part21Value } from "../../files/part21.ts";
 import { enumerationIn, listIn, numberIn, recordOf } from "../../files/part21-values.ts";
-import {
-  ALIKE,
-  isSameAxis,
-  meridianOf,
-  PARALLEL,
-  ROUGH,
-  sectionPoint,
-  type Axis3,
-  type Meridian,
-} from "./meridian.ts";
-import { alongU, domainOf, evenKnots, exchanged, isSpline, knotsOf, splineAt, type SplineSurface } from "./spline.ts";
-import { controlPoints, isSimple, numbersIn, stepCurve, weightsOf, type StepCurve } from "./step-curve.ts";
+import { ALIKE, isSameAxis, meridianOf, PARALLEL, ROUGH, sectionPoint, type Axis3, type Meridian } from "./meridian.ts";
+import { isSimple, numbersIn, pointsIn, stepCurve, type StepCurve } from "./step-curve.ts";
 import type { StepGeometry } from "./step-geometry.ts";
-import { frameOf, vec3, type Frame, type Vec3 } from "./vec3.ts";
+import { add, minus, times, dot3, cross3, size3, unit3, type Placing, type V3 } from "../space.ts";
+import { splinePoint } from "../splines.ts";
+import {
+  alongU,
+  domainOf,
+  domainOfV,
+  exchanged,
+  repeatedKnots,
+  surfaceOf,
+  uniformKnots,
+  type SplineSurface,
+} from "./spline-surface.ts";
+import { frameOf } from "./frame.ts";
 
 /** A surface as far as turning goes. */
 export interface StepSurface {
@@ -22,7 +24,7 @@ export interface StepSurface {
   /** Axis of revolution; of a plane its normal through its origin; null for a sphere, which has every one, and others. */
   readonly axis: Axis3 | null;
   /** Centre of a sphere. */
-  readonly centre?: Vec3;
+  readonly centre?: V3;
   /** Its curve in the half section of an axis; null when it is not of revolution about that. */
   readonly meridian: (about: Axis3) => Meridian | null;
 }
@@ -33,12 +35,12 @@ const POINTS = 24;
 const PLAIN = 2e-4;
 
 const none: StepSurface = { kind: "other", axis: null, meridian: () => null };
-const axisOf = (f: Frame): Axis3 => ({ origin: f.origin, direction: f.z });
+const axisOf = (f: Placing): Axis3 => ({ origin: f.origin, direction: f.z });
 /** 1 when the direction of a surface is that of the axis, -1 against it, 0 when they are not parallel. */
-const along = (about: Axis3, d: Vec3) =>
-  vec3.size(vec3.cross(about.direction, d)) < PARALLEL * 10 ? Math.sign(vec3.dot(about.direction, d)) : 0;
+const along = (about: Axis3, d: V3) =>
+  size3(cross3(about.direction, d)) < PARALLEL * 10 ? Math.sign(dot3(about.direction, d)) : 0;
 
-function planeOf(f: Frame): StepSurface {
+function planeOf(f: Placing): StepSurface {
   return {
     kind: "plane",
     axis: axisOf(f),
@@ -52,7 +54,7 @@ function planeOf(f: Frame): StepSurface {
 }
 
 /** Cone or cylinder: the radius at the origin, and what it grows by along the axis. */
-function coneOf(f: Frame, size: number, slope: number): StepSurface {
+function coneOf(f: Placing, size: number, slope: number): StepSurface {
   const axis = axisOf(f);
   return {
     kind: slope === 0 ? "cylinder" : "cone",
@@ -67,7 +69,7 @@ function coneOf(f: Frame, size: number, slope: number): StepSurface {
   };
 }
 
-function torusOf(f: Frame, major: number, minor: number): StepSurface {
+function torusOf(f: Placing, major: number, minor: number): StepSurface {
   const axis = axisOf(f);
   return {
     kind: "torus",
@@ -79,7 +81,7 @@ function torusOf(f: Frame, major: number, minor: number): StepSurface {
   };
 }
 
-function sphereOf(f: Frame, size: number): StepSurface {
+function sphereOf(f: Placing, size: number): StepSurface {
   return {
     kind: "sphere",
     axis: null,
@@ -91,7 +93,6 @@ function sphereOf(f: Frame, size: number): StepSurface {
   };
 }
 
-
 /** A profile turned about an axis. A profile across the axis is taken on the side where it is farthest from it. */
 function revolved(curve: StepCurve, axis: Axis3): StepSurface {
   // A line has no ends: any part of it shows how it leans.
@@ -102,16 +103,16 @@ function revolved(curve: StepCurve, axis: Axis3): StepSurface {
     outwards = radialAt(axis, points[far] ?? axis.origin);
   const isFlat =
     outwards !== null &&
-    points.every((p) => Math.abs(vec3.dot(vec3.minus(p, axis.origin), vec3.cross(axis.direction, outwards))) < ALIKE);
+    points.every((p) => Math.abs(dot3(minus(p, axis.origin), cross3(axis.direction, outwards))) < ALIKE);
   return {
     kind: "revolution",
     axis,
     meridian: (about) => {
       if (!isSameAxis(about, axis)) return null;
       const turned = along(about, axis.direction) < 0;
-      const place = (p: Vec3): Pt => {
+      const place = (p: V3): Pt => {
         const s = sectionPoint(about, p);
-        return isFlat && vec3.dot(vec3.minus(p, axis.origin), outwards) < 0 ? at(s.z, -s.r) : s;
+        return isFlat && dot3(minus(p, axis.origin), outwards) < 0 ? at(s.z, -s.r) : s;
       };
       // A line that leans out of the plane of the axis makes a hyperboloid, which has no ends here.
       if (curve.kind === "line" && !isFlat) return null;
@@ -121,67 +122,59 @@ function revolved(curve: StepCurve, axis: Axis3): StepSurface {
   };
 }
 
-function radialAt(axis: Axis3, p: Vec3): Vec3 | null {
-  const d = vec3.minus(p, axis.origin);
-  return vec3.unit(vec3.minus(d, vec3.times(axis.direction, vec3.dot(d, axis.direction))));
+function radialAt(axis: Axis3, p: V3): V3 | null {
+  const d = minus(p, axis.origin);
+  return unit3(minus(d, times(axis.direction, dot3(d, axis.direction))));
 }
 
 /** Spline surface of an entity; null where its numbers do not fit. */
-function splineSurface(g: StepGeometry, v: Part21Value): SplineSurface | null {
-  const entity = g.entity(v);
-  if (!entity) return null;
+function splineSurface(g: StepGeometry, entity: Part21Entity): SplineSurface | null {
   const whole = isSimple(entity),
     base = whole ? entity[0]?.values.slice(1) : recordOf(entity, "B_SPLINE_SURFACE")?.values;
   const [degreeU, degreeV] = [base && numberIn(base[0]), base && numberIn(base[1])];
   if (!base || typeof degreeU !== "number" || typeof degreeV !== "number") return null;
-  const weights = whole ? undefined : weightsOf(entity, "RATIONAL_B_SPLINE_SURFACE"),
+  const weights = listIn(recordOf(entity, "RATIONAL_B_SPLINE_SURFACE")?.values[0]).map(numbersIn),
     lists = listIn(base[2]);
-  const rows = lists.flatMap((row, i) => {
-    const points = controlPoints(g, row, weights ? listIn(weights[i]) : null);
+  const rows = lists.flatMap((row) => {
+    const points = pointsIn(g, row);
     return points ? [points] : [];
   });
-  const knots = recordOf(entity, "B_SPLINE_SURFACE_WITH_KNOTS"),
-    given = whole ? knots?.values.slice(8) : knots?.values;
-  const width = rows[0]?.length ?? 0,
-    clamped = !recordOf(entity, "UNIFORM_SURFACE");
-  if (rows.length !== lists.length || rows.some((r) => r.length !== width) || rows.length * width > 40_000) return null;
-  const u = given ? knotsOf(numbersIn(given[2]), numbersIn(given[0])) : evenKnots(rows.length, degreeU, clamped),
-    w = given ? knotsOf(numbersIn(given[3]), numbersIn(given[1])) : evenKnots(width, degreeV, clamped);
-  if (!u || !w) return null;
-  const surface = { u: { degree: degreeU, knots: u }, v: { degree: degreeV, knots: w }, rows };
-  const fits = isSpline({ ...surface.v, points: rows[0] ?? [] }) && isSpline({ ...surface.u, points: rows.flatMap((r) => r.slice(0, 1)) });
-  return fits ? surface : null;
+  if (rows.length !== lists.length) return null;
+  const withKnots = recordOf(entity, "B_SPLINE_SURFACE_WITH_KNOTS"),
+    given = whole ? withKnots?.values.slice(8) : withKnots?.values,
+    isUniform = recordOf(entity, "UNIFORM_SURFACE") !== undefined;
+  const bare = (count: number, degree: number) => (isUniform ? uniformKnots(count, degree) : []);
+  const u = given ? repeatedKnots(numbersIn(given[2]), numbersIn(given[0])) : bare(rows.length, degreeU),
+    v = given ? repeatedKnots(numbersIn(given[3]), numbersIn(given[1])) : bare(rows[0]?.length ?? 0, degreeV);
+  return u && v && surfaceOf({ degree: degreeU, knots: u }, { degree: degreeV, knots: v }, rows, weights);
 }
 
 /** Axis of a circle through three points of space. */
-function axisThrough(a: Vec3, b: Vec3, c: Vec3): Axis3 | null {
-  const [ab, ac] = [vec3.minus(b, a), vec3.minus(c, a)],
-    normal = vec3.cross(ab, ac),
-    n = vec3.dot(normal, normal),
-    direction = vec3.unit(normal);
+function axisThrough(a: V3, b: V3, c: V3): Axis3 | null {
+  const [ab, ac] = [minus(b, a), minus(c, a)],
+    normal = cross3(ab, ac),
+    n = dot3(normal, normal),
+    direction = unit3(normal);
   if (!direction || n < 1e-10) return null;
-  const to = vec3.plus(
-    vec3.times(vec3.cross(normal, ab), vec3.dot(ac, ac)),
-    vec3.times(vec3.cross(ac, normal), vec3.dot(ab, ab)),
-  );
-  return { origin: vec3.plus(a, vec3.times(to, 1 / (2 * n))), direction };
+  const to = add(times(cross3(normal, ab), dot3(ac, ac)), times(cross3(ac, normal), dot3(ab, ab)));
+  return { origin: add(a, times(to, 1 / (2 * n))), direction };
 }
 
 /** Places at which a spline surface is looked at in each direction. */
 const LOOKS = 8;
 
 /** Normal of control points that lie in one plane; null for others. */
-function flatNormal(s: SplineSurface): Vec3 | null {
-  const points = s.rows.flatMap((row) => row.map(([x, y, z, w]): Vec3 => [x / w, y / w, z / w])),
-    at3 = (u: number, v: number) => splineAt(alongU(s, v), u);
-  const [u0, u1] = domainOf({ ...s.u, points: s.rows.flatMap((r) => r.slice(0, 1)) }),
-    [v0, v1] = domainOf({ ...s.v, points: s.rows[0] ?? [] }),
+function flatNormal(s: SplineSurface): V3 | null {
+  const points = s.points.flat(),
+    at3 = (u: number, v: number) => splinePoint(alongU(s, v), u);
+  const [u0, u1] = domainOfV(exchanged(s)),
+    [v0, v1] = domainOfV(s),
     [u, v] = [(u0 + u1) / 2, (v0 + v1) / 2],
     origin = at3(u, v);
-  const du = vec3.minus(at3(u + (u1 - u0) / 8, v), origin),
-    dv = vec3.minus(at3(u, v + (v1 - v0) / 8), origin),
-    normal = vec3.unit(vec3.cross(du, dv));
-  return normal && points.every((p) => Math.abs(vec3.dot(vec3.minus(p, origin), normal)) < PLAIN) ? normal : null;
+  const du = minus(at3(u + (u1 - u0) / 8, v), origin),
+    dv = minus(at3(u, v + (v1 - v0) / 8), origin),
+    normal = unit3(cross3(du, dv));
+  return normal && points.every((p) => Math.abs(dot3(minus(p, origin), normal)) < PLAIN) ? normal : null;
 }
 
 /**
@@ -189,10 +182,10 @@ function flatNormal(s: SplineSurface): Vec3 | null {
  * since some systems write their fillets as splines of a tolerance of their own.
  */
 function splineRevolved(s: SplineSurface, isExchanged: boolean): StepSurface | null {
-  const [from, to] = domainOf({ ...s.v, points: s.rows[0] ?? [] });
+  const [from, to] = domainOfV(s);
   const at3 = (curve: ReturnType<typeof alongU>, k: number) => {
     const [a, b] = domainOf(curve);
-    return splineAt(curve, a + (b - a) * k);
+    return splinePoint(curve, a + (b - a) * k);
   };
   const curves = Array.from({ length: LOOKS + 1 }, (_, j) => alongU(s, from + ((to - from) * j) / LOOKS)),
     looks = curves.map((c) => Array.from({ length: LOOKS + 1 }, (_, i) => at3(c, i / LOOKS)));
@@ -210,7 +203,7 @@ function splineRevolved(s: SplineSurface, isExchanged: boolean): StepSurface | n
     middle = axes[axes.length >> 1],
     own = middle && offOf(middle) < ROUGH ? middle : null;
   if (!own) return null;
-  const [u] = domainOf({ ...s.u, points: s.rows.flatMap((r) => r.slice(0, 1)) }),
+  const [u] = domainOfV(exchanged(s)),
     meridian = alongU(exchanged(s), u),
     wide = curves[LOOKS >> 1] ?? meridian;
   return {
@@ -220,9 +213,9 @@ function splineRevolved(s: SplineSurface, isExchanged: boolean): StepSurface | n
       const off = offOf(about);
       if (off > ROUGH) return null;
       const start = at3(wide, 0),
-        turn = vec3.cross(vec3.minus(start, about.origin), vec3.minus(at3(wide, 0.01), start));
+        turn = cross3(minus(start, about.origin), minus(at3(wide, 0.01), start));
       // The normal is du × dv; u turns about the axis, in its direction or against it.
-      const forwards = vec3.dot(turn, about.direction) > 0,
+      const forwards = dot3(turn, about.direction) > 0,
         profile = { point: (k: number) => sectionPoint(about, at3(meridian, k)), from: 0, to: 1 };
       return meridianOf(profile, forwards !== isExchanged, Math.max(off, PLAIN));
     },
@@ -236,20 +229,16 @@ function extruded(g: StepGeometry, values: readonly Part21Value[]): StepSurface 
     curve = stepCurve(g, values[1]);
   if (!d || !curve) return none;
   if (curve.kind === "line") {
-    const normal = vec3.unit(vec3.cross(vec3.minus(curve.at(1), curve.at(0)), d));
-    return normal ? planeOf({ origin: curve.at(0), z: normal, x: d, y: vec3.cross(normal, d) }) : none;
+    const normal = unit3(cross3(minus(curve.at(1), curve.at(0)), d));
+    return normal ? planeOf({ origin: curve.at(0), z: normal, x: d, y: cross3(normal, d) }) : none;
   }
   const [a, b] = curve.range ?? [0, 2 * Math.PI],
     axis = axisThrough(curve.at(a + (b - a) * 0.05), curve.at(a + (b - a) * 0.4), curve.at(a + (b - a) * 0.75));
-  if (!axis || vec3.size(vec3.cross(axis.direction, d)) > PARALLEL * 10) return none;
+  if (!axis || size3(cross3(axis.direction, d)) > PARALLEL * 10) return none;
   const sizes = Array.from({ length: 17 }, (_, i) => sectionPoint(axis, curve.at(a + ((b - a) * i) / 16)));
   const first = sizes[0];
   if (!first || sizes.some((p) => Math.abs(p.r - first.r) > PLAIN)) return none;
-  const ccw =
-    vec3.dot(
-      vec3.cross(vec3.minus(curve.at(a), axis.origin), vec3.minus(curve.at(a + (b - a) * 0.02), curve.at(a))),
-      d,
-    ) > 0;
+  const ccw = dot3(cross3(minus(curve.at(a), axis.origin), minus(curve.at(a + (b - a) * 0.02), curve.at(a))), d) > 0;
   return {
     kind: "cylinder",
     axis,
@@ -265,11 +254,11 @@ export function stepSurface(g: StepGeometry, v: Part21Value, depth = 0): StepSur
   const entity = g.entity(v);
   if (!entity || depth > 5) return none;
   if (entity.some((r) => /(B_SPLINE|BEZIER|UNIFORM)_SURFACE(_WITH_KNOTS)?$/.test(r.type))) {
-    const s = splineSurface(g, v);
+    const s = splineSurface(g, entity);
     if (!s) return none;
     const z = flatNormal(s),
-      [corner] = s.rows[0] ?? [];
-    if (z && corner) return planeOf(frameOf(vec3.times([corner[0], corner[1], corner[2]], 1 / corner[3]), z, null));
+      [corner] = s.points[0] ?? [];
+    if (z && corner) return planeOf(frameOf(corner, z, null));
     return splineRevolved(s, false) ?? splineRevolved(exchanged(s), true) ?? { ...none, kind: "spline" };
   }
   const { type, values } = entity[0] ?? { type: "", values: [] },
