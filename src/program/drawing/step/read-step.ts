@@ -33,7 +33,10 @@ interface Turned {
 function turnedBody(bodies: readonly StepBody[]): Turned | null {
   let best: Turned | null = null;
   for (const body of bodies) {
-    const faces = body.faces.map((face) => ({ face, surface: stepSurface(body.geometry, face.surface) })),
+    const faces = body.faces.map((face) => {
+        const corner = face.bounds[0]?.[0]?.points[0] ?? null;
+        return { face, surface: stepSurface(body.geometry, face.surface, corner) };
+      }),
       found = axisOfBody(faces);
     if (found && (!best || found.area > best.area)) best = { body, faces, ...found };
   }

@@ -4,7 +4,7 @@ import { enumerationIn, listIn, numberIn, recordOf } from "../../files/part21-va
 import { ALIKE, isSameAxis, meridianOf, PARALLEL, ROUGH, sectionPoint, type Axis3, type Meridian } from "./meridian.ts";
 import { isSimple, numbersIn, pointsIn, stepCurve, type StepCurve } from "./step-curve.ts";
 import type { StepGeometry } from "./step-geometry.ts";
-import { add, minus, times, dot3, cross3, size3, unit3, type Placing, type V3 } from "../space.ts";
+import { add, cross3, dot3, minus, size3, times, unit3, type Placing, type Spline3, type V3 } from "../space.ts";
 import { splinePoint } from "../splines.ts";
 import {
   alongU,
@@ -81,26 +81,35 @@ function torusOf(f: Placing, major: number, minor: number): StepSurface {
   };
 }
 
-function sphereOf(f: Placing, size: number): StepSurface {
+/** `left`: the normal points to the centre. */
+function sphereOf(centre: V3, size: number, left = false): StepSurface {
   return {
     kind: "sphere",
     axis: null,
-    centre: f.origin,
+    centre,
     meridian: (about) => {
-      const centre = sectionPoint(about, f.origin);
-      return centre.r < ALIKE ? { kind: "arc", centre: at(centre.z, 0), size, left: false } : null;
+      const place = sectionPoint(about, centre);
+      return place.r < ALIKE ? { kind: "arc", centre: at(place.z, 0), size, left } : null;
     },
   };
 }
 
-/** A profile turned about an axis. A profile across the axis is taken on the side where it is farthest from it. */
-function revolved(curve: StepCurve, axis: Axis3): StepSurface {
+/**
+ * A profile turned about an axis. A profile across the axis is taken on the side where it is farthest from it, a line, which
+ * has no ends, on the side of a point of its face.
+ */
+function revolved(curve: StepCurve, axis: Axis3, near: V3 | null): StepSurface {
   // A line has no ends: any part of it shows how it leans.
   const [from, to] = curve.range ?? [0, curve.period ?? 100],
     points = Array.from({ length: POINTS + 1 }, (_, i) => curve.at(from + ((to - from) * i) / POINTS)),
     section = points.map((p) => sectionPoint(axis, p));
   const far = section.reduce((best, p, i) => (p.r > (section[best]?.r ?? 0) ? i : best), 0),
-    outwards = radialAt(axis, points[far] ?? axis.origin);
+    rise = (section.at(-1)?.z ?? 0) - (section[0]?.z ?? 0);
+  const beside =
+    curve.kind === "line" && near && Math.abs(rise) > ALIKE
+      ? curve.at((100 * (sectionPoint(axis, near).z - (section[0]?.z ?? 0))) / rise)
+      : points[far];
+  const outwards = radialAt(axis, beside ?? axis.origin);
   const isFlat =
     outwards !== null &&
     points.every((p) => Math.abs(dot3(minus(p, axis.origin), cross3(axis.direction, outwards))) < ALIKE);
@@ -187,39 +196,38 @@ function splineRevolved(s: SplineSurface, isExchanged: boolean): StepSurface | n
     const [a, b] = domainOf(curve);
     return splinePoint(curve, a + (b - a) * k);
   };
-  const curves = Array.from({ length: LOOKS + 1 }, (_, j) => alongU(s, from + ((to - from) * j) / LOOKS)),
-    looks = curves.map((c) => Array.from({ length: LOOKS + 1 }, (_, i) => at3(c, i / LOOKS)));
-  /** How far the curves are off circles about an axis. */
-  const offOf = (axis: Axis3) =>
-    Math.max(
-      ...looks.map((points) => {
-        const places = points.map((p) => sectionPoint(axis, p)),
-          [first] = places;
-        return Math.max(...places.map((p) => Math.hypot(p.z - (first?.z ?? 0), p.r - (first?.r ?? 0))));
-      }),
-    );
-  // Of a closed curve first and last point coincide.
-  const axes = curves.flatMap((c) => axisThrough(at3(c, 0.05), at3(c, 0.4), at3(c, 0.75)) ?? []),
-    middle = axes[axes.length >> 1],
-    own = middle && offOf(middle) < ROUGH ? middle : null;
-  if (!own) return null;
-  const [u] = domainOfV(exchanged(s)),
-    meridian = alongU(exchanged(s), u),
-    wide = curves[LOOKS >> 1] ?? meridian;
-  return {
-    kind: "spline",
-    axis: own,
-    meridian: (about) => {
-      const off = offOf(about);
-      if (off > ROUGH) return null;
-      const start = at3(wide, 0),
-        turn = cross3(minus(start, about.origin), minus(at3(wide, 0.01), start));
-      // The normal is du × dv; u turns about the axis, in its direction or against it.
-      const forwards = dot3(turn, about.direction) > 0,
-        profile = { point: (k: number) => sectionPoint(about, at3(meridian, k)), from: 0, to: 1 };
-      return meridianOf(profile, forwards !== isExchanged, Math.max(off, PLAIN));
-    },
+  const curveAt = (j: number) => alongU(s, from + ((to - from) * j) / LOOKS),
+    looksAt = (c: Spline3) => Array.from({ length: LOOKS + 1 }, (_, i) => at3(c, i / LOOKS));
+  /** How far points are off a circle about an axis. */
+  const offOf = (axis: Axis3, points: readonly V3[]) => {
+    const places = points.map((p) => sectionPoint(axis, p)),
+      [first] = places;
+    return Math.max(...places.map((p) => Math.hypot(p.z - (first?.z ?? 0), p.r - (first?.r ?? 0))));
   };
+  // Most free forms show at one curve what they are. Of a closed curve first and last point coincide.
+  const wide = curveAt(LOOKS / 2 + 0.3),
+    own = axisThrough(at3(wide, 0.05), at3(wide, 0.4), at3(wide, 0.75));
+  if (!own || offOf(own, looksAt(wide)) > ROUGH) return null;
+  const looks = Array.from({ length: LOOKS + 1 }, (_, j) => looksAt(curveAt(j))),
+    farthest = (axis: Axis3) => Math.max(...looks.map((points) => offOf(axis, points)));
+  if (farthest(own) > ROUGH) return null;
+  const turned = exchanged(s),
+    meridian = alongU(turned, domainOfV(turned)[0]);
+  const meridianAbout = (about: Axis3) => {
+    const off = farthest(about);
+    if (off > ROUGH) return null;
+    const start = at3(wide, 0),
+      turn = cross3(minus(start, about.origin), minus(at3(wide, 0.01), start));
+    // The normal is du × dv; u turns about the axis, in its direction or against it.
+    const forwards = dot3(turn, about.direction) > 0,
+      profile = { point: (k: number) => sectionPoint(about, at3(meridian, k)), from: 0, to: 1 };
+    return meridianOf(profile, forwards !== isExchanged, Math.max(off, PLAIN));
+  };
+  const round = meridianAbout(own);
+  // A sphere is one about any axis through its centre, not only about that of its numbers.
+  if (round?.kind === "arc" && Math.abs(round.centre.r) < ALIKE)
+    return sphereOf(add(own.origin, times(own.direction, round.centre.z)), round.size, round.left);
+  return { kind: "spline", axis: own, meridian: meridianAbout };
 }
 
 /** Extrusion of a line is a plane, that of a circle along its axis a cylinder. */
@@ -249,8 +257,8 @@ function extruded(g: StepGeometry, values: readonly Part21Value[]): StepSurface 
   };
 }
 
-/** Surface of an entity. */
-export function stepSurface(g: StepGeometry, v: Part21Value, depth = 0): StepSurface {
+/** Surface of an entity; `near`: a point of it. */
+export function stepSurface(g: StepGeometry, v: Part21Value, near: V3 | null, depth = 0): StepSurface {
   const entity = g.entity(v);
   if (!entity || depth > 5) return none;
   if (entity.some((r) => /(B_SPLINE|BEZIER|UNIFORM)_SURFACE(_WITH_KNOTS)?$/.test(r.type))) {
@@ -283,17 +291,17 @@ export function stepSurface(g: StepGeometry, v: Part21Value, depth = 0): StepSur
       return torusOf(f, values.length > 4 && enumerationIn(values[4]) === "F" ? -size : size, minor);
     }
     case "SPHERICAL_SURFACE":
-      return f && size !== null && size > 0 ? sphereOf(f, size) : none;
+      return f && size !== null && size > 0 ? sphereOf(f.origin, size) : none;
     case "SURFACE_OF_REVOLUTION": {
       const curve = stepCurve(g, values[1]),
         axis = g.frame(values[2]);
-      return curve && axis ? revolved(curve, axisOf(axis)) : none;
+      return curve && axis ? revolved(curve, axisOf(axis), near) : none;
     }
     case "SURFACE_OF_LINEAR_EXTRUSION":
       return extruded(g, values);
     case "RECTANGULAR_TRIMMED_SURFACE":
     case "CURVE_BOUNDED_SURFACE":
-      return stepSurface(g, values[1], depth + 1);
+      return stepSurface(g, values[1], near, depth + 1);
     default:
       return none;
   }
