@@ -4,8 +4,8 @@ import { toDiameter } from "../../kernel/units.ts";
 import type { ContourChoice, Drawing, DrawingNote, DrawnContour, DrawnPiece } from "./drawing.ts";
 import { componentsOf, degreesOf, graphOf, type Edge, type Graph } from "./graph.ts";
 import { backPlacingOf, halfOf, TOUCHING, type Half } from "./halves.ts";
-import { outlineOf, type Outline, type Run } from "./outline.ts";
-import { connected, rowsOf } from "./rows.ts";
+import { outlineOf, type Outline, type BoundaryRun } from "./outline.ts";
+import { connected, rowsThrough } from "./rows.ts";
 
 /** Most pieces to choose from. */
 const MOST_PIECES = 200;
@@ -103,7 +103,7 @@ const none = (notes: readonly DrawingNote[]): DrawnContour => ({
 });
 
 /** What was joined, is open or was left out along a run, as notes. */
-function notesOf(graph: Graph, piece: Piece, outline: Outline, run: Run, choice: ContourChoice): DrawingNote[] {
+function notesOf(graph: Graph, piece: Piece, outline: Outline, run: BoundaryRun, choice: ContourChoice): DrawingNote[] {
   const back = backPlacingOf(choice),
     spot = (p: Pt) => ({ x: toDiameter(p.r), z: p.z });
   const onRun = new Set(run.nodes);
@@ -134,7 +134,7 @@ function notesOf(graph: Graph, piece: Piece, outline: Outline, run: Run, choice:
 }
 
 /** The contour of a turned part as chosen from a drawing, and the pieces that could be chosen instead. Never throws. */
-export function contourOf(drawing: Drawing, choice: ContourChoice): DrawnContour {
+export function drawnContour(drawing: Drawing, choice: ContourChoice): DrawnContour {
   const used = usedCurves(drawing, choice);
   if (used.length === 0) return none([{ code: "noContour", severity: "error", values: {} }]);
   const half = halfOf(drawing.curves, used, choice),
@@ -157,7 +157,7 @@ export function contourOf(drawing: Drawing, choice: ContourChoice): DrawnContour
     made = connected(run.segments),
     segments = choice.reversed ? made.map(part.reversed).toReversed() : made;
   return {
-    rows: rowsOf(segments),
+    rows: rowsThrough(segments),
     segments,
     pieces: pieces.map(
       // Connected lines with as many edges as nodes have a loop.

@@ -1,4 +1,4 @@
-import { part, type Pt } from "../../kernel/geometry/point.ts";
+import { part } from "../../kernel/geometry/point.ts";
 import { signOf } from "../../kernel/geometry/segments.ts";
 import type { Segment } from "../../kernel/geometry/point.ts";
 import type { Edge } from "./graph.ts";
@@ -19,12 +19,12 @@ export interface Faces {
   readonly area: readonly number[];
 }
 
-export const startOf = (edges: readonly Edge[], way: Way): number => {
+export const startNode = (edges: readonly Edge[], way: Way): number => {
   const e = edges[edgeIndex(way)];
   return (way & 1 ? e?.to : e?.from) ?? -1;
 };
-export const endOf = (edges: readonly Edge[], way: Way): number => startOf(edges, turned(way));
-export function segmentOf(edges: readonly Edge[], way: Way): Segment | null {
+export const endNode = (edges: readonly Edge[], way: Way): number => startNode(edges, turned(way));
+export function segmentAlong(edges: readonly Edge[], way: Way): Segment | null {
   const s = edges[edgeIndex(way)]?.segment;
   return s ? (way & 1 ? part.reversed(s) : s) : null;
 }
@@ -42,7 +42,7 @@ function fansOf(edges: readonly Edge[]): Map<number, Way[]> {
   const fans = new Map<number, Way[]>();
   edges.forEach((_, i) => {
     for (const way of [2 * i, 2 * i + 1]) {
-      const node = startOf(edges, way),
+      const node = startNode(edges, way),
         fan = fans.get(node);
       if (fan) fan.push(way);
       else fans.set(node, [way]);
@@ -50,7 +50,7 @@ function fansOf(edges: readonly Edge[]): Map<number, Way[]> {
   });
   for (const [node, fan] of fans) {
     if (fan.length < 3) continue;
-    const segments = fan.map((way) => segmentOf(edges, way)),
+    const segments = fan.map((way) => segmentAlong(edges, way)),
       step = segments.reduce((least, s) => Math.min(least, s ? part.lengthOf(s) : least), Infinity) / 2;
     const angles = new Map<Way, number>();
     fan.forEach((way, i) => {
@@ -83,7 +83,7 @@ export function facesOf(edges: readonly Edge[]): Faces {
     for (let way = first; faceOf[way] === undefined; way = next[way] ?? first) {
       faceOf[way] = faces.length;
       face.push(way);
-      const s = segmentOf(edges, way);
+      const s = segmentAlong(edges, way);
       if (s) sum += areaOf(s);
     }
     faces.push(face);
@@ -92,5 +92,3 @@ export function facesOf(edges: readonly Edge[]): Faces {
   const outer = area.reduce((least, a, i) => (a < (area[least] ?? 0) ? i : least), 0);
   return { edges, faces, faceOf, outer, area };
 }
-
-export type NodePlace = (node: number) => Pt;

@@ -1,6 +1,6 @@
 import { at, part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { FULL_TURN } from "../../kernel/geometry/segments.ts";
-import { NOTHING, SAME } from "../../kernel/tolerance.ts";
+import { NOTHING, ROUND, SAME } from "../../kernel/tolerance.ts";
 import { smoothParts, splinePoint } from "./splines.ts";
 import type { Curve3, V3 } from "./space.ts";
 
@@ -10,6 +10,8 @@ export const FIT = 0.005;
 const ROUND_SHARE = 1e-6;
 /** An arc flatter than this is a line, mm of radius. */
 const FLATTEST = 1e5;
+/** Steps for the direction at an end, as shares of the range; the longer one where the curve hardly moves. */
+const STEPS_INSIDE = [1e-5, 1e-2];
 /** The shortest part of a curve that is fitted, as a share of the whole. */
 const SHORTEST = 1 / 4096;
 
@@ -23,7 +25,7 @@ export interface SmoothCurve {
 
 /** Direction of travel at an end of a range, from points inside it only: a corner may lie behind the end. */
 function heading(c: SmoothCurve, a: number, b: number): Pt {
-  for (const share of [1e-5, 1e-2]) {
+  for (const share of STEPS_INSIDE) {
     const h = (b - a) * share,
       [p, q, r] = [c.point(a), c.point(a + h), c.point(a + 2 * h)];
     const way = at(4 * q.z - 3 * p.z - r.z, 4 * q.r - 3 * p.r - r.r);
@@ -48,7 +50,7 @@ function biarc(p: Pt, way: Pt, q: Pt, wayIn: Pt): Segment[] {
     both = part.dot(chord, part.sum(way, wayIn)),
     bend = 2 * (1 - part.dot(way, wayIn)),
     square = part.dot(chord, chord);
-  const reach = bend < 1e-9 ? square / (2 * both) : (Math.sqrt(both * both + bend * square) - both) / bend;
+  const reach = bend < ROUND ? square / (2 * both) : (Math.sqrt(both * both + bend * square) - both) / bend;
   if (!Number.isFinite(reach) || reach <= 0) return [part.line(p, q)];
   const joint = part.scaled(part.sum(part.beyond(p, way, reach), part.beyond(q, wayIn, -reach)), 1 / 2);
   const back = arcInto(q, part.scaled(wayIn, -1), joint);

@@ -2,7 +2,7 @@ import { part } from "../../kernel/geometry/point.ts";
 import type { Drawing, DrawingNote } from "./drawing.ts";
 import { withoutDoubles } from "./merge.ts";
 
-export { contourOf } from "./contour-of.ts";
+export { drawnContour as contourOf } from "./contour-of.ts";
 export { propose } from "./propose.ts";
 
 /** A file as it was opened. */
@@ -25,7 +25,7 @@ const FORMATS: readonly Format[] = [
     kind: "DXF",
     extensions: ["dxf"],
     begins: /^(?:\uFEFF|ï»¿)?\s*(?:999\s|0\s+SECTION)|^AutoCAD Binary DXF/,
-    load: async () => (await import("./dxf/read-dxf.ts")).readDxf,
+    load: async () => (await import("./dxf/read-dxf.ts")).readDxfFile,
   },
   {
     kind: "STEP",

@@ -84,22 +84,24 @@ function divided(curves: readonly HalfCurve[]): HalfCurve[] {
 const distinct = (points: readonly Pt[]) =>
   points.filter((p, i) => points.findIndex((q) => part.apart(p, q) <= TOUCHING) === i);
 
+/** Rows of a grid are this far apart in its keys; cells that share a key are told apart by their distance. */
+const ROW = 4_294_967_291;
+
 /** Points in a grid, so that near ones are found quickly. */
 class Places {
   readonly all: Pt[] = [];
-  private readonly cells = new Map<string, number[]>();
+  private readonly cells = new Map<number, number[]>();
   private readonly reach: number;
 
   constructor(reach: number) {
     this.reach = reach;
   }
 
-  private key = (p: Pt, dz: number, dr: number) =>
-    `${Math.floor(p.z / this.reach) + dz} ${Math.floor(p.r / this.reach) + dr}`;
+  private cell = (n: number) => Math.floor(n / this.reach);
 
   add(p: Pt): number {
     const index = this.all.push(p) - 1,
-      key = this.key(p, 0, 0),
+      key = this.cell(p.z) * ROW + this.cell(p.r),
       there = this.cells.get(key);
     if (there) there.push(index);
     else this.cells.set(key, [index]);
@@ -108,11 +110,15 @@ class Places {
 
   /** Points within the reach, the nearest first. */
   near(p: Pt): { readonly index: number; readonly far: number }[] {
-    return [-1, 0, 1]
-      .flatMap((dz) => [-1, 0, 1].flatMap((dr) => this.cells.get(this.key(p, dz, dr)) ?? []))
-      .map((index) => ({ index, far: part.apart(p, this.all[index] ?? p) }))
-      .filter(({ far }) => far <= this.reach)
-      .toSorted((a, b) => a.far - b.far);
+    const found: { index: number; far: number }[] = [],
+      [column, row] = [this.cell(p.z), this.cell(p.r)];
+    for (let z = column - 1; z <= column + 1; z += 1)
+      for (let r = row - 1; r <= row + 1; r += 1)
+        for (const index of this.cells.get(z * ROW + r) ?? []) {
+          const far = part.apart(p, this.all[index] ?? p);
+          if (far <= this.reach) found.push({ index, far });
+        }
+    return found.sort((a, b) => a.far - b.far);
   }
 }
 
@@ -123,7 +129,51 @@ export function degreesOf(nodes: readonly Pt[], edges: readonly Edge[]): number[
   return degree;
 }
 
-/** Joins loose ends to the nearest loose end, then to the nearest curve, no farther than the gap; mutates the edges. */
+/** A loose end that stops short of a curve, and the nearest point of it. */
+interface End {
+  readonly node: number;
+  readonly on: Pt;
+  readonly far: number;
+}
+
+/** For each edge, the loose ends to which it is the nearest within the gap. */
+function stopsAt(
+  nodes: readonly Pt[],
+  edges: readonly Edge[],
+  loose: readonly number[],
+  gap: number,
+): Map<number, End[]> {
+  const z = (n: number) => nodes[n]?.z ?? 0,
+    sorted = loose.toSorted((a, b) => z(a) - z(b)),
+    best = new Map<number, End & { readonly edge: number }>();
+  edges.forEach((e, edge) => {
+    const box = wider(part.boxOf(e.segment), gap);
+    let [low, high] = [0, sorted.length];
+    while (low < high) {
+      const half = (low + high) >> 1;
+      if (z(sorted[half] ?? 0) < box.left) low = half + 1;
+      else high = half;
+    }
+    for (let i = low; i < sorted.length; i += 1) {
+      const node = sorted[i] ?? 0,
+        p = nodes[node];
+      if (!p || p.z > box.right) break;
+      if (p.r < box.low || p.r > box.high || e.from === node || e.to === node) continue;
+      const on = part.nearestOn(e.segment, p),
+        far = part.apart(on, p);
+      if (far <= gap && far < (best.get(node)?.far ?? Infinity)) best.set(node, { node, on, far, edge });
+    }
+  });
+  const stops = new Map<number, End[]>();
+  for (const { edge, ...end } of best.values()) {
+    const there = stops.get(edge);
+    if (there) there.push(end);
+    else stops.set(edge, [end]);
+  }
+  return stops;
+}
+
+/** Joins loose ends to the nearest loose end, then to the nearest curve, no farther than the gap; changes the edges. */
 function joined(nodes: readonly Pt[], edges: Edge[], widest: number): Join[] {
   const joins: Join[] = [],
     degree = degreesOf(nodes, edges),
@@ -133,8 +183,8 @@ function joined(nodes: readonly Pt[], edges: Edge[], widest: number): Join[] {
   nodes.forEach((p, n) => {
     if (degree[n] === 1) numbers[places.add(p)] = n;
   });
-  const isBetween = (a: number, b: number) =>
-    edges.some((e) => (e.from === a && e.to === b) || (e.from === b && e.to === a));
+  // A loose end has one edge: the ends of a short line are not joined with each other.
+  const otherEnd = new Map(edges.flatMap((e) => [[e.from, e.to] as const, [e.to, e.from] as const]));
   const candidates = places.all
     .flatMap((p, i) =>
       places
@@ -145,47 +195,36 @@ function joined(nodes: readonly Pt[], edges: Edge[], widest: number): Join[] {
   const done = new Set<number>();
   const moved = new Map<number, number>();
   for (const { a, b, far } of candidates) {
-    if (done.has(a) || done.has(b) || isBetween(a, b)) continue;
+    if (done.has(a) || done.has(b) || otherEnd.get(a) === b) continue;
     done.add(a).add(b);
     moved.set(b, a);
     joins.push({ width: far, at: middle(nodes[a], nodes[b]), node: a });
   }
-  // A loose end that stops short of another curve, or of a corner.
-  const boxes = edges.map((e) => wider(part.boxOf(e.segment), gap));
-  for (const n of numbers) {
-    const p = nodes[n];
-    if (!p || done.has(n)) continue;
-    let best: { edge: number; far: number; on: Pt } | null = null;
-    edges.forEach((e, i) => {
-      const box = boxes[i];
-      if (!box || e.from === n || e.to === n || p.z < box.left || p.z > box.right || p.r < box.low || p.r > box.high)
-        return;
-      const on = part.nearestOn(e.segment, p),
-        far = part.apart(on, p);
-      if (far <= gap && (!best || far < best.far)) best = { edge: i, far, on };
-    });
-    const found = best as { edge: number; far: number; on: Pt } | null,
-      e = found && edges[found.edge];
-    if (!found || !e) continue;
-    done.add(n);
-    joins.push({ width: found.far, at: middle(p, found.on), node: n });
-    const end =
-      part.apart(found.on, e.segment.from) <= TOUCHING
-        ? e.from
-        : part.apart(found.on, e.segment.to) <= TOUCHING
-          ? e.to
-          : null;
-    if (end !== null) {
-      moved.set(n, end);
-      continue;
+  const loose = numbers.filter((n) => !done.has(n));
+  const stops = stopsAt(nodes, edges, loose, gap);
+  stops.forEach((ends, index) => {
+    const e = edges[index];
+    if (!e) return;
+    const between: End[] = [];
+    for (const end of ends) {
+      joins.push({ width: end.far, at: middle(nodes[end.node], end.on), node: end.node });
+      if (part.apart(end.on, e.segment.from) <= TOUCHING) moved.set(end.node, e.from);
+      else if (part.apart(end.on, e.segment.to) <= TOUCHING) moved.set(end.node, e.to);
+      else between.push(end);
     }
-    const [first, second] = splitAt(e.segment, [found.on]);
-    if (!first || !second) continue;
-    edges[found.edge] = { ...e, segment: first, to: n };
-    boxes[found.edge] = wider(part.boxOf(first), gap);
-    edges.push({ ...e, segment: second, from: n });
-    boxes.push(wider(part.boxOf(second), gap));
-  }
+    const along = between.toSorted((a, b) => part.along(e.segment, a.on) - part.along(e.segment, b.on)),
+      pieces = splitAt(
+        e.segment,
+        along.map((end) => end.on),
+      );
+    if (pieces.length !== along.length + 1) return;
+    const chain = [e.from, ...along.map((end) => end.node), e.to];
+    pieces.forEach((segment, k) => {
+      const piece = { ...e, segment, from: chain[k] ?? e.from, to: chain[k + 1] ?? e.to };
+      if (k === 0) edges[index] = piece;
+      else edges.push(piece);
+    });
+  });
   const target = (n: number): number => {
     let to = n;
     for (let i = 0; i < 4 && moved.has(to); i += 1) to = moved.get(to) ?? to;

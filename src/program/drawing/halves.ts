@@ -1,7 +1,7 @@
 import { at, part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { opposite } from "../../kernel/geometry/segments.ts";
 import { ROUND } from "../../kernel/tolerance.ts";
-import { diameter, toRadius } from "../../kernel/units.ts";
+import { diameter, toDiameter, toRadius } from "../../kernel/units.ts";
 import type { ContourChoice, DrawnCurve } from "./drawing.ts";
 import { fitted } from "./fit.ts";
 
@@ -29,7 +29,7 @@ export function backPlacingOf(choice: ContourChoice): (p: Pt) => Pt {
   const { axis, axisAt, zero, mirrored, half, diameters } = choice;
   return (p) => {
     const along = mirrored ? zero - p.z : zero + p.z,
-      up = diameters ? p.r * (1 / toRadius(diameter(1))) : p.r,
+      up = diameters ? toDiameter(p.r) : p.r,
       across = axisAt + (half === "upper" ? up : -up);
     return axis === "x" ? at(along, across) : at(across, along);
   };

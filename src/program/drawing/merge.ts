@@ -1,6 +1,6 @@
 import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { FULL_TURN, positive } from "../../kernel/geometry/segments.ts";
-import { SAME } from "../../kernel/tolerance.ts";
+import { ROUND, SAME } from "../../kernel/tolerance.ts";
 import type { DrawnCurve } from "./drawing.ts";
 
 /** Lines and arcs this near to each other over a common length are one, mm. */
@@ -20,7 +20,7 @@ function carrierOf(s: Segment): Carrier {
 /** Direction of a line in the right half of the plane. */
 function directionOf(s: Line): Pt {
   const way = part.unit(part.difference(s.to, s.from));
-  return way.z < -1e-9 || (Math.abs(way.z) <= 1e-9 && way.r < 0) ? part.scaled(way, -1) : way;
+  return way.z < -ROUND || (Math.abs(way.z) <= ROUND && way.r < 0) ? part.scaled(way, -1) : way;
 }
 
 /** Whether two lines or arcs cover a common length, not only a point. */

@@ -1,7 +1,7 @@
 import { at, part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { FULL_TURN } from "../../kernel/geometry/segments.ts";
 import { SAME } from "../../kernel/tolerance.ts";
-import { edgeIndex, endOf, facesOf, segmentOf, startOf, turned, type Faces, type Way } from "./faces.ts";
+import { edgeIndex, endNode, facesOf, segmentAlong, startNode, turned, type Faces, type Way } from "./faces.ts";
 import type { Edge } from "./graph.ts";
 import { TOUCHING } from "./halves.ts";
 
@@ -9,7 +9,7 @@ import { TOUCHING } from "./halves.ts";
 const LEVEL = 2 * TOUCHING;
 
 /** A run along the boundary of a piece, and what belongs to it. */
-export interface Run {
+export interface BoundaryRun {
   readonly segments: readonly Segment[];
   readonly sources: ReadonlySet<number>;
   /** Nodes between the segments, the ends included. */
@@ -18,8 +18,8 @@ export interface Run {
 
 /** The boundaries of a piece: its outside from the front face to the rear one, and its bore if it has one. */
 export interface Outline {
-  readonly outside: Run;
-  readonly bore: Run | null;
+  readonly outside: BoundaryRun;
+  readonly bore: BoundaryRun | null;
   readonly closed: boolean;
   /** Place of a face at the rear end that leads to the axis and is left out; null where there is none. */
   readonly rearFace: number | null;
@@ -58,25 +58,25 @@ function withoutSpurs(edges: readonly Edge[], walk: readonly Way[]): Way[] {
 }
 
 /** Segments of a run in order: what was divided is whole again. */
-function runOf(edges: readonly Edge[], ways: readonly Way[]): Run {
+function runOf(edges: readonly Edge[], ways: readonly Way[]): BoundaryRun {
   const segments: Segment[] = [],
     nodes: number[] = [],
     sources = new Set<number>();
   let last = -1;
   for (const way of ways) {
-    const s = segmentOf(edges, way),
+    const s = segmentAlong(edges, way),
       source = edges[edgeIndex(way)]?.source ?? -1,
       before = segments.at(-1);
     if (!s) continue;
     sources.add(source);
-    if (nodes.length === 0) nodes.push(startOf(edges, way));
+    if (nodes.length === 0) nodes.push(startNode(edges, way));
     const whole = before && source === last ? continued(before, s) : null;
     if (whole) {
       segments[segments.length - 1] = whole;
-      nodes[nodes.length - 1] = endOf(edges, way);
+      nodes[nodes.length - 1] = endNode(edges, way);
     } else {
       segments.push(s);
-      nodes.push(endOf(edges, way));
+      nodes.push(endNode(edges, way));
     }
     last = source;
   }
@@ -93,7 +93,7 @@ function continued(a: Segment, b: Segment): Segment | null {
 }
 
 /** The node at the right end: of those, the nearest to the axis; or at the left end, by `sign` −1. */
-function endNode(nodes: readonly number[], place: (n: number) => Pt, sign: 1 | -1): number {
+function lastNode(nodes: readonly number[], place: (n: number) => Pt, sign: 1 | -1): number {
   const far = nodes.reduce((most, n) => Math.max(most, sign * place(n).z), -Infinity);
   return nodes
     .filter((n) => sign * place(n).z >= far - LEVEL)
@@ -108,13 +108,13 @@ function walkOf({ edges, faces, outer }: Faces): Way[] {
 
 /** The ways from a node on, until a place is reached. */
 function until(edges: readonly Edge[], walk: readonly Way[], start: number, isEnd: (node: number) => boolean): Way[] {
-  const first = walk.findIndex((way) => startOf(edges, way) === start),
+  const first = walk.findIndex((way) => startNode(edges, way) === start),
     out: Way[] = [];
   for (let i = 0; i < walk.length; i += 1) {
     const way = walk[(first + i) % walk.length];
     if (way === undefined) break;
     out.push(way);
-    if (isEnd(endOf(edges, way))) break;
+    if (isEnd(endNode(edges, way))) break;
   }
   return out;
 }
@@ -123,52 +123,70 @@ function until(edges: readonly Edge[], walk: readonly Way[], start: number, isEn
 function withoutRearFace(ways: readonly Way[], edges: readonly Edge[], place: (n: number) => Pt) {
   let count = ways.length;
   const last = ways[count - 1];
-  if (last === undefined || place(endOf(edges, last)).r > TOUCHING) return { ways, face: null };
-  const rear = place(endOf(edges, last)).z;
+  if (last === undefined || place(endNode(edges, last)).r > TOUCHING) return { ways, face: null };
+  const rear = place(endNode(edges, last)).z;
   for (; count > 1; count -= 1) {
     const way = ways[count - 1] ?? 0,
       e = edges[edgeIndex(way)];
-    const falls = place(endOf(edges, way)).r < place(startOf(edges, way)).r;
-    if (!e || !isUpright(e) || !falls || Math.abs(place(endOf(edges, way)).z - rear) > LEVEL) break;
+    const falls = place(endNode(edges, way)).r < place(startNode(edges, way)).r;
+    if (!e || !isUpright(e) || !falls || Math.abs(place(endNode(edges, way)).z - rear) > LEVEL) break;
   }
   return count === ways.length ? { ways, face: null } : { ways: ways.slice(0, count), face: rear };
 }
 
+/** The walk around connected edges, and where it begins and ends. */
+interface Boundary {
+  readonly edges: readonly Edge[];
+  readonly walk: readonly Way[];
+  readonly start: number;
+  readonly isEnd: (node: number) => boolean;
+  readonly closed: boolean;
+}
+
+function boundaryOf(edges: readonly Edge[], place: (n: number) => Pt): Boundary | null {
+  const drawn = edges.filter((e) => !e.isAxis);
+  if (drawn.length === 0) return null;
+  const faces = facesOf(edges),
+    walk = walkOf(faces),
+    closed = faces.faces.length > 1;
+  const ways = walk.filter((way) => !edges[edgeIndex(way)]?.isAxis),
+    met = [...new Set(ways.flatMap((way) => [startNode(edges, way), endNode(edges, way)]))],
+    degree = new Map<number, number>();
+  for (const e of drawn) for (const n of [e.from, e.to]) degree.set(n, (degree.get(n) ?? 0) + 1);
+  const leaves = met.filter((n) => degree.get(n) === 1);
+  if (met.length === 0) return null;
+  const start = lastNode(closed || leaves.length === 0 ? met : leaves, place, 1),
+    rear = place(lastNode(met, place, -1)).z,
+    other = leaves.find((n) => n !== start);
+  const isChain = !closed && leaves.length === 2;
+  const isEnd = (n: number) => (isChain ? n === other : place(n).z <= rear + LEVEL);
+  return { edges, walk, start, isEnd, closed };
+}
+
 /**
  * The outside and the bore of a connected piece of a half: what is inside of it (shoulders, edges seen through a bore,
- * threads) is not part of them. Runs begin at the right end, nearest to the axis; null for no lines at all.
+ * threads) is not part of them. Runs begin at the right end, nearest to the axis; the outside of a part without a
+ * through bore begins on the axis where it has a face there. Null for no lines at all.
  */
 export function outlineOf(all: readonly Edge[], nodes: readonly Pt[]): Outline | null {
   const place = (n: number) => nodes[n] ?? at(0, 0);
   const edges = withoutHollow(all),
-    drawn = edges.filter((e) => !e.isAxis);
-  if (drawn.length === 0) return null;
-  const faces = facesOf(edges),
-    walk = walkOf(faces);
-  const isClosed = faces.faces.length > 1;
-  const met = [
-    ...new Set(
-      walk.filter((way) => !edges[edgeIndex(way)]?.isAxis).flatMap((way) => [startOf(edges, way), endOf(edges, way)]),
-    ),
-  ];
-  const degree = new Map<number, number>();
-  for (const e of drawn) for (const n of [e.from, e.to]) degree.set(n, (degree.get(n) ?? 0) + 1);
-  const leaves = met.filter((n) => degree.get(n) === 1);
-  const isChain = !isClosed && leaves.length === 2;
-  const start = endNode(isClosed ? met : leaves, place, 1),
-    rear = place(endNode(met, place, -1)).z,
-    isRear = (n: number) => place(n).z <= rear + LEVEL,
-    other = leaves.find((n) => n !== start);
-  const whole = until(edges, walk, start, isChain ? (n) => n === other : isRear);
-  const { ways, face } = withoutRearFace(withoutSpurs(edges, whole), edges, place);
-  const outside = runOf(edges, ways);
-  const hasSides = isClosed && place(start).r > TOUCHING;
-  const back = hasSides
-    ? withoutSpurs(
-        edges,
-        until(edges, walk.map(turned).toReversed(), start, (n) => isRear(n) || place(n).r <= TOUCHING),
-      )
-    : [];
-  const bore = back.length > 0 ? runOf(edges, back) : null;
-  return { outside, bore, closed: isClosed, rearFace: face };
+    isThrough = edges.every((e) => place(e.from).r > TOUCHING && place(e.to).r > TOUCHING);
+  const solid = boundaryOf(edges, place),
+    outer = isThrough ? solid : boundaryOf(all, place);
+  if (!solid || !outer) return null;
+  const whole = until(outer.edges, outer.walk, outer.start, outer.isEnd),
+    { ways, face } = withoutRearFace(withoutSpurs(outer.edges, whole), outer.edges, place);
+  const isInside = (n: number) => solid.isEnd(n) || place(n).r <= TOUCHING,
+    back = solid.walk.map(turned).toReversed(),
+    inside =
+      solid.closed && place(solid.start).r > TOUCHING
+        ? withoutSpurs(edges, until(edges, back, solid.start, isInside))
+        : [];
+  return {
+    outside: runOf(outer.edges, ways),
+    bore: inside.length > 0 ? runOf(edges, inside) : null,
+    closed: solid.closed,
+    rearFace: face,
+  };
 }

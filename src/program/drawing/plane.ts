@@ -1,9 +1,13 @@
+import { ROUND } from "../../kernel/tolerance.ts";
 import { cross3, dot3, minus, size3, spanOf, unit3, type Curve3, type Placing, type V3 } from "./space.ts";
 
 /** Deviation from a plane that a drawing may have, mm. */
 const FLAT = 1e-3;
 /** A line that leaves the plane by less than this share of its length was meant to lie in it. */
 const NEARLY = 0.2;
+/** Sine of the angle between directions that count as one, and cosine of one with an axis. */
+const PARALLEL = 1e-6,
+  UPRIGHT = 1 - PARALLEL;
 /** Directions of curves from which planes are tried. */
 const TRIED = 12;
 
@@ -27,7 +31,7 @@ function spanned(curves: readonly Curve3[]): V3[] {
     const [first, ...rest] = spanOf(c);
     for (const p of rest) {
       const way = first && unit3(minus(p, first));
-      if (way && ways.length < TRIED && ways.every((w) => size3(cross3(w, way)) > 1e-6)) ways.push(way);
+      if (way && ways.length < TRIED && ways.every((w) => size3(cross3(w, way)) > PARALLEL)) ways.push(way);
     }
     if (ways.length >= TRIED) break;
   }
@@ -57,16 +61,16 @@ export function viewOf(curves: readonly Curve3[]): View {
       if (lie > best.count) best = { normal, count: lie };
     }
   const n = best.normal,
-    isLevel = Math.abs(n[2]) > 0.999999,
+    isLevel = Math.abs(n[2]) > UPRIGHT,
     up = isLevel ? Y : (unit3(minus(Z, [n[0] * n[2], n[1] * n[2], n[2] * n[2]])) ?? Z),
     side = isLevel ? X : cross3(up, n),
-    forward = side[0] < -1e-9 || (Math.abs(side[0]) <= 1e-9 && side[1] < 0) ? -1 : 1;
+    forward = side[0] < -ROUND || (Math.abs(side[0]) <= ROUND && side[1] < 0) ? -1 : 1;
   const right: V3 = [side[0] * forward, side[1] * forward, side[2] * forward];
   const row = (i: 0 | 1 | 2): V3 => [right[i], up[i], n[i]];
-  const plane = isLevel ? "xy" : Math.abs(n[1]) > 0.999999 ? "xz" : Math.abs(n[0]) > 0.999999 ? "yz" : "oblique";
+  const across = Math.abs(n[1]) > UPRIGHT ? "xz" : Math.abs(n[0]) > UPRIGHT ? "yz" : "oblique";
   return {
     placing: { x: row(0), y: row(1), z: row(2), origin: [0, 0, 0] },
-    plane,
+    plane: isLevel ? "xy" : across,
     isOutside: (c) => {
       const deep = depth(c, n);
       return deep > FLAT && deep > NEARLY * extent(c);

@@ -1,6 +1,7 @@
 import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
+import { ROUND } from "../../kernel/tolerance.ts";
 import type { ContourChoice, Drawing, DrawnContour } from "./drawing.ts";
-import { contourOf } from "./contour-of.ts";
+import { drawnContour } from "./contour-of.ts";
 
 /** Choice for a drawing of which nothing is known. */
 export const PLAIN_CHOICE: ContourChoice = {
@@ -137,30 +138,50 @@ const rises = (points: readonly Pt[]) =>
 
 /**
  * The likeliest choice for a drawing: the axis by a centre line, by symmetry or at the origin, the half with more lines,
- * Z0 at the right or upper end, and a gap that joins the contour.
+ * Z0 at the right or upper end, and a gap that joins the contour. What is given stays as given.
  */
-export function propose(drawing: Drawing): ContourChoice {
-  const best = [...candidates(drawing, "x"), ...candidates(drawing, "y")].reduce<Candidate | null>(
-    (most, c) => (Number.isFinite(c.at) && (!most || c.score > most.score + 1e-9) ? c : most),
-    null,
+export function propose(drawing: Drawing, given: Partial<ContourChoice> = {}): ContourChoice {
+  const places = [...candidates(drawing, "x"), ...candidates(drawing, "y")].filter(
+    (c) => Number.isFinite(c.at) && c.axis === (given.axis ?? c.axis),
   );
-  if (!best) return PLAIN_CHOICE;
-  let choice: ContourChoice = { ...PLAIN_CHOICE, axis: best.axis, axisAt: Math.abs(best.at) < 1e-9 ? 0 : best.at };
-  const [upper, lower] = (["upper", "lower"] as const).map((half) => contourOf(drawing, { ...choice, half }));
-  if (upper && lower && sizeOf(lower) > 1.05 * sizeOf(upper)) choice = { ...choice, half: "lower" };
-  let made = choice.half === "upper" ? upper : lower;
-  const wide = contourOf(drawing, { ...choice, gap: WIDER_GAP });
-  if (made && reach(wide) > 1.1 * reach(made)) {
-    choice = { ...choice, gap: WIDER_GAP };
-    made = wide;
+  const best = places.reduce<Candidate | null>((most, c) => (!most || c.score > most.score + ROUND ? c : most), null);
+  if (!best) return { ...PLAIN_CHOICE, ...given };
+  let choice: ContourChoice = {
+    ...PLAIN_CHOICE,
+    axis: best.axis,
+    axisAt: Math.abs(best.at) < ROUND ? 0 : best.at,
+    ...given,
+  };
+  if (given.half === undefined) {
+    const [upper, lower] = (["upper", "lower"] as const).map((half) =>
+      sizeOf(drawnContour(drawing, { ...choice, half })),
+    );
+    if ((lower ?? 0) > 1.05 * (upper ?? 0)) choice = { ...choice, half: "lower" };
   }
-  const points = made?.segments.flatMap((s) => [s.from, s.to]) ?? [],
-    zs = points.map((p) => p.z);
-  if (zs.length === 0) return choice;
-  const [left, right] = [Math.min(...zs), Math.max(...zs)];
+  let made = drawnContour(drawing, choice);
+  if (given.gap === undefined) {
+    const wide = drawnContour(drawing, { ...choice, gap: WIDER_GAP });
+    if (reach(wide) > 1.1 * reach(made)) {
+      choice = { ...choice, gap: WIDER_GAP };
+      made = wide;
+    }
+  }
+  const points = made.segments.flatMap((s) => [s.from, s.to]);
+  return points.length === 0 || given.zero !== undefined ? choice : { ...choice, ...zeroOf(points, choice, given) };
+}
+
+/** Place of Z0, and the direction of Z where it was not given: the face is at the right end, or at the origin. */
+function zeroOf(
+  points: readonly Pt[],
+  { zero, mirrored }: ContourChoice,
+  given: Partial<ContourChoice>,
+): Pick<ContourChoice, "zero" | "mirrored"> {
+  const zs = points.map((p) => p.z),
+    [left, right] = [Math.min(...zs), Math.max(...zs)];
   // Drawn from the origin to the right with its thick end there: the face is at the origin.
-  if (Math.abs(left) < SAME_PLACE && right > SAME_PLACE && rises(points.toReversed()) && points.length > 2)
-    return { ...choice, mirrored: true, zero: 0 };
+  const isFromOrigin = Math.abs(left) < SAME_PLACE && right > SAME_PLACE;
+  if (given.mirrored === undefined && isFromOrigin && rises(points.toReversed()) && points.length > 2)
+    return { mirrored: true, zero: 0 };
   const isZeroNear = right >= -SAME_PLACE && right <= 0.1 * (right - left);
-  return { ...choice, zero: isZeroNear ? 0 : right };
+  return { mirrored, zero: isZeroNear ? zero : mirrored ? zero - right : zero + right };
 }

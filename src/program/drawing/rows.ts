@@ -36,7 +36,7 @@ export function connected(run: readonly Segment[]): Segment[] {
 const typed = (n: number) => String(Number(n.toFixed(3)) || 0);
 
 /** Rows of the table for consecutive curves, coordinates rounded as a control takes them. */
-export function rowsOf(run: readonly Segment[]): ContourRow[] {
+export function rowsThrough(run: readonly Segment[]): ContourRow[] {
   const first = run[0];
   if (!first) return [];
   const write = (p: Pt) => ({ x: typed(toDiameter(p.r)), z: typed(p.z) });

@@ -1,3 +1,5 @@
+import { NOTHING } from "../../kernel/tolerance.ts";
+
 /** A point or direction in space. */
 export type V3 = readonly [x: number, y: number, z: number];
 
@@ -45,7 +47,7 @@ export const size3 = (a: V3): number => Math.sqrt(dot3(a, a));
 /** The unit vector; null for a vector without direction. */
 export function unit3(a: V3): V3 | null {
   const size = size3(a);
-  return size > 1e-12 ? times(a, 1 / size) : null;
+  return size > NOTHING ? times(a, 1 / size) : null;
 }
 
 export const UNPLACED: Placing = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1], origin: [0, 0, 0] };

@@ -1,3 +1,4 @@
+import { ROUND } from "../../kernel/tolerance.ts";
 import { add, minus, size3, times, type Curve3, type Spline3, type V3 } from "./space.ts";
 
 /** Most control points and highest degree that are read. */
@@ -93,12 +94,12 @@ export function smoothParts({ degree, knots, points }: Spline3): number[] {
  * its chords as parameters and without curvature at open ends.
  */
 export function interpolated(through: readonly V3[], closed: boolean): Curve3[] | null {
-  const points = through.filter((p, i) => i === 0 || size3(minus(p, through[i - 1] ?? p)) > 1e-9),
+  const points = through.filter((p, i) => i === 0 || size3(minus(p, through[i - 1] ?? p)) > ROUND),
     first = points[0];
   if (!first || points.length < 2 || points.length > MOST_POINTS) return null;
   const isRing = closed && points.length > 2;
   // A closed curve is solved over three rounds, whose middle one is smooth at its seam.
-  const round = isRing && size3(minus(first, points.at(-1) ?? first)) < 1e-9 ? points.slice(0, -1) : points;
+  const round = isRing && size3(minus(first, points.at(-1) ?? first)) < ROUND ? points.slice(0, -1) : points;
   const all = isRing ? [...round, ...round, ...round, first] : points;
   const chord = all.slice(1).map((p, i) => size3(minus(p, all[i] ?? p)));
   const slopes = naturalSlopes(all, chord);

@@ -41,10 +41,10 @@ const MOST_TAGS = 200_000;
 
 /** Name of a table entry for comparison: CAD ignores case. */
 export const keyOf = (name: string): string => name.trim().toUpperCase();
-export const tagOf = (r: DxfRecord, code: number): string | undefined => r.tags.find((t) => t.code === code)?.text;
-export const realOf = (r: DxfRecord, code: number): number | null => numberOf(tagOf(r, code));
-export const flagsOf = (r: DxfRecord, code: number): number => Math.trunc(realOf(r, code) ?? 0);
-export const nameOf = (r: DxfRecord, code: number): string => (tagOf(r, code) ?? "").trim();
+export const tagAt = (r: DxfRecord, code: number): string | undefined => r.tags.find((t) => t.code === code)?.text;
+export const realAt = (r: DxfRecord, code: number): number | null => numberOf(tagAt(r, code));
+export const flagsAt = (r: DxfRecord, code: number): number => Math.trunc(realAt(r, code) ?? 0);
+export const wordAt = (r: DxfRecord, code: number): string => (tagAt(r, code) ?? "").trim();
 
 interface Growing {
   type: string;
@@ -69,10 +69,10 @@ export function readDocument(tags: Iterable<Tag>): DxfDocument {
     count = 0;
   const finished = () => {
     if (!record) return;
-    if (record.type === "LAYER") layers.set(keyOf(nameOf(record, 2)), record);
-    if (record.type === "LTYPE") linetypes.set(keyOf(nameOf(record, 2)), record);
+    if (record.type === "LAYER") layers.set(keyOf(wordAt(record, 2)), record);
+    if (record.type === "LTYPE") linetypes.set(keyOf(wordAt(record, 2)), record);
     if (record.type === "BLOCK" && block) {
-      block.name = nameOf(record, 2);
+      block.name = wordAt(record, 2);
       blocks.set(keyOf(block.name), block);
     }
   };

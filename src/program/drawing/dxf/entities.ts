@@ -1,8 +1,9 @@
 import { FULL_TURN } from "../../../kernel/geometry/segments.ts";
+import { ROUND } from "../../../kernel/tolerance.ts";
 import { radians } from "../../../kernel/units.ts";
 import { cross3, objectPlacing, placedCurve, size3, times, UNPLACED, type Curve3, type V3 } from "../space.ts";
 import { interpolated, splineOf } from "../splines.ts";
-import { flagsOf, realOf, type DxfRecord } from "./document.ts";
+import { flagsAt, realAt, type DxfRecord } from "./document.ts";
 import { numberOf } from "./tags.ts";
 
 /** Flags of POLYLINE (70) and VERTEX (70). */
@@ -11,16 +12,16 @@ const CLOSED = 1,
   MESH = 16 | 64,
   FRAME_VERTEX = 16;
 /** Bulges below this are straight. */
-const STRAIGHT = 1e-9;
+const STRAIGHT = ROUND;
 
 /** A point at these group codes; a missing z is 0, missing x or y are null. */
 export function pointAt(r: DxfRecord, code: number): V3 | null {
-  const [x, y] = [realOf(r, code), realOf(r, code + 10)];
-  return x === null || y === null ? null : [x, y, realOf(r, code + 20) ?? 0];
+  const [x, y] = [realAt(r, code), realAt(r, code + 10)];
+  return x === null || y === null ? null : [x, y, realAt(r, code + 20) ?? 0];
 }
 
 /** Extrusion direction of an entity; the z axis where none is given. */
-export const normalOf = (r: DxfRecord): V3 => [realOf(r, 210) ?? 0, realOf(r, 220) ?? 0, realOf(r, 230) ?? 1];
+export const normalOf = (r: DxfRecord): V3 => [realAt(r, 210) ?? 0, realAt(r, 220) ?? 0, realAt(r, 230) ?? 1];
 
 interface Vertex {
   readonly at: V3;
@@ -67,39 +68,39 @@ const areSound = (all: readonly { readonly at: V3; readonly bulge?: number }[]) 
   all.every(({ at, bulge = 0 }) => at.every(Number.isFinite) && Number.isFinite(bulge));
 
 function lightPolyline(r: DxfRecord): Curve3[] | null {
-  const z = realOf(r, 38) ?? 0;
+  const z = realAt(r, 38) ?? 0;
   const vertices = listed(r, 10).map(({ at, bulge }) => ({ at: [at[0], at[1], z] as const, bulge }));
-  return areSound(vertices) ? sides(vertices, (flagsOf(r, 70) & CLOSED) > 0) : null;
+  return areSound(vertices) ? sides(vertices, (flagsAt(r, 70) & CLOSED) > 0) : null;
 }
 
 function oldPolyline(r: DxfRecord): Curve3[] | null | undefined {
-  const flags = flagsOf(r, 70);
+  const flags = flagsAt(r, 70);
   if (flags & MESH) return undefined;
   const inSpace = (flags & POLYLINE_3D) > 0,
-    z = realOf(r, 30) ?? 0;
+    z = realAt(r, 30) ?? 0;
   const vertices = r.parts
-    .filter((v) => (flagsOf(v, 70) & FRAME_VERTEX) === 0)
+    .filter((v) => (flagsAt(v, 70) & FRAME_VERTEX) === 0)
     .map((v) => {
       const p = pointAt(v, 10) ?? ([Number.NaN, 0, 0] as const);
-      return { at: inSpace ? p : ([p[0], p[1], z] as const), bulge: inSpace ? 0 : (realOf(v, 42) ?? 0) };
+      return { at: inSpace ? p : ([p[0], p[1], z] as const), bulge: inSpace ? 0 : (realAt(v, 42) ?? 0) };
     });
   return areSound(vertices) ? sides(vertices, (flags & CLOSED) > 0) : null;
 }
 
 function round(r: DxfRecord, start: number, end: number): Curve3[] | null {
-  const [centre, size] = [pointAt(r, 10), realOf(r, 40)];
+  const [centre, size] = [pointAt(r, 10), realAt(r, 40)];
   if (!centre || size === null || size <= 0) return null;
   return [{ kind: "conic", centre, u: [size, 0, 0], v: [0, size, 0], start, end: past(start, end) }];
 }
 /** The end of an arc behind its start; the same angle is a full turn. */
 function past(start: number, end: number): number {
   const turn = (((end - start) % FULL_TURN) + FULL_TURN) % FULL_TURN;
-  return start + (turn < 1e-9 ? FULL_TURN : turn);
+  return start + (turn < ROUND ? FULL_TURN : turn);
 }
 
 function ellipse(r: DxfRecord): Curve3[] | null {
-  const [centre, u, ratio] = [pointAt(r, 10), pointAt(r, 11), realOf(r, 40)],
-    [start, end] = [realOf(r, 41) ?? 0, realOf(r, 42) ?? FULL_TURN],
+  const [centre, u, ratio] = [pointAt(r, 10), pointAt(r, 11), realAt(r, 40)],
+    [start, end] = [realAt(r, 41) ?? 0, realAt(r, 42) ?? FULL_TURN],
     z = objectPlacing(normalOf(r))?.z;
   if (!centre || !u || ratio === null || ratio <= 0 || size3(u) === 0 || !z) return null;
   return [{ kind: "conic", centre, u, v: times(cross3(z, u), ratio), start, end: past(start, end) }];
@@ -111,7 +112,7 @@ function spline(r: DxfRecord): Curve3[] | null {
   if (!areSound(points)) return null;
   if (points.length >= 2)
     return splineOf(
-      flagsOf(r, 71) || 3,
+      flagsAt(r, 71) || 3,
       all(40),
       points.map((p) => p.at),
       all(41),
@@ -120,7 +121,7 @@ function spline(r: DxfRecord): Curve3[] | null {
   return areSound(through)
     ? interpolated(
         through.map((p) => p.at),
-        (flagsOf(r, 70) & CLOSED) > 0,
+        (flagsAt(r, 70) & CLOSED) > 0,
       )
     : null;
 }
@@ -137,7 +138,7 @@ export function curvesOf(r: DxfRecord): Curve3[] | null | undefined {
       return from && to && [{ kind: "line", from, to }];
     }
     case "ARC": {
-      const [start, end] = [realOf(r, 50), realOf(r, 51)];
+      const [start, end] = [realAt(r, 50), realAt(r, 51)];
       return start === null || end === null ? null : inObject(round(r, radians(start), radians(end)));
     }
     case "CIRCLE":
@@ -148,7 +149,7 @@ export function curvesOf(r: DxfRecord): Curve3[] | null | undefined {
       return inObject(lightPolyline(r));
     case "POLYLINE": {
       const made = oldPolyline(r);
-      return (flagsOf(r, 70) & POLYLINE_3D) > 0 ? made : inObject(made);
+      return (flagsAt(r, 70) & POLYLINE_3D) > 0 ? made : inObject(made);
     }
     case "SPLINE":
     case "HELIX":

@@ -15,9 +15,9 @@ import {
   type Placing,
   type V3,
 } from "../space.ts";
-import { flagsOf, keyOf, nameOf, realOf, type DxfDocument, type DxfRecord } from "./document.ts";
+import { flagsAt, keyOf, wordAt, realAt, type DxfDocument, type DxfRecord } from "./document.ts";
 import { curvesOf, normalOf, pointAt } from "./entities.ts";
-import { textOf } from "./texts.ts";
+import { hintOf } from "./texts.ts";
 
 /** Deepest nesting of blocks, and most entities after all blocks are inserted. */
 const DEEPEST = 24,
@@ -74,17 +74,17 @@ const count = (of: Map<string, number>, key: string) => of.set(key, (of.get(key)
 function visibilityOf(doc: DxfDocument, layer: string) {
   const found = doc.layers.get(keyOf(layer));
   if (!found) return "shown";
-  if (flagsOf(found, 70) & FROZEN) return "frozen";
-  return (realOf(found, 62) ?? 7) < 0 ? "off" : "shown";
+  if (flagsAt(found, 70) & FROZEN) return "frozen";
+  return (realAt(found, 62) ?? 7) < 0 ? "off" : "shown";
 }
 
 const byBlock = (name: string) => keyOf(name) === "BYBLOCK";
 const byLayer = (name: string) => name === "" || keyOf(name) === "BYLAYER";
 
 function roleOf(doc: DxfDocument, linetype: string, layer: string): LineRole {
-  const named = byLayer(linetype) ? nameOf(doc.layers.get(keyOf(layer)) ?? NO_RECORD, 6) : linetype;
+  const named = byLayer(linetype) ? wordAt(doc.layers.get(keyOf(layer)) ?? NO_RECORD, 6) : linetype;
   const pattern = doc.linetypes.get(keyOf(named));
-  const byPattern = pattern ? roleOfPattern(flagsOf(pattern, 73)) : "outline";
+  const byPattern = pattern ? roleOfPattern(flagsAt(pattern, 73)) : "outline";
   const byLinetype = byPattern === "outline" && !pattern ? roleOfName(named) : byPattern;
   return byLinetype === "outline" ? roleOfName(layer) : byLinetype;
 }
@@ -92,19 +92,19 @@ const NO_RECORD: DxfRecord = { type: "", tags: [], parts: [] };
 
 /** A lineweight: −1 by layer, −2 by block, −3 default (no statement). */
 function weightOf(doc: DxfDocument, r: DxfRecord, layer: string, context: Context): number | null {
-  const own = realOf(r, 370) ?? -1;
+  const own = realAt(r, 370) ?? -1;
   if (own === -2) return context.weight;
-  const weight = own === -1 ? (realOf(doc.layers.get(keyOf(layer)) ?? NO_RECORD, 370) ?? -3) : own;
+  const weight = own === -1 ? (realAt(doc.layers.get(keyOf(layer)) ?? NO_RECORD, 370) ?? -3) : own;
   return weight > 0 ? weight : null;
 }
 
 /** Placings of the cells of an insert: mirrored and scaled by its factors, rotated, repeated in rows and columns. */
 function cellsOf(r: DxfRecord, base: V3): Placing[] {
   const at = pointAt(r, 10) ?? [0, 0, 0],
-    factor = (code: number) => realOf(r, code) ?? 1;
-  const [columns, rows] = [Math.max(1, flagsOf(r, 70) || 1), Math.max(1, flagsOf(r, 71) || 1)],
-    [dx, dy] = [realOf(r, 44) ?? 0, realOf(r, 45) ?? 0];
-  const frame = after(after(objectPlacing(normalOf(r)) ?? UNPLACED, shift(at)), spin(radians(realOf(r, 50) ?? 0))),
+    factor = (code: number) => realAt(r, code) ?? 1;
+  const [columns, rows] = [Math.max(1, flagsAt(r, 70) || 1), Math.max(1, flagsAt(r, 71) || 1)],
+    [dx, dy] = [realAt(r, 44) ?? 0, realAt(r, 45) ?? 0];
+  const frame = after(after(objectPlacing(normalOf(r)) ?? UNPLACED, shift(at)), spin(radians(realAt(r, 50) ?? 0))),
     inner = after(stretch(factor(41), factor(42), factor(43)), shift(times(base, -1)));
   const number = Math.min(columns * rows, MOST_CELLS);
   return Array.from({ length: number }, (_, i) => {
@@ -130,13 +130,13 @@ export function expanded(doc: DxfDocument, space: "model" | "paper"): Expanded {
   let budget = MOST_PLACED;
 
   function insert(r: DxfRecord, layer: string, context: Context): void {
-    const name = nameOf(r, 2),
+    const name = wordAt(r, 2),
       block = doc.blocks.get(keyOf(name));
-    if (!block || (flagsOf(block.head, 70) & EXTERNAL && block.entities.length === 0))
+    if (!block || (flagsAt(block.head, 70) & EXTERNAL && block.entities.length === 0))
       return void out.missing.add(name);
     const path = [...context.path, keyOf(name)];
     if (context.path.includes(keyOf(name)) || path.length > DEEPEST) return void out.recursive.add(name);
-    const linetype = nameOf(r, 6);
+    const linetype = wordAt(r, 6);
     const inner = {
       layer,
       linetype: byBlock(linetype) ? context.linetype : byLayer(linetype) ? layerLinetype(layer) : linetype,
@@ -151,7 +151,7 @@ export function expanded(doc: DxfDocument, space: "model" | "paper"): Expanded {
       }
     }
   }
-  const layerLinetype = (layer: string) => nameOf(doc.layers.get(keyOf(layer)) ?? NO_RECORD, 6);
+  const layerLinetype = (layer: string) => wordAt(doc.layers.get(keyOf(layer)) ?? NO_RECORD, 6);
 
   function show(r: DxfRecord, context: Context): void {
     if (budget <= 0) {
@@ -159,9 +159,9 @@ export function expanded(doc: DxfDocument, space: "model" | "paper"): Expanded {
       return;
     }
     budget -= 1;
-    const own = nameOf(r, 8) || "0",
+    const own = wordAt(r, 8) || "0",
       layer = own === "0" && context.layer !== null ? context.layer : own;
-    if (flagsOf(r, 60) === 1) {
+    if (flagsAt(r, 60) === 1) {
       out.invisible += 1;
       return;
     }
@@ -171,7 +171,7 @@ export function expanded(doc: DxfDocument, space: "model" | "paper"): Expanded {
       return;
     }
     if (r.type === "INSERT") return insert(r, layer, context);
-    const text = textOf(r);
+    const text = hintOf(r);
     if (text !== undefined) {
       if (text) out.texts.push({ text: text.text, at: placed(context.placing, text.at) });
       return;
@@ -185,7 +185,7 @@ export function expanded(doc: DxfDocument, space: "model" | "paper"): Expanded {
       out.broken += 1;
       return;
     }
-    const linetype = byBlock(nameOf(r, 6)) ? context.linetype : nameOf(r, 6),
+    const linetype = byBlock(wordAt(r, 6)) ? context.linetype : wordAt(r, 6),
       role = roleOf(doc, linetype, layer),
       weight = weightOf(doc, r, layer, context);
     for (const curve of made)
@@ -194,7 +194,7 @@ export function expanded(doc: DxfDocument, space: "model" | "paper"): Expanded {
 
   const root: Context = { placing: UNPLACED, layer: null, linetype: "", weight: null, path: [] };
   for (const r of doc.entities) {
-    const isPaper = flagsOf(r, 67) === 1;
+    const isPaper = flagsAt(r, 67) === 1;
     if (isPaper === (space === "paper")) show(r, root);
     else if (r.type !== "VIEWPORT") out.elsewhere += 1;
     if (out.isFull) break;

@@ -86,7 +86,7 @@ const refused = (note: DrawingNote): Drawing => ({
 });
 
 /** Reads a DXF file, text or binary, of any release. Never throws for what a file contains; bounded in size and time. */
-export function readDxf(bytes: Uint8Array, chosen?: "mm" | "inch"): Drawing {
+export function readDxfFile(bytes: Uint8Array, chosen?: "mm" | "inch"): Drawing {
   const tags = readTags(bytes);
   if (!tags) return refused({ code: "unreadable", severity: "error", values: { kind: "DXF" } });
   const doc = readDocument(tags),

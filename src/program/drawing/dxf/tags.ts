@@ -8,6 +8,8 @@ export interface Tag {
 
 /** First bytes of a binary DXF file. */
 const BINARY = "AutoCAD Binary DXF\r\n\u001a\0";
+/** Bytes in which a file says what it is. */
+const HEAD = 4000;
 const latin = (bytes: Uint8Array, from: number, to: number) => String.fromCharCode(...bytes.subarray(from, to));
 
 /** Kinds of values in binary files by their codes (DXF reference, "Group code value types"). */
@@ -111,14 +113,17 @@ function encodingOf(page: string): string {
   return named[number] ?? (/^125\d$/.test(number) ? `windows-${number}` : "windows-1252");
 }
 
+/** The code page that a file names in its first bytes; in binary files its name stands behind the group code. */
+const pageOf = (head: string): string => /\$DWGCODEPAGE[^A-Z]*([A-Z0-9_]+)/i.exec(head)?.[1] ?? "";
+
 /** Reads the groups of a DXF file, text or binary, in its encoding; null when it is no DXF file. */
 export function readTags(bytes: Uint8Array): Iterable<Tag> | null {
-  const head = latin(bytes, 0, Math.min(bytes.length, 4000)),
-    page = /\$DWGCODEPAGE\s*(?:3\s+|\x03\x00?)([\w]+)/i.exec(head)?.[1];
-  const encoding = encodingOf(page ?? "");
+  const head = latin(bytes, 0, Math.min(bytes.length, HEAD)),
+    encoding = encodingOf(pageOf(head));
   if (head.startsWith(BINARY)) return binaryTags(bytes, (part) => decoded(part, encoding));
-  const text = decoded(bytes, encoding);
-  return /^\s*(?:999[^\r\n]*[\r\n]+[^\r\n]*\s+)*0[ \t]*(?:\r\n|\n|\r)\s*SECTION/.test(text.replace(/^\uFEFF/, ""))
+  const text = decoded(bytes, encoding).replace(/^\uFEFF/, "");
+  // Comments (999) may stand before the first section.
+  return /^\s*(?:999[^\r\n]*[\r\n]+[^\r\n]*\s+)*0[ \t]*[\r\n]+\s*SECTION/i.test(text.slice(0, HEAD))
     ? textTags(text)
     : null;
 }

@@ -1,5 +1,5 @@
 import type { V3 } from "../space.ts";
-import { nameOf, realOf, type DxfRecord } from "./document.ts";
+import { wordAt, realAt, type DxfRecord } from "./document.ts";
 import { normalOf, pointAt } from "./entities.ts";
 import { objectPlacing, placed, UNPLACED } from "../space.ts";
 
@@ -28,14 +28,14 @@ export function plainText(raw: string): string {
 
 /** The measure of a dimension as it shows it: its own text, with `<>` for the measure. */
 function dimensionText(r: DxfRecord): string {
-  const measure = realOf(r, 42),
+  const measure = realAt(r, 42),
     shown = measure === null ? "" : String(Number(measure.toFixed(3))),
-    typed = nameOf(r, 1);
+    typed = wordAt(r, 1);
   return plainText(typed === "" ? shown : typed.replaceAll("<>", shown));
 }
 
 /** Text of an entity and its place; null for an empty one, undefined for an entity that is no text. */
-export function textOf(r: DxfRecord): { readonly text: string; readonly at: V3 } | null | undefined {
+export function hintOf(r: DxfRecord): { readonly text: string; readonly at: V3 } | null | undefined {
   const show = (text: string, code: number) => {
     const at = pointAt(r, code) ?? pointAt(r, 10);
     if (text === "" || !at) return null;
@@ -44,11 +44,11 @@ export function textOf(r: DxfRecord): { readonly text: string; readonly at: V3 }
   switch (r.type) {
     case "TEXT":
     case "TOLERANCE":
-      return show(plainText(nameOf(r, 1)), 10);
+      return show(plainText(wordAt(r, 1)), 10);
     case "MTEXT":
       return show(plainText(r.tags.flatMap((t) => (t.code === 3 || t.code === 1 ? [t.text] : [])).join("")), 10);
     case "MULTILEADER":
-      return show(plainText(nameOf(r, 304)), 10);
+      return show(plainText(wordAt(r, 304)), 10);
     case "DIMENSION":
     case "ARC_DIMENSION":
     case "LARGE_RADIAL_DIMENSION":
