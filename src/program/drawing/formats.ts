@@ -33,6 +33,12 @@ const FORMATS: readonly Format[] = [
     begins: /^(?:\uFEFF|ï»¿)?\s*(?:\/\*[^]*?\*\/\s*)*ISO-10303-21\s*;/,
     load: async () => (await import("./step/read-step.ts")).readStep,
   },
+  {
+    kind: "SVG",
+    extensions: ["svg"],
+    begins: /^(?:\uFEFF|ï»¿)?\s*<(?:[^]*[<: ])?svg[\s>]/,
+    load: async () => (await import("./svg/read-svg.ts")).readSvg,
+  },
 ];
 
 /** Endings of the file names that can be opened, as in `accept` of a file field. */
