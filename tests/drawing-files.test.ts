@@ -1,6 +1,8 @@
 import { expect, test } from "vitest";
 import { at, part, type Segment } from "../src/kernel/geometry/point.ts";
-import { DRAWING_FILES, readDrawing } from "../src/program/drawing/formats.ts";
+import { DRAWING_ENDINGS } from "../src/program/drawing/endings.ts";
+import { readDrawing } from "../src/program/drawing/formats.ts";
+import { contourSvg } from "../src/view/contour-svg.ts";
 import { MANNERS, Solid } from "./step-solid.ts";
 
 const bush: readonly Segment[] = [
@@ -31,5 +33,23 @@ test.each([
 });
 
 test("the endings are offered", () => {
-  expect(DRAWING_FILES.split(",")).toEqual(expect.arrayContaining([".dxf", ".step", ".stp", ".svg"]));
+  expect(DRAWING_ENDINGS).toEqual(expect.arrayContaining([".dxf", ".step", ".stp", ".svg"]));
+});
+
+test("the exported drawing of a contour opens as the same contour", async () => {
+  const contour: readonly Segment[] = [
+    part.line(at(0, 6.5), at(-12.25, 6.5)),
+    { kind: "arc", from: at(-12.25, 6.5), to: at(-15.25, 9.5), centre: at(-12.25, 9.5), turn: "cw" },
+    part.line(at(-15.25, 9.5), at(-40, 14)),
+  ];
+  const text = contourSvg([{ name: "CONTOUR", segments: contour }]) ?? "",
+    { curves, unit } = await readDrawing({ name: "contour.svg", bytes: new TextEncoder().encode(text) });
+  expect(unit).toEqual({ unit: "mm", source: "file" });
+  expect(curves.map((c) => c.segment.kind)).toEqual(contour.map((s) => s.kind));
+  contour.forEach((s, i) => {
+    for (const k of [0, 0.5, 1])
+      expect(part.distanceTo(curves[i]?.segment ?? part.line(at(0, 0), at(0, 0)), part.pointOn(s, k))).toBeLessThan(
+        1e-3,
+      );
+  });
 });
