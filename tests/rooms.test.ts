@@ -85,6 +85,7 @@ const FOLDERS: Readonly<Record<string, readonly string[]>> = {
     "blocks",
     "run",
     "job",
+    "drawing",
     "dxf",
     "edits",
     "compare",

@@ -5,7 +5,7 @@ const many = (count: string, one: string, more: string) => (count === "1" ? `1 $
 /** What of a solid is not turned. */
 function milled(shape: string, count: string): string {
   if (shape === "flats") return many(count, "flat face", "flat faces");
-  if (shape === "holes") return many(count, "hole beside the axis", "holes beside the axis");
+  if (shape === "holes") return many(count, "off-axis hole", "off-axis holes");
   return shape === "crossHoles" ? many(count, "cross hole", "cross holes") : many(count, "other face", "other faces");
 }
 

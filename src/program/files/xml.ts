@@ -42,7 +42,8 @@ export function xmlText(raw: string): string {
   return raw.replace(/&(#x[0-9a-f]{1,6}|#\d{1,7}|[a-z]{2,4});/gi, (written, name: string) => {
     if (!name.startsWith("#")) return ENTITIES[name] ?? written;
     const code = /^#x/i.test(name) ? Number.parseInt(name.slice(2), 16) : Number(name.slice(1));
-    return code > 0 && code <= 0x10ffff && !(code >= 0xd800 && code < 0xe000) ? String.fromCodePoint(code) : written;
+    // Halves of a pair of UTF-16 are no characters.
+    return code > 0 && code <= 0x10ffff && code >> 11 !== 0x1b ? String.fromCodePoint(code) : written;
   });
 }
 

@@ -1,9 +1,10 @@
+import { ROUND, SAME } from "../../../kernel/tolerance.ts";
 import { part } from "../../../kernel/geometry/point.ts";
 import { isSameAxis, meridianParameter, meridianPoint, sectionPoint, type Axis3 } from "./meridian.ts";
 import type { SurfacedFace } from "./half-section.ts";
 import { pointsOfFace } from "./step-body.ts";
 import { minus, times, dot3, type V3 } from "../space.ts";
-import { frameOf } from "./frame.ts";
+import { uprightFrame } from "./frame.ts";
 
 /** Axes that are told apart; a body with more has none worth finding. */
 const MOST_AXES = 2000;
@@ -13,17 +14,17 @@ const GAP = 0.6;
 
 /** The same line with its greatest component forwards, through the point of it nearest to the origin of the file. */
 function canonical({ origin, direction }: Axis3): Axis3 {
-  const greatest = direction.reduce<number>((a, b) => (Math.abs(b) > Math.abs(a) + 1e-9 ? b : a), 0),
+  const greatest = direction.reduce<number>((a, b) => (Math.abs(b) > Math.abs(a) + ROUND ? b : a), 0),
     d = greatest < 0 ? times(direction, -1) : direction;
   return { origin: minus(origin, times(d, dot3(origin, d))), direction: d };
 }
 
 /** How far round the axis points reach, radians. */
 export function turnOf(axis: Axis3, points: readonly V3[]): number {
-  const f = frameOf(axis.origin, axis.direction, null);
+  const f = uprightFrame(axis.origin, axis.direction, null);
   const angles = points
     .map((p) => minus(p, axis.origin))
-    .filter((d) => Math.hypot(dot3(d, f.x), dot3(d, f.y)) > 1e-6)
+    .filter((d) => Math.hypot(dot3(d, f.x), dot3(d, f.y)) > SAME)
     .map((d) => Math.atan2(dot3(d, f.y), dot3(d, f.x)))
     .sort((a, b) => a - b);
   const [first, last] = [angles[0], angles.at(-1)];

@@ -1,4 +1,5 @@
 import { at, part, type Pt, type Segment } from "../../../kernel/geometry/point.ts";
+import { SAME_STEP } from "../../../kernel/tolerance.ts";
 import { fitted } from "../fit.ts";
 import { hullOf, isInHull, type Hull } from "./hull.ts";
 import {
@@ -183,7 +184,7 @@ function union(spans: readonly (readonly [number, number])[], near: number, isRo
 }
 
 const nearOf = (m: Meridian) =>
-  m.kind === "arc" ? MEET / m.size : m.kind === "line" ? MEET : (m.profile.to - m.profile.from) * 1e-6;
+  m.kind === "arc" ? MEET / m.size : m.kind === "line" ? MEET : (m.profile.to - m.profile.from) * SAME_STEP;
 
 /** Segments of a part of a meridian. */
 function segmentsOf(m: Meridian, from: number, to: number): readonly Segment[] {

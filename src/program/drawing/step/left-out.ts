@@ -16,6 +16,8 @@ export interface LeftOut {
   readonly others: number;
 }
 
+/** Directions that differ by more are not parallel for a reader of the note, radians. */
+const ASLANT = 1e-3;
 /** Part of a full turn from which a round face is a hole. */
 const HOLE = 0.9 * 2 * Math.PI;
 
@@ -28,7 +30,7 @@ export function leftOutOf(faces: readonly SurfacedFace[], axis: Axis3): LeftOut 
     const { kind, axis: own } = f.surface;
     if (kind === "plane") {
       // A plane across the axis is the floor or wall of something that is counted by its other faces.
-      if (own && size3(cross3(own.direction, axis.direction)) > 1e-3) flats += 1;
+      if (own && size3(cross3(own.direction, axis.direction)) > ASLANT) flats += 1;
       continue;
     }
     const m = kind === "cylinder" && own ? f.surface.meridian(own) : null;
@@ -45,7 +47,7 @@ export function leftOutOf(faces: readonly SurfacedFace[], axis: Axis3): LeftOut 
     } else bores.push({ axis: own, turn, faces: 1 });
   }
   const holes = bores.filter((b) => b.turn > HOLE),
-    isAlong = (b: Axis3) => size3(cross3(b.direction, axis.direction)) < 1e-3;
+    isAlong = (b: Axis3) => size3(cross3(b.direction, axis.direction)) < ASLANT;
   const along = holes.filter((b) => isAlong(b.axis) && sectionPoint(axis, b.axis.origin).r > 0).length;
   return {
     flats,

@@ -1,3 +1,4 @@
+import { NOTHING, ROUND, SAME } from "../../../kernel/tolerance.ts";
 import { at, part, type Pt } from "../../../kernel/geometry/point.ts";
 import { minus, dot3, cross3, size3, type V3 } from "../space.ts";
 
@@ -7,7 +8,7 @@ export interface Axis3 {
   readonly direction: V3;
 }
 
-/** Surfaces and axes nearer than this are the same, mm: CAD systems write places to about 1e-5. */
+/** Surfaces and axes nearer than this are the same, mm: CAD systems write places to about 0.00001. */
 export const ALIKE = 5e-4;
 /**
  * Intersections and fillets that a system writes as splines may be this far off, mm: one of CATIA V5 was 0.019 mm, and
@@ -65,7 +66,7 @@ export function meridianParameter(m: Meridian, p: Pt): number {
     const d = part.apart(q, p);
     if (d < near) [best, near] = [from + i * step, d];
   });
-  for (; step > (to - from) * 1e-10; step /= 2)
+  for (; step > (to - from) * ROUND; step /= 2)
     for (const t of [Math.max(best - step, from), Math.min(best + step, to)]) {
       const d = far(t);
       if (d < near) [best, near] = [t, d];
@@ -85,7 +86,7 @@ export function meridianDirection(m: Meridian, t: number): Pt {
   if (m.kind === "line") return m.direction;
   if (m.kind === "arc") return at(-Math.sin(t), Math.cos(t));
   const { point, from, to } = m.profile,
-    h = (to - from) * 1e-4;
+    h = (to - from) * SAME;
   return part.unit(part.difference(point(Math.min(t + h, to)), point(Math.max(t - h, from))));
 }
 
@@ -148,7 +149,7 @@ function circleOnAxis(points: readonly Pt[], tolerance: number): { readonly cent
 function circleThrough(a: Pt, b: Pt, c: Pt): { readonly centre: Pt; readonly size: number } | null {
   const [bz, br, cz, cr] = [b.z - a.z, b.r - a.r, c.z - a.z, c.r - a.r],
     d = 2 * (bz * cr - br * cz);
-  if (Math.abs(d) < 1e-12) return null;
+  if (Math.abs(d) < NOTHING) return null;
   const [bb, cc] = [bz * bz + br * br, cz * cz + cr * cr],
     [uz, ur] = [(cr * bb - br * cc) / d, (bz * cc - cz * bb) / d],
     size = Math.hypot(uz, ur);

@@ -1,3 +1,4 @@
+import { SAME_STEP } from "../../../kernel/tolerance.ts";
 import { at, part } from "../../../kernel/geometry/point.ts";
 import { PART21_LIMITS, readPart21, type Part21Fault } from "../../files/part21.ts";
 import { decoded } from "../decode.ts";
@@ -54,7 +55,7 @@ function faultNotes(faults: readonly Part21Fault[], count: number): DrawingNote[
 
 function unitOf({ units }: StepBody, chosen: DrawingUnit["unit"] | undefined): DrawingUnit {
   if (chosen) return { unit: chosen, source: "chosen" };
-  return { unit: Math.abs(units.length - 25.4) < 1e-6 ? "inch" : "mm", source: units.known ? "file" : "assumed" };
+  return { unit: Math.abs(units.length - 25.4) < SAME_STEP ? "inch" : "mm", source: units.known ? "file" : "assumed" };
 }
 
 /** Names of units other than mm and inch, by their size in mm. */
@@ -98,7 +99,7 @@ function sectionNotes({ body, axis }: Turned, section: HalfSection, fitted: numb
   if (body.broken > 0) notes.push({ code: "broken", severity: "warning", values: { count: body.broken } });
   if (fitted > 0)
     notes.push({ code: "fitted", severity: "info", values: { kind: "SPLINE", count: fitted, tolerance: FIT } });
-  const unit = UNIT_NAMES.find(([size]) => Math.abs(body.units.length / size - 1) < 1e-9)?.[1];
+  const unit = UNIT_NAMES.find(([size]) => Math.abs(body.units.length / size - 1) < SAME_STEP)?.[1];
   if (unit) notes.push({ code: "unitConverted", severity: "info", values: { unit } });
   return notes;
 }

@@ -4,6 +4,7 @@ import { stepCurve, turnBetween } from "./step-curve.ts";
 import { StepGeometry, type StepUnits } from "./step-geometry.ts";
 import { stepUnits } from "./step-units.ts";
 import { type V3 } from "../space.ts";
+import { JOINED } from "../../../kernel/tolerance.ts";
 import { apart3 } from "./frame.ts";
 
 /** Points of an edge in the direction of its loop; a vertex alone is one point. */
@@ -74,7 +75,7 @@ class Shells {
     if (!curve) return straight(from, to);
     const forward = isTrue(values[4]),
       [a, b] = [curve.parameterOf(from), curve.parameterOf(to)];
-    const isClosed = apart3(from, to) < 1e-6;
+    const isClosed = apart3(from, to) < JOINED;
     let range: readonly [number, number] = [a, b];
     if (curve.period !== null) range = isClosed ? turnBetween(a, a, forward) : turnBetween(a, b, forward);
     else if (isClosed && curve.range) range = forward ? curve.range : [curve.range[1], curve.range[0]];

@@ -1,3 +1,4 @@
+import { ROUND, SAME } from "../../../kernel/tolerance.ts";
 import type { Part21Entity, Part21Value } from "../../files/part21.ts";
 import { enumerationIn, listIn, numberIn, recordOf } from "../../files/part21-values.ts";
 import type { StepGeometry } from "./step-geometry.ts";
@@ -25,8 +26,8 @@ function splineCurve(s: Spline3): StepCurve {
   const [from, to] = domainOf(s),
     at = (t: number) => splinePoint(s, t);
   const parameterOf = (p: V3) => {
-    if (apart3(p, at(from)) < 1e-4) return from;
-    if (apart3(p, at(to)) < 1e-4) return to;
+    if (apart3(p, at(from)) < SAME) return from;
+    if (apart3(p, at(to)) < SAME) return to;
     let best = from,
       near = Infinity,
       step = (to - from) / LOOKS;
@@ -34,7 +35,7 @@ function splineCurve(s: Spline3): StepCurve {
       const far = apart3(p, at(from + i * step));
       if (far < near) [best, near] = [from + i * step, far];
     }
-    for (; step > (to - from) * 1e-9; step /= 2)
+    for (; step > (to - from) * ROUND; step /= 2)
       for (const t of [best - step, best + step]) {
         const far = apart3(p, at(t));
         if (far < near) [best, near] = [Math.min(Math.max(t, from), to), far];
@@ -171,8 +172,8 @@ export function turnBetween(a: number, b: number, forward: boolean): readonly [n
   const turn = 2 * Math.PI,
     ahead = (((b - a) % turn) + turn) % turn,
     // Rounding must not make a full turn nothing, or nothing a full turn.
-    sweep = ahead < 1e-9 ? turn : ahead;
+    sweep = ahead < ROUND ? turn : ahead;
   if (forward) return [a, a + sweep];
   const back = turn - ahead;
-  return [a, a - (back < 1e-9 ? turn : back)];
+  return [a, a - (back < ROUND ? turn : back)];
 }

@@ -1,7 +1,7 @@
 import type { Part21Entity, Part21File, Part21Value } from "../../files/part21.ts";
 import { listIn, numberIn, referenceIn } from "../../files/part21-values.ts";
 import { unit3, type Placing, type V3 } from "../space.ts";
-import { frameOf } from "./frame.ts";
+import { uprightFrame } from "./frame.ts";
 
 /** Sizes of the units of a representation: mm and radians for 1 of the file. */
 export interface StepUnits {
@@ -74,6 +74,6 @@ export class StepGeometry {
   frame(v: Part21Value): Placing | null {
     const p = this.values(v, "AXIS2_PLACEMENT_3D", "AXIS1_PLACEMENT"),
       origin = p && this.point(p[1]);
-    return p && origin ? frameOf(origin, this.direction(p[2]) ?? [0, 0, 1], this.direction(p[3])) : null;
+    return p && origin ? uprightFrame(origin, this.direction(p[2]) ?? [0, 0, 1], this.direction(p[3])) : null;
   }
 }

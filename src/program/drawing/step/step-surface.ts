@@ -1,3 +1,4 @@
+import { NOTHING } from "../../../kernel/tolerance.ts";
 import { at, type Pt } from "../../../kernel/geometry/point.ts";
 import type { Part21Entity, Part21Value } from "../../files/part21.ts";
 import { enumerationIn, listIn, numberIn, recordOf } from "../../files/part21-values.ts";
@@ -16,7 +17,7 @@ import {
   uniformKnots,
   type SplineSurface,
 } from "./spline-surface.ts";
-import { frameOf } from "./frame.ts";
+import { uprightFrame } from "./frame.ts";
 
 /** A surface as far as turning goes. */
 export interface StepSurface {
@@ -164,7 +165,7 @@ function axisThrough(a: V3, b: V3, c: V3): Axis3 | null {
     normal = cross3(ab, ac),
     n = dot3(normal, normal),
     direction = unit3(normal);
-  if (!direction || n < 1e-10) return null;
+  if (!direction || n < NOTHING) return null;
   const to = add(times(cross3(normal, ab), dot3(ac, ac)), times(cross3(ac, normal), dot3(ab, ab)));
   return { origin: add(a, times(to, 1 / (2 * n))), direction };
 }
@@ -266,7 +267,7 @@ export function stepSurface(g: StepGeometry, v: Part21Value, near: V3 | null, de
     if (!s) return none;
     const z = flatNormal(s),
       [corner] = s.points[0] ?? [];
-    if (z && corner) return planeOf(frameOf(corner, z, null));
+    if (z && corner) return planeOf(uprightFrame(corner, z, null));
     return splineRevolved(s, false) ?? splineRevolved(exchanged(s), true) ?? { ...none, kind: "spline" };
   }
   const { type, values } = entity[0] ?? { type: "", values: [] },

@@ -8,10 +8,10 @@ const PREFIXES: Readonly<Record<string, number>> = {
   HECTO: 1e2,
   DECA: 10,
   DECI: 0.1,
-  CENTI: 1e-2,
-  MILLI: 1e-3,
-  MICRO: 1e-6,
-  NANO: 1e-9,
+  CENTI: 1 / 1e2,
+  MILLI: 1 / 1e3,
+  MICRO: 1 / 1e6,
+  NANO: 1 / 1e9,
 };
 const UNSAID: StepUnits = { length: 1, angle: 1, known: false };
 

@@ -1,3 +1,4 @@
+import { ROUND } from "../../../kernel/tolerance.ts";
 import { attributeOf, type XmlElement } from "../../files/xml.ts";
 import type { Curve3, V3 } from "../space.ts";
 import { ellipticalArc, numbersOf, pathCurves, type PathCurves } from "./svg-path.ts";
@@ -72,7 +73,7 @@ function rectangle(e: XmlElement): Curve3[] {
     const arc = ellipticalArc(from, to, [rx, ry], 0, { large: false, sweep: true }),
       next = corners[(i + 1) % 4]?.[0] ?? to;
     const side: Curve3[] =
-      Math.hypot(next[0] - to[0], next[1] - to[1]) > 1e-9 ? [{ kind: "line", from: to, to: next }] : [];
+      Math.hypot(next[0] - to[0], next[1] - to[1]) > ROUND ? [{ kind: "line", from: to, to: next }] : [];
     return arc ? [arc, ...side] : side;
   });
 }
