@@ -50,8 +50,8 @@ interface Run {
 const TURN = 2 * Math.PI;
 /** Parameters of a line nearer than this meet, mm; also for angles, times the radius. */
 const MEET = 1e-3;
-/** How far beside a face is looked for material, mm. */
-const BESIDE = 2e-3;
+/** How far beside a face is looked for material, mm: farther than chords of round edges lie off them. */
+const BESIDE = 0.05;
 /** Places at which a run is looked at. */
 const LOOKS = 32;
 

@@ -38,8 +38,8 @@ export interface StepBody {
 
 /** Limits: bodies of a file, faces of a body. */
 export const STEP_LIMITS = { bodies: 200, faces: 20_000 };
-/** Points of a curved edge; those of a full circle are 15° apart. */
-const POINTS = 24;
+/** Points of a curved edge; those of a full circle are 7.5° apart. */
+const POINTS = 48;
 
 const straight = (from: V3, to: V3): StepEdge => ({ points: [from, to], isCurved: false });
 const backwards = (e: StepEdge): StepEdge => ({ ...e, points: e.points.toReversed() });
