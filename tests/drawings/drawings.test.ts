@@ -34,7 +34,7 @@ describe("one shaft in the manners of many programs", () => {
   });
 
   test("texts and dimensions are hints with their places", async () => {
-    const [, bytes = new Uint8Array()] = entityCases.find(([name]) => name.startsWith("dimensions")) ?? [];
+    const bytes = entityCases.find(([name]) => name.startsWith("dimensions"))?.[1] ?? utf8("");
     expect((await read(bytes)).texts).toEqual([
       { text: "⌀24", at: { z: 5, r: 5 } },
       { text: "R4", at: { z: 5, r: 9 } },
