@@ -8,6 +8,7 @@ import type { BodiesGiven, BodiesWanted } from "./bodies.ts";
 import { engine } from "./engine.ts";
 import { loadRequestOf, type KnownMilling, type KnownOutcome, type LoadRequest } from "./load-request.ts";
 import { openWork } from "./open-work.ts";
+import type { openedDrawing } from "./opened-drawing.ts";
 import type { Outcome } from "./outcome.ts";
 import type { PlayedCourse, PlaybackCanvas, StockPictures } from "./played.ts";
 import type { reported } from "./reported.ts";
@@ -90,6 +91,9 @@ const served = {
   ways: async (...asked: Parameters<Advice["ways"]>) => (await fetchAdvice()).ways(...asked),
   tryWay: async (...asked: Parameters<Advice["tryWay"]>) => (await fetchAdvice()).tryWay(...asked),
   remediesOf: async (...asked: Parameters<Advice["remediesOf"]>) => (await fetchAdvice()).remediesOf(...asked),
+  /** Reads a drawing, and proposes the choices for its contour. */
+  readDrawing: async (...asked: Parameters<typeof openedDrawing>) =>
+    (await import("./opened-drawing.ts")).openedDrawing(...asked),
   reported: async (...asked: Parameters<typeof reported>) => (await import("./reported.ts")).reported(...asked),
 };
 expose(served);

@@ -9,6 +9,7 @@ import { polarNames, polarOf, polarTyped, withPolar, type PolarName } from "../.
 import { Message } from "../../app/base/Message.tsx";
 import { issueText } from "../../app/calculation/issue-text.ts";
 import { chooseElement } from "../../app/place/contour-place.ts";
+import { RowNotes } from "./RowNotes.tsx";
 import { RecessFields } from "./RecessFields.tsx";
 import { ContourCell, type Shown } from "./ContourCell.tsx";
 
@@ -245,6 +246,7 @@ function Line({ row, number, reading, issues, active, details, language, isLong,
             {t.secondShort}
           </button>
         )}
+        <RowNotes row={row} number={number} language={language} />
         {open > 0 && <p className="small contour-open">{t.freedom(open)}</p>}
         {issues
           .filter(({ issue }) => open === 0 || issue.code !== "elementFree")

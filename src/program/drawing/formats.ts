@@ -1,5 +1,6 @@
 import { part } from "../../kernel/geometry/point.ts";
 import type { Drawing, DrawingNote } from "./drawing.ts";
+import { DRAWING_KINDS, kindOfName, LARGEST_DRAWING, type DrawingKind } from "./endings.ts";
 import { withoutDoubles } from "./merge.ts";
 
 export { drawnContour as contourOf } from "./contour-of.ts";
@@ -11,28 +12,27 @@ export interface DrawingFile {
   readonly bytes: Uint8Array;
 }
 
-/** A kind of drawing: the ends of its file names, its first bytes, and its reader, which is fetched on first use. */
+/** A kind of drawing: its first bytes, and its reader, which is fetched on first use. */
 interface Format {
-  readonly kind: string;
-  readonly extensions: readonly string[];
   /** Whether the first characters of a file are of this kind, whatever its name. */
   readonly begins: RegExp;
   readonly load: () => Promise<(bytes: Uint8Array, unit?: "mm" | "inch") => Drawing>;
 }
 
-const FORMATS: readonly Format[] = [
-  {
-    kind: "DXF",
-    extensions: ["dxf"],
+const FORMATS: Readonly<Record<DrawingKind, Format>> = {
+  DXF: {
     begins: /^(?:\uFEFF|ï»¿)?\s*(?:999\s|0\s+SECTION)|^AutoCAD Binary DXF/,
     load: async () => (await import("./dxf/read-dxf.ts")).readDxfFile,
   },
-];
-
-/** Endings of the file names that can be opened, as in `accept` of a file field. */
-export const DRAWING_FILES: string = FORMATS.flatMap((f) => f.extensions.map((e) => `.${e}`)).join(",");
-/** Largest file that is read, bytes. */
-export const LARGEST_DRAWING = 30_000_000;
+  STEP: {
+    begins: /^(?:\uFEFF|ï»¿)?\s*(?:\/\*[^]*?\*\/\s*)*ISO-10303-21\s*;/,
+    load: async () => (await import("./step/read-step.ts")).readStep,
+  },
+  SVG: {
+    begins: /^(?:\uFEFF|ï»¿)?\s*<(?:[^]*[<: ])?svg[\s>]/,
+    load: async () => (await import("./svg/read-svg.ts")).readSvg,
+  },
+};
 
 const refused = (note: DrawingNote): Drawing => ({
   curves: [],
@@ -78,12 +78,9 @@ export async function readDrawing(file: DrawingFile, unit?: "mm" | "inch"): Prom
   if (bytes.length > LARGEST_DRAWING)
     return refused({ code: "tooLarge", severity: "error", values: { limit: LARGEST_DRAWING / 1e6 } });
   const head = String.fromCharCode(...bytes.subarray(0, 400)),
-    ending = /\.([^.]+)$/.exec(name.toLowerCase())?.[1] ?? "";
-  const format = FORMATS.find((f) => f.begins.test(head)) ?? FORMATS.find((f) => f.extensions.includes(ending));
-  if (!format) {
-    const kinds = FORMATS.map((f) => f.kind).join(", ");
-    return refused({ code: "unknownKind", severity: "error", values: { kinds } });
-  }
+    named = kindOfName(name),
+    format = Object.values(FORMATS).find((f) => f.begins.test(head)) ?? (named && FORMATS[named]);
+  if (!format) return refused({ code: "unknownKind", severity: "error", values: { kinds: DRAWING_KINDS } });
   const read = await format.load();
   return finished(read(bytes, unit));
 }

@@ -1,0 +1,221 @@
+import { part, type Pt } from "../../kernel/geometry/point.ts";
+import { SAME } from "../../kernel/tolerance.ts";
+import type { ContourChoice, DrawnContour, DrawnCurve, Drawing } from "../../program/drawing/drawing.ts";
+import { placingOf } from "../../program/drawing/halves.ts";
+import { propose } from "../../program/drawing/formats.ts";
+import { acrossAxis, alongAxis, segmentsOnDrawing } from "./on-drawing.ts";
+
+/** What a tap on the picture chooses. */
+export const PICKS = ["contour", "axis", "zero"] as const;
+export type PickKind = (typeof PICKS)[number];
+
+/** Reads the contour of a choice. */
+export type ContourReader = (choice: ContourChoice) => DrawnContour;
+
+/** Result of a tap: the changed choice, or why nothing is there. */
+export type Picked =
+  { readonly change: Partial<ContourChoice> } | { readonly refused: "notStraight" | "nothingHere" | "notOfContour" };
+
+/** A line drawn by hand may be so much off the axis, as a slope. */
+const STRAIGHT = 1e-3;
+/** Most positions that keys step through. */
+const MOST = 2000;
+/** A control keeps three decimals. */
+const rounded = (n: number): number => Math.round(n * 1000) / 1000 + 0;
+
+/** Index of the curve nearest to a point within a distance, mm; null if there is none. Centre lines count last. */
+export function nearestCurve(
+  curves: readonly DrawnCurve[],
+  p: Pt,
+  within: number,
+  counts: (curve: DrawnCurve) => boolean = () => true,
+): number | null {
+  let found: number | null = null,
+    least = within;
+  curves.forEach((curve, i) => {
+    const { segment: s } = curve;
+    // Most curves are far off, which needs no arcs.
+    const reach = s.kind === "arc" ? 2 * part.radiusOf(s) : Math.hypot(s.to.z - s.from.z, s.to.r - s.from.r);
+    if (Math.hypot(p.z - s.from.z, p.r - s.from.r) > reach + least || !counts(curve)) return;
+    const far = part.distanceTo(s, p);
+    if (far <= least) [found, least] = [i, far];
+  });
+  return found;
+}
+
+/** Axis along a straight line; null for other curves and slopes. */
+export function axisAlong({ segment: s }: DrawnCurve): Pick<ContourChoice, "axis" | "axisAt"> | null {
+  if (s.kind !== "line") return null;
+  const dz = Math.abs(s.to.z - s.from.z),
+    dr = Math.abs(s.to.r - s.from.r);
+  if (dr <= STRAIGHT * dz) return { axis: "x", axisAt: rounded((s.from.r + s.to.r) / 2) };
+  return dz <= STRAIGHT * dr ? { axis: "y", axisAt: rounded((s.from.z + s.to.z) / 2) } : null;
+}
+
+/** Increasing values without repetition. */
+const distinct = (values: readonly number[]): number[] =>
+  values
+    .map(rounded)
+    .sort((a, b) => a - b)
+    .filter((v, i, all) => i === 0 || v - (all[i - 1] ?? 0) > SAME)
+    .slice(0, MOST);
+
+/** Positions of lines along one direction, increasing: possible axes of rotation. */
+export const axisPositions = (drawing: Drawing, axis: ContourChoice["axis"]): number[] =>
+  distinct(
+    drawing.curves.flatMap((curve) => {
+      const on = axisAlong(curve);
+      return on?.axis === axis ? [on.axisAt] : [];
+    }),
+  );
+
+/** Positions of the ends of the chosen piece along the axis, increasing: possible zero points. */
+export const zeroPositions = (drawing: Drawing, choice: ContourChoice, contour: DrawnContour): number[] =>
+  distinct(
+    (contour.pieces[choice.piece]?.curves ?? []).flatMap((i) => {
+      const s = drawing.curves[i]?.segment;
+      return s ? [alongAxis(choice, s.from), alongAxis(choice, s.to)] : [];
+    }),
+  );
+
+/** The next position in a direction from the present one; the present one at the end of the list. */
+export const nextPosition = (positions: readonly number[], from: number, by: 1 | -1): number =>
+  (by > 0 ? positions.find((v) => v > from + SAME) : positions.findLast((v) => v < from - SAME)) ?? from;
+
+/** The nearest of some positions, if it is within a distance, mm; else the position itself. */
+export function snapped(positions: readonly number[], to: number, within: number): number {
+  const near = positions.reduce((best, v) => (Math.abs(v - to) < Math.abs(best - to) ? v : best), Infinity);
+  return Math.abs(near - to) <= within ? near : rounded(to);
+}
+
+/** Another axis: half, piece and zero point are proposed for it. Without a place the likeliest is taken. */
+export function axisChosen(
+  drawing: Drawing,
+  { gap, reversed, thin, diameters, withoutLayers }: ContourChoice,
+  on: { readonly axis: ContourChoice["axis"]; readonly axisAt?: number },
+): ContourChoice {
+  return propose(drawing, { ...on, gap, reversed, thin, diameters, withoutLayers });
+}
+
+function pickAxis(drawing: Drawing, choice: ContourChoice, p: Pt, within: number): Picked {
+  const isAxis = (curve: DrawnCurve) => axisAlong(curve) !== null;
+  const index =
+    nearestCurve(drawing.curves, p, within, (curve) => curve.role === "centre" && isAxis(curve)) ??
+    nearestCurve(drawing.curves, p, within, isAxis);
+  const on = index === null ? null : axisAlong(drawing.curves[index] as DrawnCurve);
+  if (on) return { change: axisChosen(drawing, choice, on) };
+  return { refused: nearestCurve(drawing.curves, p, within) === null ? "nothingHere" : "notStraight" };
+}
+
+function pickZero(drawing: Drawing, choice: ContourChoice, p: Pt, within: number): Picked {
+  let found: Pt | null = null,
+    least = within;
+  for (const { segment: s } of drawing.curves)
+    for (const end of s.kind === "arc" ? [s.from, s.to, s.centre] : [s.from, s.to]) {
+      const far = Math.hypot(end.z - p.z, end.r - p.r);
+      if (far <= least) [found, least] = [end, far];
+    }
+  if (found) return { change: { zero: rounded(alongAxis(choice, found)) } };
+  const across = choice.axis === "x" ? "y" : "x";
+  const index = nearestCurve(drawing.curves, p, within, (curve) => axisAlong(curve)?.axis === across);
+  const on = index === null ? null : axisAlong(drawing.curves[index] as DrawnCurve);
+  return on ? { change: { zero: on.axisAt } } : { refused: "nothingHere" };
+}
+
+/** Distance of a point of the drawing from the contour of a choice, mm. */
+const farFrom = (choice: ContourChoice, { segments }: DrawnContour, p: Pt): number =>
+  segmentsOnDrawing(choice, segments)
+    .flat()
+    .reduce((least, s) => Math.min(least, part.distanceTo(s, p)), Infinity);
+
+/** Whether a line can be part of a contour. */
+const counts = ({ thin, withoutLayers }: ContourChoice, { role, layer }: DrawnCurve): boolean =>
+  role !== "centre" && (thin || role === "outline") && !withoutLayers.includes(layer);
+
+function pickContour(drawing: Drawing, choice: ContourChoice, p: Pt, within: number, read: ContourReader): Picked {
+  const index = nearestCurve(drawing.curves, p, within, (curve) => counts(choice, curve));
+  const sideOf = (q: Pt): ContourChoice["half"] => (acrossAxis(choice, q) >= choice.axisAt ? "upper" : "lower");
+  if (index === null) {
+    const half = sideOf(p);
+    return half === choice.half || read({ ...choice, half, piece: 0 }).pieces.length === 0
+      ? { refused: "nothingHere" }
+      : { change: { half, piece: 0 } };
+  }
+  const { segment } = drawing.curves[index] as DrawnCurve,
+    half = sideOf(part.nearestOn(segment, p));
+  // A line on the axis belongs to both halves: the present one first.
+  const halves = half === choice.half ? [half] : [half, choice.half];
+  for (const each of halves) {
+    const base = { ...choice, half: each };
+    const piece = read(base).pieces.findIndex(({ curves }) => curves.includes(index));
+    if (piece < 0) continue;
+    const chosen = { ...base, piece },
+      own = read(chosen);
+    if (!own.hasSides) return { change: { half: each, piece } };
+    const sides = (["outside", "bore"] as const).map((side) => {
+      const asked = { ...chosen, side };
+      return { side, far: farFrom(asked, side === chosen.side ? own : read(asked), p) };
+    });
+    const side = sides.reduce((best, next) => (next.far < best.far - SAME ? next : best)).side;
+    return { change: { half: each, piece, side } };
+  }
+  return { refused: "notOfContour" };
+}
+
+/**
+ * What a tap at a point of the drawing chooses. `within`: reach of the tap, mm; `read`: the contour of a choice, for the
+ * pieces of the other half.
+ */
+export function picked(
+  of: PickKind,
+  drawing: Drawing,
+  choice: ContourChoice,
+  p: Pt,
+  within: number,
+  read: ContourReader,
+): Picked {
+  if (of === "axis") return pickAxis(drawing, choice, p, within);
+  return of === "zero" ? pickZero(drawing, choice, p, within) : pickContour(drawing, choice, p, within, read);
+}
+
+/** What the arrow keys choose on the picture: the next axis, zero point, piece or half; null for no change. */
+export function stepped(
+  of: PickKind,
+  key: "ArrowLeft" | "ArrowRight" | "ArrowUp" | "ArrowDown",
+  drawing: Drawing,
+  choice: ContourChoice,
+  contour: DrawnContour,
+): Partial<ContourChoice> | null {
+  const isLevel = key === "ArrowLeft" || key === "ArrowRight",
+    by = key === "ArrowRight" || key === "ArrowUp" ? 1 : -1;
+  if (of === "axis") {
+    const axis = isLevel ? "y" : "x";
+    if (axis !== choice.axis) return axisChosen(drawing, choice, { axis });
+    const axisAt = nextPosition(axisPositions(drawing, axis), choice.axisAt, by);
+    return axisAt === choice.axisAt ? null : axisChosen(drawing, choice, { axis, axisAt });
+  }
+  if (of === "zero") {
+    if (isLevel !== (choice.axis === "x")) return null;
+    const zero = nextPosition(zeroPositions(drawing, choice, contour), choice.zero, by);
+    return zero === choice.zero ? null : { zero };
+  }
+  if (isLevel === (choice.axis === "y")) {
+    const half = by > 0 ? "upper" : "lower";
+    return half === choice.half ? null : { half, piece: 0 };
+  }
+  const piece = choice.piece + by;
+  return contour.pieces[piece] ? { piece } : null;
+}
+
+/** Index of the row whose end is nearest to a place of the drawing; null without rows. Ends are those of the contour. */
+export function rowNear(choice: ContourChoice, ends: readonly (Pt | null)[], place: Pt): number | null {
+  const p = placingOf(choice)(place);
+  let found: number | null = null,
+    least = Infinity;
+  ends.forEach((end, i) => {
+    if (!end) return;
+    const far = Math.hypot(end.z - p.z, end.r - p.r);
+    if (far < least) [found, least] = [i, far];
+  });
+  return found;
+}

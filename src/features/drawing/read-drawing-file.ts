@@ -1,0 +1,26 @@
+import type { ContourChoice, Drawing, DrawingNote } from "../../program/drawing/drawing.ts";
+import { LARGEST_DRAWING } from "../../program/drawing/endings.ts";
+import { askAgain } from "../../app/calculation/worker-life.ts";
+
+/** A drawing and the proposed choice, or notes that say why there is none. */
+export type ReadDrawing =
+  | { readonly kind: "drawing"; readonly drawing: Drawing; readonly choice: ContourChoice }
+  | { readonly kind: "failed"; readonly notes: readonly DrawingNote[] };
+
+const failed = (note: DrawingNote): ReadDrawing => ({ kind: "failed", notes: [note] });
+
+/** Reads a drawing in the worker, so that the page goes on. `unit`: chosen by the operator, instead of that of the file. */
+export async function readDrawingFile(file: File, unit?: "mm" | "inch"): Promise<ReadDrawing> {
+  if (file.size > LARGEST_DRAWING)
+    return failed({ code: "tooLarge", severity: "error", values: { limit: LARGEST_DRAWING / 1e6 } });
+  try {
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    const read = await askAgain((engine) => engine.readDrawing({ name: file.name, bytes }, unit));
+    return read.drawing.curves.length > 0
+      ? { kind: "drawing", ...read }
+      : { kind: "failed", notes: read.drawing.notes };
+  } catch {
+    const kind = /[^.]*$/.exec(file.name)?.[0]?.toUpperCase() ?? "";
+    return failed({ code: "unreadable", severity: "error", values: { kind } });
+  }
+}
