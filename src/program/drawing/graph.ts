@@ -27,8 +27,9 @@ export interface Graph {
 /** Many loose ends are no outline with gaps: they are joined no farther than this, mm. */
 const MOST_LOOSE = 5000,
   NARROW = 0.02;
-/** Most points in which curves are divided; drawings with more crossings are taken as drawn. */
-const MOST_CUTS = 60_000;
+/** Most points in which curves are divided, and most pairs compared; drawings with more are taken as drawn. */
+const MOST_CUTS = 60_000,
+  MOST_PAIRS = 400_000;
 
 const wider = (b: Box, by: number): Box => ({
   left: b.left - by,
@@ -37,10 +38,11 @@ const wider = (b: Box, by: number): Box => ({
   high: b.high + by,
 });
 
-/** Calls for each pair of curves whose boxes overlap, in order of their left ends. */
-function pairs(curves: readonly HalfCurve[], call: (a: number, b: number) => boolean): void {
-  const boxes = curves.map((c) => wider(part.boxOf(c.segment), TOUCHING)),
-    order = boxes.map((_, i) => i).toSorted((i, j) => (boxes[i]?.left ?? 0) - (boxes[j]?.left ?? 0));
+const isIn = (b: Box, p: Pt) => p.z >= b.left && p.z <= b.right && p.r >= b.low && p.r <= b.high;
+
+/** Calls for each pair of curves whose boxes overlap, in order of their left ends; false when it was stopped. */
+function pairs(boxes: readonly Box[], call: (a: number, b: number) => boolean): boolean {
+  const order = boxes.map((_, i) => i).toSorted((i, j) => (boxes[i]?.left ?? 0) - (boxes[j]?.left ?? 0));
   let open: number[] = [];
   for (const i of order) {
     const box = boxes[i];
@@ -48,20 +50,24 @@ function pairs(curves: readonly HalfCurve[], call: (a: number, b: number) => boo
     open = open.filter((j) => (boxes[j]?.right ?? 0) >= box.left);
     for (const j of open) {
       const other = boxes[j];
-      if (other && overlap(box, other) && !call(i, j)) return;
+      if (other && overlap(box, other) && !call(i, j)) return false;
     }
     open.push(i);
   }
+  return true;
 }
 
 /** Curves divided where others end on them or cross them. */
-function divided(curves: readonly HalfCurve[]): HalfCurve[] {
-  const cuts: Pt[][] = curves.map(() => []);
-  let count = 0;
-  pairs(curves, (i, j) => {
+export function divided(curves: readonly HalfCurve[]): HalfCurve[] {
+  const cuts: Pt[][] = curves.map(() => []),
+    boxes = curves.map((c) => wider(part.boxOf(c.segment), TOUCHING));
+  let [count, compared] = [0, 0];
+  const isDone = pairs(boxes, (i, j) => {
     const [a, b] = [curves[i]?.segment, curves[j]?.segment];
     if (!a || !b) return true;
     const cut = (s: Segment, index: number, p: Pt) => {
+      const box = boxes[index];
+      if (!box || !isIn(box, p)) return;
       if (part.apart(p, s.from) > TOUCHING && part.apart(p, s.to) > TOUCHING && part.distanceTo(s, p) <= TOUCHING) {
         cuts[index]?.push(p);
         count += 1;
@@ -74,9 +80,10 @@ function divided(curves: readonly HalfCurve[]): HalfCurve[] {
         cut(a, i, p);
         cut(b, j, p);
       }
-    return count < MOST_CUTS;
+    compared += 1;
+    return count < MOST_CUTS && compared < MOST_PAIRS;
   });
-  if (count >= MOST_CUTS) return [...curves];
+  if (!isDone) return [...curves];
   return curves.flatMap(({ segment, source }, i) =>
     splitAt(segment, distinct(cuts[i] ?? [])).map((s) => ({ segment: s, source })),
   );
@@ -239,11 +246,11 @@ function joined(nodes: readonly Pt[], edges: Edge[], widest: number): Join[] {
 const middle = (a: Pt | undefined, b: Pt | undefined): Pt =>
   a && b ? part.scaled(part.sum(a, b), 1 / 2) : (a ?? b ?? at(0, 0));
 
-/** Nodes and edges of the curves of a half: divided at their crossings, with loose ends joined up to the gap (mm). */
+/** Nodes and edges of the curves of a half that were divided, with loose ends joined up to the gap (mm). */
 export function graphOf(curves: readonly HalfCurve[], gap: number): Graph {
   const places = new Places(TOUCHING);
   const nodeAt = (p: Pt) => places.near(p)[0]?.index ?? places.add(p);
-  const edges: Edge[] = divided(curves).flatMap(({ segment, source }) => {
+  const edges: Edge[] = curves.flatMap(({ segment, source }) => {
     const [from, to] = [nodeAt(segment.from), nodeAt(segment.to)];
     return from === to && part.lengthOf(segment) <= 2 * TOUCHING ? [] : [{ from, to, segment, source, isAxis: false }];
   });
