@@ -1,7 +1,7 @@
 import { ROUND, SAME } from "../../../kernel/tolerance.ts";
 import { part } from "../../../kernel/geometry/point.ts";
 import { isSameAxis, meridianParameter, meridianPoint, sectionPoint, type Axis3 } from "./meridian.ts";
-import type { SurfacedFace } from "./half-section.ts";
+import type { SurfacedFace } from "./step-surface.ts";
 import { pointsOfFace } from "./step-body.ts";
 import { minus, times, dot3, type V3 } from "../space.ts";
 import { uprightFrame } from "./frame.ts";

@@ -3,7 +3,7 @@ import { FULL_TURN, shortest } from "../../../kernel/geometry/segments.ts";
 import { NOTHING } from "../../../kernel/tolerance.ts";
 import { add, dot3, minus, times, type V3 } from "../space.ts";
 import { uprightFrame } from "./frame.ts";
-import type { SurfacedFace } from "./half-section.ts";
+import type { SurfacedFace } from "./step-surface.ts";
 import { hullOf, isInHull, isInRing } from "./hull.ts";
 import { sectionPoint, type Axis3 } from "./meridian.ts";
 import { pointsOfFace, type StepFace } from "./step-body.ts";

@@ -15,14 +15,8 @@ import {
   type Meridian,
 } from "./meridian.ts";
 import { pointsOfFace, type StepBody, type StepEdge, type StepFace } from "./step-body.ts";
-import type { StepSurface } from "./step-surface.ts";
+import type { StepSurface, SurfacedFace } from "./step-surface.ts";
 import { add, minus, times, dot3, cross3, unit3, type V3 } from "../space.ts";
-
-/** A face with its surface. */
-export interface SurfacedFace {
-  readonly face: StepFace;
-  readonly surface: StepSurface;
-}
 
 /** A line or arc of a half section, and the kind of surface it is of. */
 export interface SectionCurve {

@@ -1,5 +1,5 @@
 import { turnOf } from "./axis-of-body.ts";
-import type { SurfacedFace } from "./half-section.ts";
+import type { SurfacedFace } from "./step-surface.ts";
 import { isSameAxis, meridianNormal, sectionPoint, type Axis3 } from "./meridian.ts";
 import { pointsOfFace } from "./step-body.ts";
 import { cross3, size3 } from "../space.ts";

@@ -6,12 +6,12 @@ import { decoded } from "../decode.ts";
 import type { Drawing, DrawingNote, DrawingUnit, DrawnCurve } from "../drawing.ts";
 import { FIT } from "../fit.ts";
 import { axisOfBody } from "./axis-of-body.ts";
-import { halfSection, type HalfSection, type SectionCurve, type SurfacedFace } from "./half-section.ts";
+import { halfSection, type HalfSection, type SectionCurve } from "./half-section.ts";
 import { leftOutOf } from "./left-out.ts";
 import { mended } from "./mend.ts";
 import type { Axis3 } from "./meridian.ts";
 import { STEP_LIMITS, stepBodies, type StepBody } from "./step-body.ts";
-import { stepSurface, type StepSurface } from "./step-surface.ts";
+import { stepSurface, type StepSurface, type SurfacedFace } from "./step-surface.ts";
 
 /** The centre line stands out of the part by this share of its length, and at least so far, mm. */
 const OUT = { share: 0.04, least: 1 };

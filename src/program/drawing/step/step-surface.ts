@@ -4,6 +4,7 @@ import type { Part21Entity, Part21Value } from "../../files/part21.ts";
 import { enumerationIn, listIn, numberIn, recordOf } from "../../files/part21-values.ts";
 import { ALIKE, isSameAxis, meridianOf, PARALLEL, ROUGH, sectionPoint, type Axis3, type Meridian } from "./meridian.ts";
 import { isSimple, numbersIn, pointsIn, stepCurve, type StepCurve } from "./step-curve.ts";
+import type { StepFace } from "./step-body.ts";
 import type { StepGeometry } from "./step-geometry.ts";
 import { add, cross3, dot3, minus, size3, times, unit3, type Placing, type Spline3, type V3 } from "../space.ts";
 import { splinePoint } from "../splines.ts";
@@ -28,6 +29,12 @@ export interface StepSurface {
   readonly centre?: V3;
   /** Its curve in the half section of an axis; null when it is not of revolution about that. */
   readonly meridian: (about: Axis3) => Meridian | null;
+}
+
+/** A face with its surface. */
+export interface SurfacedFace {
+  readonly face: StepFace;
+  readonly surface: StepSurface;
 }
 
 /** Points at which a profile is looked at to see whether it lies in a plane with the axis. */
