@@ -14,6 +14,8 @@ export interface ContourTarget {
 
 /** A drawing that was opened, with the choices made on it. */
 export interface OpenedDrawing {
+  /** Name under which the worker keeps it. */
+  readonly name: string;
   readonly file: File;
   readonly drawing: Drawing;
   readonly choice: ContourChoice;

@@ -1,3 +1,4 @@
+import { useMemo } from "react";
 import type { Language } from "../../i18n/languages.ts";
 import { noteText } from "../../i18n/drawing-note.ts";
 import type { ContourRow } from "../../program/job/job.ts";
@@ -12,6 +13,19 @@ interface Props {
   /** Counted from 1. */
   readonly number: number;
   readonly language: Language;
+}
+
+const NO_ROWS: ReadonlySet<number> = new Set();
+
+/** The elements with such notes, by index. */
+export function useNotedRows(rows: readonly ContourRow[]): ReadonlySet<number> {
+  const work = useEditor((s) => s.work),
+    all = useDrawnNotes((s) => s.notes);
+  return useMemo(
+    () =>
+      all.length === 0 ? NO_ROWS : new Set(rows.flatMap((row, i) => (notesOn(all, work, row).length > 0 ? [i] : []))),
+    [rows, work, all],
+  );
 }
 
 /** What the drawing left open at an element: shown until it is dismissed or the element is edited. */

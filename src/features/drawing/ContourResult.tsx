@@ -17,6 +17,8 @@ interface Props {
   readonly onActive: (row: number | null) => void;
 }
 
+/** Most elements that are drawn and listed here; the large picture shows all. */
+const MOST = 400;
 /** Scales at the left and lower edge of the small picture. */
 const MARGIN = { left: 54, right: 22, top: 18, bottom: 32 };
 const NO_FAULTS: ReadonlySet<number> = new Set();
@@ -42,29 +44,29 @@ export function ContourResult({ rows, reading, active, onActive }: Props) {
   const picture = useMemo(
     () =>
       contourDrawing({
-        contour: reading.contour.segments,
+        contour: rows.length > MOST ? [] : reading.contour.segments,
         rowOfSegment: reading.rowOfSegment,
-        ends: reading.rows.map((r) => r.end),
+        ends: rows.length > MOST ? [] : reading.rows.map((r) => r.end),
         faulty: NO_FAULTS,
         active,
         size,
         margin: MARGIN,
         xUp,
       }),
-    [reading, active, size, xUp],
+    [rows, reading, active, size, xUp],
   );
   const move = (e: KeyboardEvent<HTMLElement>) => {
     const by = { ArrowDown: 1, ArrowUp: -1, Home: -Infinity, End: Infinity }[e.key];
     if (by === undefined) return;
     e.preventDefault();
-    const next = Math.min(rows.length - 1, Math.max(0, (active ?? (by > 0 ? -1 : rows.length)) + by));
+    const next = Math.min(rows.length - 1, MOST - 1, Math.max(0, (active ?? (by > 0 ? -1 : rows.length)) + by));
     onActive(next);
     e.currentTarget.querySelector(`[data-row="${next}"]`)?.scrollIntoView({ block: "nearest" });
   };
   return (
     <section className="drawing-result" aria-label={t.result}>
       <h3>{t.result}</h3>
-      <div className="drawing-preview" ref={box} aria-hidden="true">
+      <div className="drawing-preview" ref={box} aria-hidden="true" hidden={rows.length > MOST}>
         <svg viewBox={`0 0 ${size.width} ${size.height}`}>
           <path className="axis" d={picture.axis} />
           {picture.elements.map((e) => (
@@ -100,7 +102,7 @@ export function ContourResult({ rows, reading, active, onActive }: Props) {
         onFocus={() => active === null && onActive(0)}
         onPointerLeave={() => onActive(null)}
       >
-        {rows.map((row, i) => {
+        {rows.slice(0, MOST).map((row, i) => {
           const end = reading.rows[i]?.end ?? null;
           const turn = row.kind === "CR" ? ` ${row.turn === "cw" ? clockwise : counterClockwise}` : "";
           return (
@@ -126,6 +128,7 @@ export function ContourResult({ rows, reading, active, onActive }: Props) {
           );
         })}
       </ol>
+      {rows.length > MOST && <p className="small soft">{t.moreRows(rows.length - MOST)}</p>}
     </section>
   );
 }

@@ -1,4 +1,4 @@
-import { useId, useState, type ReactNode } from "react";
+import { useId, useMemo, useState, type ReactNode } from "react";
 import type { ContourChoice, DrawnContour, Drawing } from "../../program/drawing/drawing.ts";
 import { anyNumber, readText, type Field } from "../../program/values/field.ts";
 import { INCH } from "../../kernel/units.ts";
@@ -6,7 +6,7 @@ import { formatNumber } from "../../i18n/number.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { NumberInput } from "../../app/fields/number/NumberInput.tsx";
-import { axisChosen, zeroPositions } from "./pick.ts";
+import { zeroPositions } from "../../program/drawing/positions.ts";
 
 interface Props {
   readonly drawing: Drawing;
@@ -14,6 +14,8 @@ interface Props {
   readonly proposed: ContourChoice;
   readonly contour: DrawnContour;
   readonly onUnit: (unit: "mm" | "inch") => void;
+  /** Another direction of the axis, with its likeliest place. */
+  readonly onAxis: (axis: ContourChoice["axis"]) => void;
   readonly onChange: (change: Partial<ContourChoice>) => void;
 }
 
@@ -58,13 +60,13 @@ function Position({
 }
 
 /** All choices by name, next to the picture on which they can be picked. */
-export function DrawingChoices({ drawing, choice, proposed, contour, onUnit, onChange }: Props) {
+export function DrawingChoices({ drawing, choice, proposed, contour, onUnit, onAxis, onChange }: Props) {
   const t = useTexts("drawing-import"),
     language = useSettings((s) => s.language),
     id = useId();
   const { axis } = choice,
     per = drawing.unit.unit === "inch" ? INCH : 1;
-  const ends = zeroPositions(drawing, choice, contour);
+  const ends = useMemo(() => zeroPositions(drawing, choice, contour), [drawing, choice, contour]);
   const isProposed = (...keys: readonly (keyof ContourChoice)[]) => keys.every((key) => choice[key] === proposed[key]);
   const group = (name: string, isOwn: boolean, content: ReactNode) => (
     <fieldset className="drawing-choice">
@@ -162,7 +164,7 @@ export function DrawingChoices({ drawing, choice, proposed, contour, onUnit, onC
               ["x", t.level],
               ["y", t.upright],
             ],
-            (direction) => onChange(axisChosen(drawing, choice, { axis: direction })),
+            onAxis,
           )}
           <span className="drawing-at">
             <span>{t.axisAt[axis]}</span>

@@ -7,30 +7,17 @@ import { Message } from "../../app/base/Message.tsx";
 import { ModalDialog } from "../../app/base/ModalDialog.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
-import { contourOf } from "../../program/drawing/formats.ts";
-import type { ContourChoice, Drawing, DrawingNote } from "../../program/drawing/drawing.ts";
+import type { DrawingNote } from "../../program/drawing/drawing.ts";
 import { DRAWING_KINDS } from "../../program/drawing/endings.ts";
 import { DrawingPicker } from "./DrawingPicker.tsx";
 import { listedNotes } from "./listed-notes.ts";
 import { takeContour } from "./take-contour.ts";
-import { useOpenedDrawing } from "./use-opened-drawing.ts";
+import { useContour, useOpenedDrawing } from "./use-opened-drawing.ts";
 import "./drawing.css";
 
 /** Cycles that cut a contour, for a drawing that becomes a new program. */
 const CYCLES = offeredCycles(false).filter(({ free }) => free);
 const FIRST_CYCLE = 810;
-
-/** The contour of each choice on a drawing, made once. */
-function contourReader(drawing: Drawing) {
-  const known = new Map<string, ReturnType<typeof contourOf>>();
-  return (choice: ContourChoice) => {
-    const key = JSON.stringify(choice),
-      contour = known.get(key) ?? contourOf(drawing, choice);
-    if (known.size > 50) known.clear();
-    known.set(key, contour);
-    return contour;
-  };
-}
 
 /** Takes a contour from a drawing, picked on the picture, into a table or a new program. */
 export function DrawingDialog({ request }: { readonly request: DrawingRequest }) {
@@ -44,9 +31,9 @@ export function DrawingDialog({ request }: { readonly request: DrawingRequest })
   const { opening, readAs, change } = useOpenedDrawing(request.file);
   const { target } = request;
   const opened = opening.kind === "open" ? opening.opened : null;
-  const drawing = opened?.drawing ?? null;
-  const read = useMemo(() => drawing && contourReader(drawing), [drawing]);
-  const contour = opened && read ? read(opened.choice) : null;
+  const made = useContour(opened),
+    contour = made?.contour ?? null,
+    isMade = made !== null && made.choice === opened?.choice;
   const textOf = useCallback((note: DrawingNote) => noteText(language, note, words), [language, words]);
   const notes = useMemo(
     () => (opened && contour ? listedNotes([...contour.notes, ...opened.drawing.notes], textOf) : []),
@@ -66,16 +53,8 @@ export function DrawingDialog({ request }: { readonly request: DrawingRequest })
       first=".drawing-sheet, .drawing-choose"
       done={closeDrawing}
     >
-      {opened && contour && read ? (
-        <DrawingPicker
-          key={opened.file.name}
-          opened={opened}
-          contour={contour}
-          read={read}
-          notes={notes}
-          onUnit={readAs}
-          onChange={change}
-        />
+      {opened && made ? (
+        <DrawingPicker key={opened.name} opened={opened} made={made} notes={notes} onUnit={readAs} onChange={change} />
       ) : (
         <div className="drawing-empty">
           {opening.kind === "refused" && (
@@ -87,7 +66,7 @@ export function DrawingDialog({ request }: { readonly request: DrawingRequest })
               ))}
             </div>
           )}
-          {opening.kind === "reading" ? (
+          {opening.kind === "reading" || opened ? (
             <p role="status">{t.reading}</p>
           ) : (
             <>
@@ -100,7 +79,7 @@ export function DrawingDialog({ request }: { readonly request: DrawingRequest })
         </div>
       )}
       {/* While a drawing is read, nothing takes the focus that its picture gets then. */}
-      {opening.kind !== "reading" && (
+      {opening.kind !== "reading" && (made || !opened) && (
         <footer className="drawing-foot">
           {opened && (
             <button type="button" className="button" onClick={() => void chooseOther()}>
@@ -133,7 +112,7 @@ export function DrawingDialog({ request }: { readonly request: DrawingRequest })
           <button
             type="button"
             className="button primary"
-            disabled={!contour || contour.rows.length < 2}
+            disabled={!contour || !isMade || contour.rows.length < 2}
             onClick={() => {
               if (!opened || !contour) return;
               close();

@@ -4,7 +4,7 @@ import { part } from "../../kernel/geometry/point.ts";
 import { INCH, toDiameter } from "../../kernel/units.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import { readRows } from "../../program/job/contour-rows.ts";
-import type { ContourChoice, DrawnContour } from "../../program/drawing/drawing.ts";
+import type { ContourChoice } from "../../program/drawing/drawing.ts";
 import type { OpenedDrawing } from "../../app/document/drawing-request.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
@@ -13,20 +13,23 @@ import { ContourResult, rowText } from "./ContourResult.tsx";
 import { DrawingChoices } from "./DrawingChoices.tsx";
 import { DrawingSheet } from "./DrawingSheet.tsx";
 import { boundsOfSegments, extent, widened } from "./extent.ts";
-import { NoteList, type ListedNote } from "./NoteList.tsx";
+import { LeftOut, NoteList, type ListedNote } from "./NoteList.tsx";
 import { placingOf } from "../../program/drawing/halves.ts";
-import { segmentsOnDrawing } from "./on-drawing.ts";
-import { picked, PICKS, type ContourReader, type PickKind } from "./pick.ts";
+import { segmentsOnDrawing } from "../../program/drawing/on-drawing.ts";
+import type { ArrowKey, PickKind } from "../../program/drawing/pick.ts";
+import { askDrawing } from "./read-drawing-file.ts";
+import type { MadeContour } from "./use-opened-drawing.ts";
 
 interface Props {
   readonly opened: OpenedDrawing;
-  readonly contour: DrawnContour;
-  readonly read: ContourReader;
+  /** The newest contour, perhaps of the previous choice. */
+  readonly made: MadeContour;
   readonly notes: readonly ListedNote[];
   readonly onUnit: (unit: "mm" | "inch") => void;
   readonly onChange: (change: Partial<ContourChoice>) => void;
 }
 
+const PICKS: readonly PickKind[] = ["contour", "axis", "zero"];
 /** Room round the part, and round the place of a note, as shares of the part and of the drawing. */
 const PART_ROOM = 0.4,
   NOTE_ROOM = 0.05;
@@ -43,8 +46,9 @@ function rowUnder(reading: ReturnType<typeof readRows>, p: Pt, within: number): 
 }
 
 /** The drawing with its picked contour, next to the choices by name, the notes and the contour as a table. */
-export function DrawingPicker({ opened, contour, read, notes, onUnit, onChange }: Props) {
-  const { drawing, choice, proposed } = opened;
+export function DrawingPicker({ opened, made, notes, onUnit, onChange }: Props) {
+  const { drawing, choice, proposed } = opened,
+    { contour } = made;
   const t = useTexts("drawing-import"),
     language = useSettings((s) => s.language);
   const [pick, setPick] = useState<PickKind>("contour");
@@ -54,12 +58,12 @@ export function DrawingPicker({ opened, contour, read, notes, onUnit, onChange }
   const say = (text: string) => setSaid((old) => ({ text, times: old.times + 1 }));
   const reading = readRows(contour.rows);
   const { segments, rowOfSegment } = useMemo(() => {
-    const each = segmentsOnDrawing(choice, reading.contour.segments);
+    const each = segmentsOnDrawing(made.choice, reading.contour.segments);
     return {
       segments: each.flat(),
       rowOfSegment: each.flatMap((some, i) => some.map(() => reading.rowOfSegment[i] ?? 0)),
     };
-  }, [choice, reading]);
+  }, [made, reading]);
   const whole = useMemo(() => boundsOfSegments(drawing.curves.map((c) => c.segment)), [drawing]);
   const show = (n: number, decimals = 3) => formatNumber(language, n, decimals);
   const per = drawing.unit.unit === "inch" ? INCH : 1;
@@ -68,11 +72,15 @@ export function DrawingPicker({ opened, contour, read, notes, onUnit, onChange }
     showRow(null);
     onChange(next);
   };
-  const tap = (at: Pt, within: number) => {
-    const result = picked(pick, drawing, choice, at, within, read);
+  const tap = async (at: Pt, within: number) => {
+    const result = await askDrawing(opened, { ask: "tap", of: pick, choice, at, within });
     if ("refused" in result) return say(t.refused[result.refused]);
     change(result.change);
     say(`${t.chosen}: ${t.pick[pick]}`);
+  };
+  const pressKey = async (key: ArrowKey) => {
+    const next = await askDrawing(opened, { ask: "key", of: pick, choice, key });
+    if (next !== "nothing") change(next);
   };
   const partBox = () => widened(boundsOfSegments(segments), PART_ROOM);
   // At first the part, where the sheet round it is much larger.
@@ -93,6 +101,16 @@ export function DrawingPicker({ opened, contour, read, notes, onUnit, onChange }
   const activeEnd = activeRow === null ? null : (reading.rows[activeRow]?.end ?? null),
     activeElement = activeRow === null ? undefined : contour.rows[activeRow];
   const isProposed = (Object.keys(choice) as (keyof ContourChoice)[]).every((key) => choice[key] === proposed[key]);
+  const noteProps = {
+    notes,
+    active: activeNote,
+    onActive: showNote,
+    onGap: (gap: number) => change({ gap, piece: 0 }),
+    onShow: ({ note, number }: ListedNote) => {
+      showNote(number);
+      if (note.at) zoomTo(note.at);
+    },
+  };
   return (
     <div className="drawing-picker">
       <div className="drawing-stage">
@@ -123,10 +141,11 @@ export function DrawingPicker({ opened, contour, read, notes, onUnit, onChange }
           whole={whole}
           part={segments.length > 0 ? partBox : null}
           onView={look}
-          onTap={tap}
+          onTap={(at, within) => void tap(at, within)}
+          onArrow={(key) => void pressKey(key)}
           onChange={change}
           onHover={(at, within) =>
-            showRow(at && pick === "contour" ? rowUnder(reading, placingOf(choice)(at), within) : null)
+            showRow(at && pick === "contour" ? rowUnder(reading, placingOf(made.choice)(at), within) : null)
           }
           choice={choice}
           segments={segments}
@@ -156,12 +175,14 @@ export function DrawingPicker({ opened, contour, read, notes, onUnit, onChange }
         </p>
       </div>
       <div className="drawing-panel">
+        <NoteList {...noteProps} />
         <DrawingChoices
           drawing={drawing}
           choice={choice}
           proposed={proposed}
           contour={contour}
           onUnit={onUnit}
+          onAxis={(axis) => void askDrawing(opened, { ask: "axis", choice, axis }).then(change)}
           onChange={change}
         />
         {!isProposed && (
@@ -169,20 +190,12 @@ export function DrawingPicker({ opened, contour, read, notes, onUnit, onChange }
             {t.useProposal}
           </button>
         )}
-        <NoteList
-          notes={notes}
-          active={activeNote}
-          onActive={showNote}
-          onShow={({ note, number }) => {
-            showNote(number);
-            if (note.at) zoomTo(note.at);
-          }}
-        />
         {contour.rows.length < 2 ? (
           <p>{t.noContour}</p>
         ) : (
           <ContourResult rows={contour.rows} reading={reading} active={activeRow} onActive={showRow} />
         )}
+        <LeftOut {...noteProps} />
       </div>
     </div>
   );

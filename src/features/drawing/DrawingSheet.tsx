@@ -21,9 +21,10 @@ import { pageColours, useTheme } from "../../app/base/use-theme-colours.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { fitted, panned, toPlace, zoomed, type Bounds, type Camera, type Place } from "../../view/camera.ts";
 import { SHEET_MARGIN } from "./extent.ts";
-import { acrossAxis, alongAxis } from "./on-drawing.ts";
+import { acrossAxis, alongAxis } from "../../program/drawing/on-drawing.ts";
 import { DRAWING_COLOURS, drawingPaths, paintDrawing, pathOf } from "./paint-drawing.ts";
-import { axisPositions, nearestCurve, snapped, stepped, zeroPositions, type PickKind } from "./pick.ts";
+import type { ArrowKey, PickKind } from "../../program/drawing/pick.ts";
+import { axisPositions, nearestCurve, snapped, zeroPositions } from "../../program/drawing/positions.ts";
 import { SheetOverlay, type SheetMarks } from "./SheetOverlay.tsx";
 
 interface Props extends SheetMarks {
@@ -40,7 +41,8 @@ interface Props extends SheetMarks {
   readonly lead: ReactNode;
   /** A tap at a point of the drawing. `within`: its reach, mm. */
   readonly onTap: (at: Pt, within: number) => void;
-  /** A choice by keys or by dragging. */
+  readonly onArrow: (key: ArrowKey) => void;
+  /** A choice by dragging. */
   readonly onChange: (change: Partial<ContourChoice>) => void;
   /** The pointer is over a point of the drawing; null: over none. */
   readonly onHover: (at: Pt | null, within: number) => void;
@@ -57,7 +59,7 @@ const PANS: Readonly<Record<string, readonly [number, number]>> = {
   ArrowUp: [0, PAN],
   ArrowDown: [0, -PAN],
 };
-const isArrow = (key: string): key is "ArrowLeft" | "ArrowRight" | "ArrowUp" | "ArrowDown" => Object.hasOwn(PANS, key);
+const isArrow = (key: string): key is ArrowKey => Object.hasOwn(PANS, key);
 
 /** The whole drawing, on which axis, zero point and contour are picked: by pointer, finger or arrow keys. */
 export function DrawingSheet({
@@ -70,6 +72,7 @@ export function DrawingSheet({
   onView,
   lead,
   onTap,
+  onArrow,
   onChange,
   onHover,
   ...marks
@@ -159,15 +162,19 @@ export function DrawingSheet({
     };
   }, []);
 
+  // Where another drawing has replaced the focused one, the keyboard goes on here.
+  useEffect(() => {
+    const { activeElement, body } = document;
+    if (activeElement === body || activeElement?.closest(".modal-head")) box.current?.focus();
+  }, []);
+
   const onKeyDown = (e: KeyboardEvent<HTMLDivElement>) => {
     if (e.ctrlKey || e.metaKey || e.altKey) return;
     const { key } = e;
     const pan = PANS[key];
     if (pan && e.shiftKey) onView(panned(camera, pan[0], pan[1]));
-    else if (isArrow(key)) {
-      const change = stepped(pick, key, drawing, choice, contour);
-      if (change) onChange(change);
-    } else if (key === "+" || key === "=") zoom(ZOOM);
+    else if (isArrow(key)) onArrow(key);
+    else if (key === "+" || key === "=") zoom(ZOOM);
     else if (key === "-") zoom(1 / ZOOM);
     else if (key === "0") onView(whole);
     else return;

@@ -15,49 +15,83 @@ interface Props {
   readonly onActive: (number: number | null) => void;
   /** Shows the place of a note in the drawing. */
   readonly onShow: (note: ListedNote) => void;
+  /** Joins ends this far apart, mm. */
+  readonly onGap: (gap: number) => void;
 }
 
 /** Most notes that are listed at once. */
 const MOST = 40;
 
-/** Everything left out, joined or doubtful; a note with a place leads there. */
-export function NoteList({ notes, active, onActive, onShow }: Props) {
+/** One note; with a place it leads there. */
+function NoteLine({ listed, active, onActive, onShow, onGap }: Omit<Props, "notes"> & { readonly listed: ListedNote }) {
+  const t = useTexts("drawing-import"),
+    { note, text, number } = listed;
+  if (number === null)
+    return (
+      <li className={`small ${note.severity}`}>
+        <span className="note-text">
+          <Icon name={note.severity} /> <span>{text}</span>
+        </span>
+      </li>
+    );
+  return (
+    <li className={`small ${note.severity}${number === active ? " active" : ""}`}>
+      <button
+        type="button"
+        className="button plain small note-text"
+        onPointerEnter={() => onActive(number)}
+        onPointerLeave={() => onActive(null)}
+        onFocus={() => onActive(number)}
+        onBlur={() => onActive(null)}
+        onClick={() => onShow(listed)}
+      >
+        <span className="note-number">{number}</span> <span>{text}</span>
+      </button>
+      {note.code === "gapOpen" && (
+        <button
+          type="button"
+          className="button small note-act"
+          aria-label={t.closeGapOf(number)}
+          onClick={() => onGap(Math.ceil(note.values.width * 100 + 0.5) / 100)}
+        >
+          {t.closeGap}
+        </button>
+      )}
+    </li>
+  );
+}
+
+/** What is doubtful or was joined; each note with a place leads there. */
+export function NoteList({ notes, ...each }: Props) {
   const t = useTexts("drawing-import");
-  if (notes.length === 0) return null;
+  const doubtful = notes.filter(({ note, number }) => note.severity !== "info" || number !== null);
+  if (doubtful.length === 0) return null;
   return (
     <section className="drawing-notes" aria-label={t.notes}>
       <h3>{t.notes}</h3>
       <ul aria-live="polite">
-        {notes.slice(0, MOST).map((listed, i) => {
-          const { note, text, number } = listed;
-          const content = (
-            <>
-              {number === null ? <Icon name={note.severity} /> : <span className="note-number">{number}</span>}{" "}
-              <span>{text}</span>
-            </>
-          );
-          return (
-            <li key={i} className={`small ${note.severity}${number !== null && number === active ? " active" : ""}`}>
-              {number === null ? (
-                <span className="note-text">{content}</span>
-              ) : (
-                <button
-                  type="button"
-                  className="button plain small note-text"
-                  onPointerEnter={() => onActive(number)}
-                  onPointerLeave={() => onActive(null)}
-                  onFocus={() => onActive(number)}
-                  onBlur={() => onActive(null)}
-                  onClick={() => onShow(listed)}
-                >
-                  {content}
-                </button>
-              )}
-            </li>
-          );
-        })}
+        {doubtful.slice(0, MOST).map((listed, i) => (
+          <NoteLine key={i} listed={listed} {...each} />
+        ))}
       </ul>
-      {notes.length > MOST && <p className="small soft">{t.moreNotes(notes.length - MOST)}</p>}
+      {doubtful.length > MOST && <p className="small soft">{t.moreNotes(doubtful.length - MOST)}</p>}
     </section>
+  );
+}
+
+/** What was left out or converted, folded. */
+export function LeftOut({ notes, ...each }: Props) {
+  const t = useTexts("drawing-import");
+  const others = notes.filter(({ note, number }) => note.severity === "info" && number === null);
+  if (others.length === 0) return null;
+  return (
+    <details className="drawing-notes drawing-more">
+      <summary>{t.leftOut(others.length)}</summary>
+      <ul>
+        {others.slice(0, MOST).map((listed, i) => (
+          <NoteLine key={i} listed={listed} {...each} />
+        ))}
+      </ul>
+    </details>
   );
 }

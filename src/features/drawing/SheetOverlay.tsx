@@ -3,7 +3,7 @@ import type { ContourChoice } from "../../program/drawing/drawing.ts";
 import { ZeroMark } from "../../app/pictures/lathe/Marks.tsx";
 import { toScreen, type Camera, type Place, type Size } from "../../view/camera.ts";
 import { polyline, px, segmentPath } from "../../view/help/marks.ts";
-import { fromAxis } from "./on-drawing.ts";
+import { fromAxis } from "../../program/drawing/on-drawing.ts";
 
 /** A note with its number in the list and its place on the drawing. */
 export interface NoteMark {

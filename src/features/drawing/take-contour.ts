@@ -7,7 +7,7 @@ import { keepDrawnNotes } from "../../app/document/drawn-notes.ts";
 import type { ContourTarget } from "../../app/document/drawing-request.ts";
 import { useEditor } from "../../app/document/store.ts";
 import { retryImport } from "../../app/base/parts.ts";
-import { rowNear } from "./pick.ts";
+import { rowNear } from "../../program/drawing/positions.ts";
 
 /** Rows in mm, as they are typed in a program that counts in inches. */
 const inInches = (row: ContourRow): ContourRow => ({

@@ -75,7 +75,14 @@ export const drawingImport = {
   more: "Weitere Optionen",
   result: "Kontur in der Tabelle",
   resultHow: "Pfeiltasten zeigen jedes Element in der Zeichnung.",
+  moreRows: (count) => `${count} weitere Elemente`,
   noContour: "Mit dieser Auswahl ergibt sich keine Kontur.",
   notes: "Hinweise zur Zeichnung",
+  leftOut: (count) =>
+    count === 1
+      ? "1 Hinweis zu ausgelassenen oder umgewandelten Linien"
+      : `${count} Hinweise zu ausgelassenen oder umgewandelten Linien`,
+  closeGap: "Lücke schließen",
+  closeGapOf: (note) => `Lücke von Hinweis ${note} schließen`,
   moreNotes: (count) => (count === 1 ? "1 weiterer Hinweis" : `${count} weitere Hinweise`),
 } satisfies DrawingImportTexts;

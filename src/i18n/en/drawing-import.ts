@@ -73,8 +73,13 @@ export const drawingImport = {
   more: "More options",
   result: "Contour in the table",
   resultHow: "Arrow keys show each element in the drawing.",
+  moreRows: (count: number) => `${count} more elements`,
   noContour: "No contour with these choices.",
   notes: "Notes on the drawing",
+  leftOut: (count: number) =>
+    count === 1 ? "1 note on lines left out or converted" : `${count} notes on lines left out or converted`,
+  closeGap: "Close gap",
+  closeGapOf: (note: number) => `Close the gap of note ${note}`,
   moreNotes: (count: number) => (count === 1 ? "1 more note" : `${count} more notes`),
 };
 

@@ -81,7 +81,14 @@ export const drawingImport = {
   more: "Autres options",
   result: "Contour dans le tableau",
   resultHow: "Les flèches montrent chaque élément dans le dessin.",
+  moreRows: (count) => `${count} autres éléments`,
   noContour: "Aucun contour avec ces choix.",
   notes: "Remarques sur le dessin",
+  leftOut: (count) =>
+    count === 1
+      ? "1 remarque sur les lignes omises ou converties"
+      : `${count} remarques sur les lignes omises ou converties`,
+  closeGap: "Raccorder",
+  closeGapOf: (note) => `Raccorder l’écart de la remarque ${note}`,
   moreNotes: (count) => (count === 1 ? "1 autre remarque" : `${count} autres remarques`),
 } satisfies DrawingImportTexts;

@@ -65,7 +65,11 @@ export const drawingImport = {
   more: "更多选项",
   result: "表中的轮廓",
   resultHow: "方向键在图纸中显示各元素。",
+  moreRows: (count) => `另有 ${count} 个元素`,
   noContour: "当前选择没有轮廓。",
   notes: "图纸说明",
+  leftOut: (count) => `${count} 条关于略去或转换线条的说明`,
+  closeGap: "闭合间隙",
+  closeGapOf: (note) => `闭合说明 ${note} 的间隙`,
   moreNotes: (count) => `另有 ${count} 条说明`,
 } satisfies DrawingImportTexts;

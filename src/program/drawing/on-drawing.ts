@@ -1,7 +1,7 @@
 import { at, part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { opposite } from "../../kernel/geometry/segments.ts";
-import type { ContourChoice } from "../../program/drawing/drawing.ts";
-import { backPlacingOf } from "../../program/drawing/halves.ts";
+import type { ContourChoice } from "./drawing.ts";
+import { backPlacingOf } from "./halves.ts";
 
 /** Coordinate along the axis of rotation and across it, mm of the drawing. */
 export const alongAxis = ({ axis }: Pick<ContourChoice, "axis">, p: Pt): number => (axis === "x" ? p.z : p.r);
