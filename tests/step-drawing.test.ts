@@ -1,6 +1,10 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import { at, part, type Segment } from "../src/kernel/geometry/point.ts";
+import { readPart21 } from "../src/program/files/part21.ts";
+import { crossingOf } from "../src/program/drawing/step/beside.ts";
+import { stepBodies } from "../src/program/drawing/step/step-body.ts";
+import { stepSurface } from "../src/program/drawing/step/step-surface.ts";
 import { readStep } from "../src/program/drawing/step/read-step.ts";
 import { MANNERS, Solid, type V } from "./step-solid.ts";
 
@@ -103,6 +107,22 @@ test("what is milled or drilled beside the axis is left out and named; the turne
     { code: "notTurned", severity: "warning", values: { shape: "flats", count: 1 } },
     { code: "notTurned", severity: "warning", values: { shape: "holes", count: 1 } },
   ]);
+});
+
+test.each([
+  ["in the hole", -20, 5, true],
+  ["where the circle leaves the hole", -20, 6.9, true],
+  ["within the circle of holes", -20, 2.9, false],
+  ["outside of it", -20, 7.1, false],
+  ["behind its end", -40.1, 5, false],
+])("a circle about the axis meets a hole beside it: %s", (_, z, r, meets) => {
+  const [body] = stepBodies(readPart21(milled().text())).bodies,
+    axis = { origin: [5, 0, 0], direction: [0, 0, 1] } as const;
+  const crossings = (body?.faces ?? []).flatMap((face) => {
+    const surface = body && stepSurface(body.geometry, face.surface, null);
+    return surface?.kind === "cylinder" && !surface.meridian(axis) ? [crossingOf({ face, surface }, axis)] : [];
+  });
+  expect(crossings.map((c) => c?.(at(z, r)))).toEqual([meets]);
 });
 
 test("a chosen unit replaces that of the file", () => {
