@@ -273,8 +273,10 @@ export default defineConfig({
     manifest: true,
     assetsInlineLimit: 0,
     chunkSizeWarningLimit: 900,
-    // The worker has no document to preload into.
-    modulePreload: { resolveDependencies: (_, parts, { hostId }) => (/\/worker-/.test(hostId) ? [] : parts) },
+    // The worker has no document to preload into, and fetches the readers of drawings too.
+    modulePreload: {
+      resolveDependencies: (file, parts, { hostId }) => (/\/worker-/.test(hostId) || /\/read-/.test(file) ? [] : parts),
+    },
     // All that the start page waits for is one file: one request, and 2 kB less than the same in nine. So is what a
     // dialog waits for.
     rolldownOptions: {

@@ -15,6 +15,8 @@ interface English {
   readonly "course-task": typeof import("./en/course-task.ts");
   readonly "course-teach": typeof import("./en/course-teach.ts");
   readonly device: typeof import("./en/device.ts");
+  readonly drawing: typeof import("./en/drawing.ts");
+  readonly "drawing-import": typeof import("./en/drawing-import.ts");
   readonly export: typeof import("./en/export.ts");
   readonly files: typeof import("./en/files.ts");
   readonly find: typeof import("./en/find.ts");

@@ -1,6 +1,7 @@
 import { Suspense, useEffect, type ComponentType } from "react";
 import { menuCycle } from "../app/fields/chooser/menu.ts";
 import { Header } from "./Header.tsx";
+import { useDrawingRequest } from "../app/document/drawing-request.ts";
 import { useProgramChoice } from "../app/document/program-choice.ts";
 import { NumberKeys } from "../app/fields/keypad/NumberKeys.tsx";
 import { MissingPart } from "../app/base/MissingPart.tsx";
@@ -19,6 +20,7 @@ import { usePendingRestore } from "../app/records/pending-restore.ts";
 import { fetchCompareDialog } from "../features/compare/index.ts";
 import { IncomingTaught, TaskLine } from "../features/course/first.ts";
 import { fetchCourseEntrance, fetchCoursePage } from "../features/course/index.ts";
+import { fetchDrawingDialog } from "../features/drawing/index.ts";
 import { fetchProgramWorkplace } from "../features/editor/index.ts";
 import { DropProgram } from "../features/files/first.ts";
 import { fetchChooseProgram } from "../features/files/index.ts";
@@ -54,6 +56,8 @@ const CoursePage = lazyPart(async () => ({ default: (await fetchCourse()).Course
 const ElsewherePage = lazyPart(async () => ({ default: (await fetchOtherTabPage()).OtherTabPage }));
 /** Fetched with their texts when somebody asks. */
 const ChooseProgram = lazyPart(async () => ({ default: (await fetchChooseProgram()).ChooseProgram }));
+const fetchDrawing = withTexts(fetchDrawingDialog);
+const DrawingDialog = lazyPart(async () => ({ default: (await fetchDrawing()).DrawingDialog }));
 const KeySheet = lazyPart(async () => ({ default: (await import("../app/fields/keys/KeySheet.tsx")).KeySheet }));
 const WorkDialog = lazyPart(
   withTexts(async () => ({ default: (await import("../app/fields/program/WorkDialog.tsx")).WorkDialog })),
@@ -117,6 +121,7 @@ export function App() {
   const over = usePlace((p) => p.over);
   const bringing = usePendingRestore((b) => b.shown);
   const { choice } = useProgramChoice();
+  const drawing = useDrawingRequest((d) => d.request);
   const refused = useCopying((c) => c.state === "refused");
   const newer = useVersion((v) => v.newer !== "none" && !v.later);
   const Seen = PAGES[page];
@@ -167,6 +172,11 @@ export function App() {
       {choice && (
         <Suspense>
           <ChooseProgram {...choice} />
+        </Suspense>
+      )}
+      {drawing && (
+        <Suspense>
+          <DrawingDialog request={drawing} />
         </Suspense>
       )}
       <DropProgram />

@@ -8,6 +8,7 @@ import type { BodiesGiven, BodiesWanted } from "./bodies.ts";
 import { engine } from "./engine.ts";
 import { loadRequestOf, type KnownMilling, type KnownOutcome, type LoadRequest } from "./load-request.ts";
 import { openWork } from "./open-work.ts";
+import type * as DrawingsPart from "./opened-drawing.ts";
 import type { Outcome } from "./outcome.ts";
 import type { PlayedCourse, PlaybackCanvas, StockPictures } from "./played.ts";
 import type { reported } from "./reported.ts";
@@ -30,6 +31,9 @@ const knownTurning = (of: KnownOutcome): Outcome | null => (knownRequest(of) ? w
 
 type Advice = typeof advice;
 const fetchAdvice = async (): Promise<Advice> => (await import("./advice.ts")).advice;
+
+type Drawings = typeof DrawingsPart;
+const fetchDrawings = (): Promise<Drawings> => import("./opened-drawing.ts");
 
 const fetchPlayed = () => import("./played.ts");
 const fetchMilling = () => import("./played-milling.ts");
@@ -90,6 +94,11 @@ const served = {
   ways: async (...asked: Parameters<Advice["ways"]>) => (await fetchAdvice()).ways(...asked),
   tryWay: async (...asked: Parameters<Advice["tryWay"]>) => (await fetchAdvice()).tryWay(...asked),
   remediesOf: async (...asked: Parameters<Advice["remediesOf"]>) => (await fetchAdvice()).remediesOf(...asked),
+  /** Reads a drawing, and proposes the choices for its contour. */
+  readDrawing: async (...asked: Parameters<Drawings["openedDrawing"]>) =>
+    (await fetchDrawings()).openedDrawing(...asked),
+  keepDrawing: async (...asked: Parameters<Drawings["keepDrawing"]>) => (await fetchDrawings()).keepDrawing(...asked),
+  askDrawing: async (...asked: Parameters<Drawings["askDrawing"]>) => (await fetchDrawings()).askDrawing(...asked),
   reported: async (...asked: Parameters<typeof reported>) => (await import("./reported.ts")).reported(...asked),
 };
 expose(served);

@@ -32,7 +32,7 @@ export const contourTableSlot = slot<
     readonly rows: readonly ContourRow[];
     readonly onChange: (rows: readonly ContourRow[], place: string | null) => void;
     readonly language: Language;
-    readonly apart?: boolean;
+    readonly inches?: boolean;
   }>
 >("the table of a contour");
 

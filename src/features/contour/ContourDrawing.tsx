@@ -17,6 +17,7 @@ import { useSettings } from "../../app/base/settings/settings.ts";
 import { useFingers } from "../../app/base/use-media.ts";
 import { DrawingDimensions } from "./DrawingDimensions.tsx";
 import { BlankOutline, HoldSigns, SnapLines } from "./DrawingLayers.tsx";
+import { useNotedRows } from "./RowNotes.tsx";
 import { DrawingTools } from "./DrawingTools.tsx";
 import { pressDrawingKey } from "./drawing-keys.ts";
 import { holdSigns } from "./hold-signs.ts";
@@ -91,6 +92,8 @@ interface PointProps {
   readonly y: ReturnType<typeof px>;
   readonly active: boolean;
   readonly faulty: boolean;
+  /** The drawing left something open here. */
+  readonly noted: boolean;
   /** The middle of a rounding or a chamfer. */
   readonly corner: boolean;
   readonly labelX: ReturnType<typeof px> | null;
@@ -98,9 +101,10 @@ interface PointProps {
 }
 
 /** The end of an element, with its number if there is room. */
-const PointMark = memo(({ row, x, y, active, faulty, corner, labelX, labelY }: PointProps) => (
+const PointMark = memo(({ row, x, y, active, faulty, noted, corner, labelX, labelY }: PointProps) => (
   <g className={`point${active ? " active" : ""}${faulty ? " faulty" : ""}`}>
     <circle className="dot" cx={x} cy={y} r={corner ? 2.5 : 4.5} />
+    {noted && <circle className="ring noted" cx={x} cy={y} r={9} />}
     {faulty && <circle className="ring" cx={x} cy={y} r={9} />}
     {labelX !== null && labelY !== null && (
       <text x={labelX} y={labelY}>
@@ -142,6 +146,7 @@ export function ContourDrawing({ rows, reading, active, language, canvas, onPick
       }),
     [reading, active, size, camera, step, large, fingers, xUp, blank],
   );
+  const noted = useNotedRows(rows);
   const signs = useMemo(() => holdSigns(rows, reading, picture, active), [rows, reading, picture, active]);
   const drawing = useDrawing({
     rows,
@@ -244,6 +249,7 @@ export function ContourDrawing({ rows, reading, active, language, canvas, onPick
               y={px(p.place.y)}
               active={p.row === active}
               faulty={p.faulty}
+              noted={noted.has(p.row)}
               corner={rows[p.row]?.kind === "RND" || rows[p.row]?.kind === "CHF"}
               labelX={p.label && px(p.label.x)}
               labelY={p.label && px(p.label.y)}

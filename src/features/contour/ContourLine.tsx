@@ -10,6 +10,7 @@ import type { UndercutPlace } from "../../program/job/undercut-name.ts";
 import { Message } from "../../app/base/Message.tsx";
 import { issueText } from "../../app/calculation/issue-text.ts";
 import { chooseElement } from "../../app/place/contour-place.ts";
+import { RowNotes } from "./RowNotes.tsx";
 import { RecessFields } from "./RecessFields.tsx";
 import { ContourCell, type Shown } from "./ContourCell.tsx";
 
@@ -272,6 +273,7 @@ function Line({
             {t.secondShort}
           </button>
         )}
+        <RowNotes row={row} number={number} language={language} />
         {open > 0 && <p className="small contour-open">{t.freedom(open)}</p>}
         {issues
           .filter(({ issue }) => open === 0 || issue.code !== "elementFree")

@@ -6,8 +6,8 @@ import { texts } from "../../app/base/settings/loaded-texts.ts";
 import { ContourDrawing } from "./ContourDrawing.tsx";
 import { readRows } from "../../program/job/contour-rows.ts";
 import { chooseElement, goToElement, useChosenRow } from "../../app/place/contour-place.ts";
-import { DxfImport } from "./DxfImport.tsx";
 import { FaultList } from "./FaultList.tsx";
+import { OpenDrawing } from "./OpenDrawing.tsx";
 import { withRow, type Edited } from "./row-edits.ts";
 import "./contour.css";
 
@@ -48,11 +48,7 @@ function Stage({ rows, blank, language, onChange, lead }: Props) {
         <button type="button" className="button primary" onClick={type}>
           {t.typeFirst}
         </button>
-        <DxfImport
-          count={0}
-          language={language}
-          onTake={(taken) => edited({ rows: taken, focus: taken[0]?.id ?? null })}
-        />
+        <OpenDrawing />
       </div>
     </div>
   );

@@ -21,10 +21,11 @@ import { ContourDrawing } from "./ContourDrawing.tsx";
 import { ContourLine } from "./ContourLine.tsx";
 import { RowTools } from "./RowTools.tsx";
 import { chooseElement, useChosenRow, useContourPlace } from "../../app/place/contour-place.ts";
+import { offerTarget, type ContourTarget } from "../../app/document/drawing-request.ts";
 import { FIRST_FOCUS } from "../../app/base/focus-guard.ts";
 import { cornerOf, cornerRowOf, undercutBehind, type CornerKind } from "./drawing-edits.ts";
-import { DxfImport } from "./DxfImport.tsx";
 import { FaultList } from "./FaultList.tsx";
+import { OpenDrawing } from "./OpenDrawing.tsx";
 import { changed, withDuplicatedRow, withRow, withRowMoved, withoutRow, type Edited } from "./row-edits.ts";
 import { useRowFocus, useTableKeys, type RowActions } from "./use-table-keys.ts";
 import "./contour.css";
@@ -36,6 +37,8 @@ interface Props {
   readonly language: Language;
   /** The drawing is on the large canvas, not here. */
   readonly isDrawingElsewhere?: boolean;
+  /** The numbers are inches. */
+  readonly inches?: boolean;
 }
 
 /** A start point and two elements have a corner; from then on the table itself shows how a contour is written. */
@@ -49,7 +52,7 @@ const NO_ISSUES: readonly RowIssue[] = [];
 /** The contour subprogram as a table, with its drawing unless that is on the large canvas. */
 export const ContourTable = memo(Table);
 
-function Table({ rows, onChange, language, isDrawingElsewhere = false }: Props) {
+function Table({ rows, onChange, language, isDrawingElsewhere = false, inches = false }: Props) {
   const t = texts(language).contour;
   const table = useRef<HTMLTableElement>(null),
     bar = useRef<HTMLDivElement>(null),
@@ -100,6 +103,13 @@ function Table({ rows, onChange, language, isDrawingElsewhere = false }: Props) 
     remove: () => active !== null && edit(withoutRow(rows, active), t.done.removed),
     move: (by) => active !== null && edit(withRowMoved(rows, active, by), t.done.moved, fieldInUse(table.current)),
   };
+  const target = (): ContourTarget => ({
+    count: now.current.rows.length,
+    inches,
+    take: (taken) => edit({ rows: taken, focus: taken[0]?.id ?? null }, t.done.taken(taken.length)),
+  });
+  const offered = useEffectEvent(target);
+  useEffect(() => offerTarget(() => offered()), []);
   const cornerRow = cornerRowOf(rows, active);
   const corner = (kind: CornerKind) => {
     const edited = cornerOf(now.current.rows, active, kind);
@@ -168,11 +178,7 @@ function Table({ rows, onChange, language, isDrawingElsewhere = false }: Props) 
             onUndercut={undercut}
             onDetails={() => setWanted(!details)}
           >
-            <DxfImport
-              count={rows.length}
-              language={language}
-              onTake={(taken) => edit({ rows: taken, focus: taken[0]?.id ?? null }, t.done.added)}
-            />
+            <OpenDrawing />
             <KeysButton place="contourTable" />
           </RowTools>
           {details && <p className="small soft">{t.detailsAbout}</p>}

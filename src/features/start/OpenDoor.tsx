@@ -10,6 +10,7 @@ import {
 import type * as FolderPart from "../../app/records/files/folder.ts";
 import { retryImport } from "../../app/base/parts.ts";
 import { openFiles, openFolder, openText, type OpenResult } from "../../app/fields/open/open-program.ts";
+import { DRAWING_ENDINGS } from "../../program/drawing/endings.ts";
 import { Door } from "./Door.tsx";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
@@ -47,7 +48,7 @@ export function OpenDoor() {
         type="file"
         multiple
         hidden
-        accept={[...ENDINGS, "text/plain", ".zip", ".json"].join(",")}
+        accept={[...ENDINGS, "text/plain", ".zip", ".json", ...DRAWING_ENDINGS].join(",")}
         onChange={(event) => void take(plainFiles(event.currentTarget.files))}
       />
       <button type="button" className="door-way" onClick={() => void askFolder()}>

@@ -7,14 +7,19 @@ export interface DrawingUnit {
   readonly source: "file" | "measurement" | "assumed" | "chosen";
 }
 
+/**
+ * What a line stands for, by its linetype, its weight and the name of its layer. Contours are made of outlines; centre
+ * lines propose the axis; hidden edges and thin lines (threads, dimensions, hatching) are taken only when asked for.
+ */
+export type LineRole = "outline" | "centre" | "hidden" | "thin";
+
 /** A line or arc of a drawing in mm, drawing x as z and drawing y as r; or a part of a curve made plain. */
 export interface DrawnCurve {
   readonly segment: Segment;
   readonly layer: string;
   /** Kind of entity it was made from, as the file calls it: LINE, SPLINE. */
   readonly kind: string;
-  /** Linetype of a centre line: a proposal for the axis, never part of a contour. */
-  readonly isCentreLine: boolean;
+  readonly role: LineRole;
 }
 
 /** Text or dimension of a drawing: shown as a hint, never taken. */
@@ -23,14 +28,64 @@ export interface DrawnText {
   readonly at: Pt;
 }
 
-/** What a reader left out, joined or assumed; sizes in mm. `count`: entities. */
-export interface DrawingNote {
-  readonly code: string;
-  readonly severity: "error" | "warning" | "info";
-  readonly values: Readonly<Record<string, string | number>>;
-  /** Where in the drawing it is, when it has a place. */
-  readonly at?: Pt;
+/** Values of each note: lengths in mm, x (⌀) and z in part coordinates; `count`: entities. */
+export interface NoteValues {
+  /** The file is of no kind that is read; `kinds`: those that are. */
+  readonly unknownKind: { readonly kinds: string };
+  readonly unreadable: { readonly kind: string };
+  readonly tooLarge: { readonly limit: number };
+  readonly tooMany: { readonly limit: number };
+  /** No line or arc in the drawing. */
+  readonly nothing: {};
+  readonly truncated: {};
+  readonly hiddenLayer: { readonly layer: string; readonly count: number };
+  readonly invisible: { readonly count: number };
+  readonly paperSpace: { readonly count: number };
+  /** Model space is empty: the layout was read, whose scale is unknown. */
+  readonly paperUsed: {};
+  readonly skipped: { readonly kind: string; readonly count: number };
+  readonly broken: { readonly count: number };
+  readonly missingBlock: { readonly block: string };
+  readonly recursiveBlock: { readonly block: string };
+  readonly otherPlane: { readonly count: number };
+  /** The plane of the drawing is not xy. */
+  readonly plane: { readonly plane: string };
+  readonly doubled: { readonly count: number };
+  readonly fitted: { readonly kind: string; readonly count: number; readonly tolerance: number };
+  readonly unitAssumed: { readonly width: number; readonly height: number };
+  readonly unitConverted: { readonly unit: string };
+  readonly unitsDisagree: { readonly unit: string };
+  /** No contour on this side of the axis. */
+  readonly noContour: {};
+  readonly onlyAxis: {};
+  readonly gapJoined: { readonly width: number; readonly x: number; readonly z: number };
+  readonly gapOpen: { readonly width: number; readonly x: number; readonly z: number };
+  readonly axisLines: { readonly count: number };
+  readonly otherHalf: { readonly count: number };
+  readonly otherPieces: { readonly count: number };
+  readonly insideLines: { readonly count: number };
+  readonly notOutline: { readonly count: number };
+  readonly rearFace: { readonly z: number };
+  /** Of a solid model: no solid in the file; no face of revolution. */
+  readonly noSolid: {};
+  readonly noRevolved: {};
+  /** Bodies beside the one that was taken. */
+  readonly otherBodies: { readonly name: string; readonly count: number };
+  /** Faces, holes of the part that are not turned. */
+  readonly notTurned: { readonly shape: "flats" | "holes" | "crossHoles" | "others"; readonly count: number };
 }
+export type NoteCode = keyof NoteValues;
+
+/** What a reader left out, joined or assumed. */
+export type DrawingNote = {
+  readonly [C in NoteCode]: {
+    readonly code: C;
+    readonly severity: "error" | "warning" | "info";
+    readonly values: NoteValues[C];
+    /** Where in the drawing it is, when it has a place; coordinates of the drawing. */
+    readonly at?: Pt;
+  };
+}[NoteCode];
 
 /** A drawing as lines and arcs in mm, independent of the kind of its file. */
 export interface Drawing {
@@ -51,7 +106,7 @@ export interface ContourChoice {
   readonly zero: number;
   /** Z runs against the direction of the drawing. */
   readonly mirrored: boolean;
-  /** Side of the axis that is taken. */
+  /** Side of the axis that is taken: upper has the greater coordinates. */
   readonly half: "upper" | "lower";
   /** Distances from the axis are diameters. */
   readonly diameters: boolean;
@@ -63,6 +118,10 @@ export interface ContourChoice {
   readonly gap: number;
   /** The contour runs from its other end. */
   readonly reversed: boolean;
+  /** Hidden and thin lines are taken as outlines, too. */
+  readonly thin: boolean;
+  /** Layers that are left out. */
+  readonly withoutLayers: readonly string[];
 }
 
 /** Connected curves of one half, to be picked on the picture; curves as indexes into the drawing. */

@@ -1,6 +1,7 @@
 import { decode } from "../../document/encoding.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
 import type { HandedOn } from "../../../program/job/job.ts";
+import { kindOfName } from "../../../program/drawing/endings.ts";
 import { fileKey } from "../../../program/state/program-files.ts";
 import { retryImport } from "../../base/parts.ts";
 import { courseFilesSlot } from "../slots.ts";
@@ -11,6 +12,7 @@ import { readBackup, isArchiveName } from "../../records/pending-restore.ts";
 import { onlyBundle, textsOf, withFile, type ProgramWork, type WorkFile } from "../../document/work.ts";
 import { fileNameOf } from "../../base/file-name.ts";
 import { asKlartext, mayBeIso } from "../../records/files/iso-file.ts";
+import { openDrawing } from "../../document/drawing-request.ts";
 import { askWhichPrograms, useProgramChoice } from "../../document/program-choice.ts";
 import type { FolderContent } from "../../records/files/folder.ts";
 import { handleOf, plainFiles, type Chosen, type FileHandle } from "../../records/files/file-handle.ts";
@@ -122,6 +124,11 @@ export async function openFiles(chosen: readonly Chosen[]): Promise<OpenResult> 
   const [first] = chosen;
   if (first && isArchiveName(first.file.name)) {
     await readBackup(first.file);
+    return "opened";
+  }
+  const drawn = chosen.find(({ file }) => kindOfName(file.name) !== null);
+  if (drawn) {
+    openDrawing(drawn.file);
     return "opened";
   }
   if (chosen.some(({ file }) => /\.json$/i.test(file.name)) && (await openCourseFiles(chosen.map(({ file }) => file))))

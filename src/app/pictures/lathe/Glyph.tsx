@@ -9,6 +9,7 @@ const strokes = {
   zoomIn: "M5 12h14M12 5v14",
   zoomOut: "M5 12h14",
   fit: "M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5",
+  target: "M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5M7 15V9.5h4.5V12H17v3z",
   ruler: "M3 15L15 3l6 6L9 21zM7 11l2 2M10 8l3 3M13 5l2 2",
   which: "M3 19h6v-6h6V7h6M5.5 8.5a2.3 2.3 0 1 1 3.3 2c-.7.4-1 .8-1 1.5",
   paths: "M4 20V9a4 4 0 0 1 8 0v6a4 4 0 0 0 8 0V4",

@@ -10,6 +10,8 @@ export interface PointerActions {
   readonly hover: (at: Place | null) => void;
   /** Handles drags of one pointer, from their start to the current place; null leaves them to panning. */
   readonly drag?: ((from: Place, to: Place, done: boolean, byFinger?: boolean) => void) | null;
+  /** Whether a drag from this place is one of those; without it all are. */
+  readonly grabs?: (from: Place, byFinger: boolean) => boolean;
 }
 
 /** A pointer that moved less than this is a click, pixels. */
@@ -20,7 +22,7 @@ const WHEEL = 0.0015;
 /** Wheel zooms, one pointer pans, two pinch. Returns the function that removes the listeners. */
 export function listenToGestures(
   element: Element & GlobalEventHandlers,
-  viewport: Viewport,
+  viewport: Pick<Viewport, "get" | "look" | "zoom">,
   touches: PointerActions,
 ): () => void {
   const down = new Map<number, Place>();
@@ -61,7 +63,8 @@ export function listenToGestures(
     const [other] = [...down].filter(([id]) => id !== event.pointerId).map(([, place]) => place);
     if (!dragged && begun && Math.hypot(here.x - begun.x, here.y - begun.y) < TAP) return;
     const from = dragged || !begun ? before : begun;
-    if (!dragged && !other && touches.drag) drawn = begun;
+    const grabs = begun && (touches.grabs?.(begun, event.pointerType === "touch") ?? true);
+    if (!dragged && !other && touches.drag && grabs) drawn = begun;
     dragged = true;
     down.set(event.pointerId, here);
     if (drawn) return touches.drag?.(drawn, here, false, event.pointerType === "touch");

@@ -1,3 +1,5 @@
+import { DRAWING_ENDINGS } from "../../../program/drawing/endings.ts";
+
 /** A file that the browser lets the page write back to. */
 export interface FileHandle {
   readonly name: string;
@@ -25,8 +27,11 @@ const pickers = (): FilePickers => window as FilePickers;
 /** Extensions of programs, point files and tables. */
 export const ENDINGS: readonly string[] = [".h", ".H", ".i", ".I", ".hc", ".hu", ".d", ".tab", ".pnt", ".txt"];
 const types = [{ description: "Klartext", accept: { "text/plain": ENDINGS } }];
-/** Backups, tasks and results: opened here, saved elsewhere. */
-const works = { description: "Turnwise", accept: { "application/zip": [".zip"], "application/json": [".json"] } };
+/** Backups, tasks, results and drawings: opened here, saved elsewhere. */
+const works = {
+  description: "Turnwise",
+  accept: { "application/zip": [".zip"], "application/json": [".json"], "application/octet-stream": DRAWING_ENDINGS },
+};
 
 export const canOpenFiles = (): boolean => typeof pickers().showOpenFilePicker === "function";
 export const canSaveFiles = (): boolean => typeof pickers().showSaveFilePicker === "function";

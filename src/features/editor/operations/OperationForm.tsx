@@ -252,7 +252,7 @@ export function OperationForm({ words, cycle, site, before, onSite, onBack, onIn
           <section aria-label={words.contour}>
             {undrawn && <p className="soft">{words.undrawn}</p>}
             <Suspense>
-              <ContourTable rows={rows} onChange={setRows} language={language} />
+              <ContourTable rows={rows} onChange={setRows} language={language} inches={inches} />
             </Suspense>
           </section>
         )}

@@ -1,0 +1,68 @@
+import type { Pt } from "../../kernel/geometry/point.ts";
+import type { ContourChoice, Drawing, DrawnContour } from "../../program/drawing/drawing.ts";
+import { contourOf, propose, readDrawing, type DrawingFile } from "../../program/drawing/formats.ts";
+import { axisChosen, picked, stepped, type ArrowKey, type Picked, type PickKind } from "../../program/drawing/pick.ts";
+
+/*
+ * A drawing in the worker, which reads it and makes its contours: a large one takes seconds. The worker keeps the last
+ * one under its name; a new worker does not have it and answers null.
+ */
+
+const kept = new Map<string, Drawing>();
+
+/** Keeps a drawing instead of the one before. */
+export function keepDrawing(name: string, drawing: Drawing): void {
+  kept.clear();
+  kept.set(name, drawing);
+}
+
+/** A drawing with its proposed contour. `unit`: chosen by the operator, instead of that of the file. */
+export async function openedDrawing(
+  name: string,
+  file: DrawingFile,
+  unit?: "mm" | "inch",
+): Promise<{ readonly drawing: Drawing; readonly choice: ContourChoice }> {
+  const drawing = await readDrawing(file, unit);
+  keepDrawing(name, drawing);
+  return { drawing, choice: propose(drawing) };
+}
+
+/** A question about the kept drawing. */
+export type DrawingQuestion =
+  | { readonly ask: "contour"; readonly choice: ContourChoice }
+  | {
+      readonly ask: "tap";
+      readonly of: PickKind;
+      readonly choice: ContourChoice;
+      readonly at: Pt;
+      /** Reach of the tap, mm. */
+      readonly within: number;
+    }
+  | { readonly ask: "key"; readonly of: PickKind; readonly choice: ContourChoice; readonly key: ArrowKey }
+  | { readonly ask: "axis"; readonly choice: ContourChoice; readonly axis: "x" | "y" };
+
+/** Answer to each question. */
+export interface DrawingAnswers {
+  readonly contour: DrawnContour;
+  readonly tap: Picked;
+  readonly key: Partial<ContourChoice> | "nothing";
+  readonly axis: ContourChoice;
+}
+
+/** Answers a question; null if the drawing is not kept here. */
+export function askDrawing(name: string, question: DrawingQuestion): DrawingAnswers[DrawingQuestion["ask"]] | null {
+  const drawing = kept.get(name);
+  if (!drawing) return null;
+  const read = (choice: ContourChoice) => contourOf(drawing, choice);
+  const { choice } = question;
+  switch (question.ask) {
+    case "contour":
+      return read(choice);
+    case "tap":
+      return picked(question.of, drawing, choice, question.at, question.within, read);
+    case "key":
+      return stepped(question.of, question.key, drawing, choice, read) ?? "nothing";
+    case "axis":
+      return axisChosen(drawing, choice, { axis: question.axis });
+  }
+}

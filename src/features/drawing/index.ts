@@ -1,0 +1,3 @@
+/* A contour from a drawing, picked on its picture. */
+
+export const fetchDrawingDialog = () => import("./DrawingDialog.tsx");
