@@ -78,6 +78,7 @@ const FOLDERS: Readonly<Record<string, readonly string[]>> = {
     "machine",
     "tools",
     "iso-codes",
+    "tool-sheets",
     "state",
     "clamping",
     "motion",

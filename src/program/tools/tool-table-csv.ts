@@ -30,7 +30,7 @@ const cellOfTitle = new Map(COLUMNS.map((cell) => [titleOf(cell), cell]));
 const BOM = "\uFEFF";
 
 /** Splits a sheet into cells. A quoted cell may hold anything, with doubled quotes. Never throws. */
-function cellsOfSheet(text: string, separator: string): string[][] {
+export function cellsOfSheet(text: string, separator: string): string[][] {
   const lines: string[][] = [[]];
   let cell = "";
   let quoted = false;
