@@ -11,7 +11,7 @@ const NAMED = ["T", "NAME"];
 
 /** The tools that a sheet makes, with the errors of each line. */
 export function SheetPreview({
-  tools: { rows, unused },
+  tools: { rows, twice, unused },
   words: w,
 }: {
   readonly tools: SheetTools;
@@ -38,6 +38,7 @@ export function SheetPreview({
           </>
         )}
       </h3>
+      {twice.length > 0 && <Message tone="warning">{w.twiceNumbered(twice.join(", "))}</Message>}
       {unused.length > 0 && <p className="soft">{w.notUsed(unused.join(", "))}</p>}
       <ul className="import-changes">
         {read.slice(0, MOST).map(({ cells, line, isNumbered, errors }) => (

@@ -12,6 +12,7 @@ import {
   type TableOrigin,
 } from "../../program/tools/tool-entry.ts";
 import { planImport, type IncomingTools } from "../../program/tools/tool-import.ts";
+import { readSheet } from "../../program/tool-sheets/sheet.ts";
 import { writeTableCsv } from "../../program/tools/tool-table-csv.ts";
 import { readToolFile, writeTableJson } from "../../program/tools/tool-table-json.ts";
 import { writeMillText, writeTableText } from "../../program/tools/tool-table-text.ts";
@@ -73,7 +74,16 @@ function readImport(bytes: Uint8Array, name: string, t: ToolsTexts): ToolImport 
     columns: rows.map(() => columns),
     names: table?.turning ?? new Map<number, string>(),
   };
-  return { name, incoming, kept: table ? leftOut : [], leftOut: table ? [] : leftOut, cutShort };
+  // A sheet with further columns can have them assigned.
+  const sheet = !table && leftOut.length > 0 ? readSheet(text) : null;
+  return {
+    name,
+    incoming,
+    kept: table ? leftOut : [],
+    leftOut: table ? [] : leftOut,
+    cutShort,
+    ...(sheet && { sheet: { name, sheet } }),
+  };
 }
 
 const joined = (all: readonly ToolImport[]): ToolImport => ({
