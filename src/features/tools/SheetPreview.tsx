@@ -29,14 +29,16 @@ export function SheetPreview({
   const wrong = read.filter(({ errors }) => errors.length > 0).length;
   return (
     <section className="sheet-preview">
-      <h3 role="status">
-        {rows.length === 0 ? w.empty : w.tools(rows.length)}
-        {wrong > 0 && (
-          <>
-            {" · "}
-            <span className="tool-errors">{w.withErrors(wrong)}</span>
-          </>
-        )}
+      <h3>
+        <span role="status">
+          {rows.length === 0 ? w.empty : w.tools(rows.length)}
+          {wrong > 0 && (
+            <>
+              {" · "}
+              <span className="tool-errors">{w.withErrors(wrong)}</span>
+            </>
+          )}
+        </span>
       </h3>
       {twice.length > 0 && <Message tone="warning">{w.twiceNumbered(twice.join(", "))}</Message>}
       {unused.length > 0 && <p className="soft">{w.notUsed(unused.join(", "))}</p>}
