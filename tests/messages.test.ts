@@ -149,6 +149,7 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   spindleMissing: {},
   spindleStopped: { how: "stopped", block: 12 },
   toolLimit: { tool: 8, column: "DMIN", value: 20, limit: 24, x: 20, z: -1 },
+  straightBlade: {},
   bladeSupport: { text: "ROUND" },
   pointDiffers: { length: 4, byAngle: 2.5, angle: 118 },
   pointBeyondDepth: { point: 2.5, depth: 2 },

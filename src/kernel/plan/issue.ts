@@ -81,6 +81,8 @@ interface Data {
   holderHead: { text: string };
   /** The support of a blade is none of the known words. */
   bladeSupport: { text: string };
+  /** A straight blade that plunges along Z. */
+  straightBlade: {};
   /** Stated length of a drill's point, and the length that its radius and angle make, mm. */
   pointDiffers: { length: number; byAngle: number; angle: number };
   betterTool: { tool: number; name: string };

@@ -149,11 +149,14 @@ export const readSupport = (text: string): BladeSupport | "" | null => {
 };
 
 /** Limits that contradict each other, and an unknown word for the support, where the type uses them. */
-function limitIssues(entry: ToolEntry, { DAXN, DAXX }: Numbers["values"]): Issue[] {
+function limitIssues(entry: ToolEntry, { DAXN, DAXX, TO }: Numbers["values"]): Issue[] {
   const text = cellOf(entry, "SUPPORT");
   if (!applies("SUPPORT", cellOf(entry, "TYPE"))) return [];
   return [
     ...(readSupport(text) === null ? [issue("bladeSupport", "error", { text }, "SUPPORT")] : []),
+    ...(readSupport(text) === "STRAIGHT" && (TO === 4 || TO === 8)
+      ? [issue("straightBlade", "warning", {}, "SUPPORT")]
+      : []),
     ...(DAXN !== undefined && DAXX !== undefined && DAXX < DAXN
       ? [issue("toolColumn", "error", { column: "DAXX", value: DAXX, min: DAXN }, "DAXX")]
       : []),

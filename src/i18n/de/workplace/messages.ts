@@ -109,6 +109,8 @@ export const messages = {
       `„${w.text(d.text)}“ ist kein Umriss. Jede Ecke als Z/X ab der Spitze eingeben, Ecken durch Leerzeichen, Teile durch Semikolon getrennt; ein Teil hat mindestens drei Ecken.`,
     bladeSupport: (d, w) =>
       `„${w.text(d.text)}“ ist keine Unterstützung einer Stechklinge: NONE, STRAIGHT oder CURVED.`,
+    straightBlade: () =>
+      "Eine gerade Stechklinge reibt im Axialeinstich: Nötig ist eine gebogene, passend zum ⌀ (DAXN, DAXX).",
     pointDiffers: (d, w) =>
       `Spitzenlänge ${w.size(d.length)} passt nicht zu ${w.angle(d.angle)}, daraus folgen ${w.size(d.byAngle)}: Es gilt der Winkel.`,
     betterTool: (d) => `Werkzeug ${d.tool} ${d.name} ist für diese Kontur geeignet.`,

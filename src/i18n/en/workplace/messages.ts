@@ -101,6 +101,8 @@ export const messages = {
     holderHead: (d, w) =>
       `“${w.text(d.text)}” is not an outline. Enter each corner as Z/X from the tip, with spaces between corners and semicolons between parts; a part needs three corners.`,
     bladeSupport: (d, w) => `“${w.text(d.text)}” is no support of a blade: NONE, STRAIGHT or CURVED.`,
+    straightBlade: () =>
+      "A straight blade rubs in an axial groove: it needs a curved one, made for its ⌀ (DAXN, DAXX).",
     pointDiffers: (d, w) =>
       `Point length ${w.size(d.length)} does not fit ${w.angle(d.angle)}, which makes ${w.size(d.byAngle)}: the angle is used.`,
     betterTool: (d) => `Tool ${d.tool} ${d.name} is suitable for this contour.`,

@@ -103,6 +103,8 @@ export const messages = {
     holderHead: (d, w) =>
       `« ${w.text(d.text)} » n’est pas un contour. Indiquer chaque coin sous la forme Z/X depuis la pointe, avec un espace entre les coins et un point-virgule entre les parties ; une partie a au moins trois coins.`,
     bladeSupport: (d, w) => `« ${w.text(d.text)} » n’est pas un support de lame : NONE, STRAIGHT ou CURVED.`,
+    straightBlade: () =>
+      "Une lame droite frotte dans une gorge axiale : il faut une lame courbe adaptée au ⌀ (DAXN, DAXX).",
     pointDiffers: (d, w) =>
       `La longueur de pointe ${w.size(d.length)} ne correspond pas à ${w.angle(d.angle)}, qui donne ${w.size(d.byAngle)} : l’angle est retenu.`,
     betterTool: (d) => `L’outil ${d.tool} ${d.name} convient à ce contour.`,

@@ -88,6 +88,7 @@ export const messages = {
     holderHead: (d, w) =>
       `“${w.text(d.text)}”不是轮廓。每个角点写作Z/X（从刀尖起），角点间用空格，各部分间用分号；每部分至少三个角点。`,
     bladeSupport: (d, w) => `“${w.text(d.text)}”不是刀板支撑：NONE、STRAIGHT 或 CURVED。`,
+    straightBlade: () => "直刀板切端面槽时会摩擦：需要适合该直径（DAXN、DAXX）的弧形刀板。",
     pointDiffers: (d, w) =>
       `钻尖长度${w.size(d.length)}与顶角${w.angle(d.angle)}（应为${w.size(d.byAngle)}）不符：以角度为准。`,
     betterTool: (d) => `刀具${d.tool} ${d.name}适用于该轮廓。`,
