@@ -54,11 +54,14 @@ export function ImportDialog({
   brought,
   words: w,
   take,
+  change,
   done,
 }: {
   readonly brought: ToolImport;
   readonly words: ToolFileTexts;
   readonly take: (choice: "all" | "new") => void;
+  /** Assigns the columns of its sheet again. */
+  readonly change: (brought: ToolImport) => void;
   readonly done: () => void;
 }) {
   const t = useTexts("tables").tools;
@@ -71,6 +74,9 @@ export function ImportDialog({
     <ModalDialog isBare className="tool-dialog" first=".primary" title={title} done={done}>
       <h2>{title}</h2>
       <div className="tool-dialog-body" tabIndex={0} role="group" aria-label={title}>
+        {brought.notes?.map((note) => (
+          <p key={note}>{note}</p>
+        ))}
         {told === 0 && <p>{w.nothing}</p>}
         {fresh.length > 0 && (
           <>
@@ -104,6 +110,11 @@ export function ImportDialog({
         {fresh.length > 0 && told + same > fresh.length && (
           <button type="button" className="button" onClick={() => take("new")}>
             {w.takeNew(fresh.length)}
+          </button>
+        )}
+        {brought.sheet && (
+          <button type="button" className="button" onClick={() => change(brought)}>
+            {w.changeColumns}
           </button>
         )}
         <button type="button" className="button" onClick={done}>

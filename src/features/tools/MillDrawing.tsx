@@ -20,7 +20,7 @@ const DRAWN = 4;
 /** Turns of a thread closer than this are not drawn one by one, px. */
 const CLOSEST_TURNS = 4;
 
-/** Drawn sizes of a tool, mm: cutting width, point, cutting edge length if known, and thread pitch. */
+/** Drawn sizes of a tool, mm: cutting width, point, cutting edge length if known, thread pitch; point angle in degrees. */
 interface Side {
   readonly across: number;
   readonly point: number;
@@ -28,6 +28,7 @@ interface Side {
   readonly pitch: number | null;
   /** Half outline of a centre drill from the point, mm; null for any other tool. */
   readonly profile: readonly Flat[] | null;
+  readonly angle: number;
 }
 
 function sideOf(mill: MillTool): Side {
@@ -39,6 +40,7 @@ function sideOf(mill: MillTool): Side {
     edges: drill?.CUTLENGTH ?? null,
     pitch: drill?.PITCH ?? null,
     profile: drill?.centre ? centreProfile(drill.centre, drill.R ?? 0) : null,
+    angle: drill?.["T-ANGLE"] ?? 0,
   };
 }
 
@@ -95,7 +97,7 @@ export function MillDrawing({ mill }: { readonly mill: MillTool | null }) {
   const scale = HEIGHT / span;
   const bar = scaleLengthFor(span / 6);
   const number = (n: number) => formatNumber(language, n);
-  const angle = side.point > 0 ? `${number(mill["T-ANGLE"] ?? 0)}°` : t.flat;
+  const angle = side.point > 0 ? `${number(side.angle)}°` : t.flat;
   const hole = mill.TYPE === "CENTER" ? centreNamed(mill.NAME) : null;
   const pointed = mill.TYPE === "DRILL" || mill.TYPE === "CENTER";
   return (

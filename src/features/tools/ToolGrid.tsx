@@ -2,7 +2,9 @@ import { memo, useEffect, useRef, type KeyboardEvent } from "react";
 import { formatNumber } from "../../i18n/number.ts";
 import {
   applies,
+  LIMIT_CELLS,
   MILL_TABLE,
+  POINT_LENGTH,
   ruleOf,
   TOOL_COLUMNS,
   type MillColumn,
@@ -24,18 +26,25 @@ const DRAWING = 28;
 /** A longer table has no drawings in its rows, to stay fast. */
 const MOST_DRAWN = 150;
 
-type Column = ToolColumn | MillColumn;
+type Column = ToolColumn | MillColumn | (typeof LIMIT_CELLS)[number] | typeof POINT_LENGTH;
+/** Columns beside those of the control: shown as soon as a row fills one. */
+const BESIDE: Readonly<Record<ToolKind, readonly Column[]>> = { turning: LIMIT_CELLS, milling: [POINT_LENGTH] };
 
 /** Columns after the two that name the row. */
 const COLUMNS: Readonly<Record<ToolKind, readonly Column[]>> = {
   turning: TOOL_COLUMNS.filter((column) => column !== "T" && column !== "NAME"),
   milling: ["TYPE", ...MILL_TABLE],
 };
+const WITH_LIMITS: typeof COLUMNS = {
+  turning: [...COLUMNS.turning, ...BESIDE.turning],
+  milling: [...COLUMNS.milling, ...BESIDE.milling],
+};
+
 /** A number in the format of the screen language; other text as typed. */
 function useShown(): (column: Column, text: string) => string {
   const language = useSettings((s) => s.language);
   return (column, text) => {
-    if (column === "NAME" || column === "TYPE") return text;
+    if (column === "NAME" || column === "TYPE" || column === "SUPPORT") return text;
     const { value } = readText(anyNumber, text);
     return value === null ? text : formatNumber(language, value, ruleOf(column).decimals);
   };
@@ -44,13 +53,13 @@ function useShown(): (column: Column, text: string) => string {
 const ToolRow = memo(function ToolRow({
   entry,
   reading,
-  kind,
+  columns,
   open,
   drawn,
 }: {
   readonly entry: ToolEntry;
   readonly reading: EntryReading;
-  readonly kind: ToolKind;
+  readonly columns: readonly Column[];
   readonly open: boolean;
   readonly drawn: boolean;
 }) {
@@ -84,7 +93,7 @@ const ToolRow = memo(function ToolRow({
           {wrong.size > 0 && !drawn && <Icon name="error" />}
         </button>
       </th>
-      {COLUMNS[kind].map((column) => {
+      {columns.map((column) => {
         const unused = !applies(column, type);
         const text = cellOf(entry, column);
         return (
@@ -116,6 +125,8 @@ export function ToolGrid({
   const t = useTexts("tables").tools;
   const box = useRef<HTMLDivElement>(null);
   const at = list.findIndex((entry) => entry.id === open);
+  const limited = list.some((entry) => BESIDE[kind].some((cell) => cellOf(entry, cell) !== ""));
+  const columns = (limited ? WITH_LIMITS : COLUMNS)[kind];
 
   useEffect(() => {
     box.current?.querySelector<HTMLElement>("tr.open")?.scrollIntoView?.({ block: "nearest" });
@@ -143,12 +154,15 @@ export function ToolGrid({
             <th scope="col" title={t.columns.T}>
               T <span className="soft">NAME</span>
             </th>
-            {COLUMNS[kind].map((column) => (
+            {columns.map((column) => (
               <th
                 key={column}
                 scope="col"
                 className={column === "TYPE" ? "word" : undefined}
-                title={t.field(column, kind === "milling" && column === "T-ANGLE" ? t.drillAngle : t.columns[column])}
+                title={t.field(
+                  column,
+                  kind === "milling" && column === "T-ANGLE" ? t.drillAngle : { ...t.columns, ...t.limits }[column],
+                )}
               >
                 {column}
               </th>
@@ -164,7 +178,7 @@ export function ToolGrid({
                   key={entry.id}
                   entry={entry}
                   reading={reading}
-                  kind={kind}
+                  columns={columns}
                   open={entry.id === open}
                   drawn={list.length <= MOST_DRAWN}
                 />

@@ -228,7 +228,7 @@ test("a drill shows only the columns it uses, is listed among the milling tools,
   const names = screen
     .getAllByRole<HTMLInputElement>("textbox")
     .map((each) => each.getAttribute("aria-label")?.split(":")[0]);
-  expect(names).toEqual(["T", "NAME", "R", "DR", "L", "DL", "T-ANGLE", "LCUTS"]);
+  expect(names).toEqual(["T", "NAME", "R", "DR", "L", "DL", "T-ANGLE", "LCUTS", "PL"]);
   await user.type(field("R: tool radius"), "4,25");
   await user.type(field("T-ANGLE: point angle"), "118");
   await user.type(field("LCUTS: edge length"), "47");
@@ -246,7 +246,7 @@ test("a code is parsed at each keystroke, and Enter fills its columns as one ste
   render(<ToolPage />);
   const user = userEvent.setup();
   await user.click(screen.getByRole("button", { name: "New tool" }));
-  const code = await screen.findByRole<HTMLInputElement>("textbox", { name: "ISO code of insert or holder" });
+  const code = await screen.findByRole<HTMLInputElement>("textbox", { name: "Code of insert or holder" });
   const before = steps();
   await user.type(code, "dnmg 15 06 08");
   const said = within(screen.getByRole("list", { name: "Meaning of the code" }))
@@ -277,9 +277,9 @@ test("a code is parsed at each keystroke, and Enter fills its columns as one ste
 test("an unsupported code says so, one that contradicts the row too, and a name that is a code can be parsed", async () => {
   render(<ToolPage />);
   const user = userEvent.setup();
-  const code = await screen.findByRole<HTMLInputElement>("textbox", { name: "ISO code of insert or holder" });
-  await user.type(code, "16ER AG60");
-  expect(screen.getByText(/Codes of thread tools/)).toBeTruthy();
+  const code = await screen.findByRole<HTMLInputElement>("textbox", { name: "Code of insert or holder" });
+  await user.type(code, "GTN-3");
+  expect(screen.getByText(/of this family is not known/)).toBeTruthy();
   await user.type(code, "{Escape}PDJNR 2525M15");
   expect(screen.getByText("P-ANGLE is 80°; the holder takes inserts of 55°. P-ANGLE unchanged.")).toBeTruthy();
   await user.type(code, "{Escape}");
@@ -305,4 +305,27 @@ test("the source file of tools is stored on the device once, with the line of ea
   expect(JSON.stringify(read)).not.toContain("träger");
   const apart = JSON.parse(JSON.stringify(kept)) as typeof kept;
   expect(toolRecord.read(toolRecord.write(apart))).toEqual(apart.map(({ id, cells }) => ({ id, cells })));
+});
+
+test("the columns of a sheet are assigned once: proposals, words, and the same sheet again", async () => {
+  render(<ToolPage />);
+  const user = userEvent.setup({ applyAccept: false });
+  const file = () => new File(["Nr;Name;Art;Wert;Lage\n61;X;Spezial;0,4;1\n"], "list.csv");
+  const input = document.querySelector<HTMLInputElement>("input[type=file]");
+  if (!input) throw new Error("no input");
+  await screen.findByRole("button", { name: "Paste tools copied from a spreadsheet" });
+  await user.upload(input, file());
+  const meaning = await screen.findByRole<HTMLSelectElement>("combobox", { name: "Meaning of Wert" });
+  expect(meaning.value).toBe("");
+  expect(screen.getByRole<HTMLSelectElement>("combobox", { name: "Meaning of Art" }).value).toBe("TYPE");
+  await user.selectOptions(meaning, "RS");
+  await user.selectOptions(screen.getByRole("combobox", { name: "“Spezial” means" }), "BUTTON");
+  await user.selectOptions(screen.getByRole("combobox", { name: "Unit of Wert" }), "diameter, mm");
+  await user.click(screen.getByRole("button", { name: "Continue" }));
+  await user.click(await screen.findByRole("button", { name: "Import all (1)" }));
+  expect(useTools.getState().list.at(-1)?.cells).toEqual({ T: "61", NAME: "X", TYPE: "BUTTON", RS: "0.2", TO: "1" });
+  await user.upload(input, file());
+  expect(await screen.findByText(/Columns assigned as on \d{4}-/)).toBeTruthy();
+  await user.click(screen.getByRole("button", { name: "Change columns" }));
+  expect((await screen.findByRole<HTMLSelectElement>("combobox", { name: "Meaning of Wert" })).value).toBe("RS");
 });

@@ -5,7 +5,14 @@ import { openToolRow, showOwn, showToolKind, type ToolKind, uncover, usePlace } 
 import { useTexts, useTextsOrNull } from "../../app/base/settings/use-texts.ts";
 import { addTool, duplicateTool, removeTool, restoreShippedTools } from "./tool-edits.ts";
 import { isMillEntry } from "../../program/tools/tool-entry.ts";
-import { readImportFiles, exportToOrigin, exportTools, applyImport, type ToolImport } from "./tool-files.ts";
+import {
+  readImportFiles,
+  exportToOrigin,
+  exportTools,
+  applyImport,
+  type ImportSource,
+  type ToolImport,
+} from "./tool-files.ts";
 import { toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
 import { useToolName } from "../../app/document/tool-name.ts";
 import { TableStatus, type TableMessage } from "../../app/fields/table/TableStatus.tsx";
@@ -13,6 +20,8 @@ import { ExportDialog } from "./ExportDialog.tsx";
 import { ImportDialog } from "./ImportDialog.tsx";
 import { TableTabs } from "../../app/fields/table/TableTabs.tsx";
 import { RestoreToolsDialog } from "./RestoreToolsDialog.tsx";
+import { PasteButton } from "./PasteButton.tsx";
+import { useSheetColumns } from "./use-sheet-columns.tsx";
 import { ToolForm } from "./ToolForm.tsx";
 import { ToolGrid } from "./ToolGrid.tsx";
 import "../../app/fields/table/tools.css";
@@ -26,6 +35,7 @@ export function ToolPage() {
   const [said, setSaid] = useState<TableMessage | null>(null);
   const [asking, ask] = useState<ToolImport | "export" | "restore" | null>(null);
   const w = useTextsOrNull("tool-files");
+  const { dialog, assign } = useSheetColumns();
   const language = useSettings((s) => s.language);
   const page = useRef<HTMLElement>(null);
   const file = useRef<HTMLInputElement>(null);
@@ -54,10 +64,14 @@ export function ToolPage() {
     openToolRow(row);
     focusField();
   };
-  const receive = (brought: ToolImport | TableMessage) => {
+  const receive = (brought: ToolImport | TableMessage | null) => {
+    if (!brought) return;
     if ("failed" in brought) return setSaid(brought);
     setSaid(null);
     ask(brought);
+  };
+  const bring = (sources: readonly ImportSource[]) => {
+    if (sources.length > 0 && w) void readImportFiles(sources, t, w, assign).then(receive);
   };
   const remove = (id: string, name: string) => {
     showToolKind(kind);
@@ -78,7 +92,8 @@ export function ToolPage() {
             {t.count(list.length)}
             {wrong > 0 && (
               <>
-                · <span className="tool-errors">{t.wrongCount(wrong)}</span>
+                {" · "}
+                <span className="tool-errors">{t.wrongCount(wrong)}</span>
               </>
             )}
           </p>
@@ -94,6 +109,10 @@ export function ToolPage() {
               <button type="button" className="button" aria-label={w.importLong} onClick={() => file.current?.click()}>
                 <Icon name="add" /> {t.import}
               </button>
+              <PasteButton
+                take={(source) => bring([source])}
+                fail={(sentence) => setSaid({ sentences: [sentence], failed: true, changed: false })}
+              />
               <button type="button" className="button" aria-label={w.exportLong} onClick={() => ask("export")}>
                 <Icon name="download" /> {w.export}
               </button>
@@ -107,11 +126,11 @@ export function ToolPage() {
             type="file"
             hidden
             multiple
-            accept=".json,.trn,.t,.tab,.txt,.csv,application/json,text/plain,text/csv"
+            accept=".json,.trn,.t,.tab,.txt,.csv,.tsv,.xlsx,application/json,text/plain,text/csv"
             onChange={(e) => {
               const chosen = [...(e.currentTarget.files ?? [])];
               e.currentTarget.value = "";
-              if (chosen.length > 0 && w) void readImportFiles(chosen, t, w).then(receive);
+              bring(chosen);
             }}
           />
         </div>
@@ -152,6 +171,10 @@ export function ToolPage() {
         <ImportDialog
           brought={asking}
           words={w}
+          change={({ sheet }) => {
+            ask(null);
+            if (sheet) void assign(sheet, true).then(receive);
+          }}
           done={() => ask(null)}
           take={(choice) => {
             ask(null);
@@ -159,6 +182,7 @@ export function ToolPage() {
           }}
         />
       )}
+      {dialog}
       <div className="tool-list">
         <TableTabs open={kind} onTools={showToolKind} onOwn={() => showOwn()} />
         {rows.length === 0 ? (

@@ -12,6 +12,7 @@ import {
   type TableOrigin,
 } from "../../program/tools/tool-entry.ts";
 import { planImport, type IncomingTools } from "../../program/tools/tool-import.ts";
+import { readSheet } from "../../program/tool-sheets/sheet.ts";
 import { writeTableCsv } from "../../program/tools/tool-table-csv.ts";
 import { readToolFile, writeTableJson } from "../../program/tools/tool-table-json.ts";
 import { writeMillText, writeTableText } from "../../program/tools/tool-table-text.ts";
@@ -20,6 +21,7 @@ import { downloadBytes, downloadText } from "../../app/base/download.ts";
 import { closeStep } from "../../app/document/steps.ts";
 import { openToolRow } from "../../app/place/place.ts";
 import { editTools, toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
+import { isWorkbook, sheetInFile, type NamedSheet } from "./sheet-files.ts";
 import type { TableMessage } from "../../app/fields/table/TableStatus.tsx";
 
 const failure = (sentence: string): TableMessage => ({ sentences: [sentence], failed: true, changed: false });
@@ -35,12 +37,17 @@ export interface ToolImport {
   readonly kept: readonly string[];
   readonly leftOut: readonly string[];
   readonly cutShort: boolean;
+  /** Sentences about how it was read, shown before it is applied. */
+  readonly notes?: readonly string[];
+  /** The sheet whose columns were assigned, so that they can be assigned again. */
+  readonly sheet?: NamedSheet;
 }
 
 /** Larger files are no tool table, bytes. */
 const LARGEST = 20_000_000;
 
-function readImport(bytes: Uint8Array, name: string, t: ToolsTexts, w: ToolFileTexts): ToolImport | TableMessage {
+/** Reads a file whose columns are known; null when it is none. */
+function readImport(bytes: Uint8Array, name: string, t: ToolsTexts): ToolImport | TableMessage | null {
   const { text, encoding } = decode(bytes);
   const read = readToolFile(text);
   if ("problem" in read) {
@@ -52,7 +59,7 @@ function readImport(bytes: Uint8Array, name: string, t: ToolsTexts, w: ToolFileT
       case "noRows":
         return failure(t.problems.noRows(name));
       case "notATable":
-        return failure(w.notATable(name));
+        return null;
     }
   }
   const { rows, table, columns, leftOut, cutShort } = read;
@@ -67,7 +74,16 @@ function readImport(bytes: Uint8Array, name: string, t: ToolsTexts, w: ToolFileT
     columns: rows.map(() => columns),
     names: table?.turning ?? new Map<number, string>(),
   };
-  return { name, incoming, kept: table ? leftOut : [], leftOut: table ? [] : leftOut, cutShort };
+  // A sheet with further columns can have them assigned.
+  const sheet = !table && leftOut.length > 0 ? readSheet(text) : null;
+  return {
+    name,
+    incoming,
+    kept: table ? leftOut : [],
+    leftOut: table ? [] : leftOut,
+    cutShort,
+    ...(sheet && { sheet: { name, sheet } }),
+  };
 }
 
 const joined = (all: readonly ToolImport[]): ToolImport => ({
@@ -81,20 +97,37 @@ const joined = (all: readonly ToolImport[]): ToolImport => ({
   kept: [...new Set(all.flatMap((each) => each.kept))],
   leftOut: [...new Set(all.flatMap((each) => each.leftOut))],
   cutShort: all.some((each) => each.cutShort),
+  notes: all.flatMap((each) => each.notes ?? []),
+  ...(all.length === 1 && all[0]?.sheet && { sheet: all[0].sheet }),
 });
 
-/** Reads all chosen files, or returns the fault of the first one that cannot be read. */
+/** A file or what was pasted. */
+export interface ImportSource {
+  readonly name: string;
+  readonly size: number;
+  readonly arrayBuffer: () => Promise<ArrayBuffer>;
+}
+
+/**
+ * Reads all chosen files, or returns the fault of the first one that cannot be read. The columns of a sheet with other
+ * titles are assigned by `assign`; null when that was given up.
+ */
 export async function readImportFiles(
-  files: readonly File[],
+  files: readonly ImportSource[],
   t: ToolsTexts,
   w: ToolFileTexts,
-): Promise<ToolImport | TableMessage> {
+  assign: (sheet: NamedSheet) => Promise<ToolImport | null>,
+): Promise<ToolImport | TableMessage | null> {
   const all: ToolImport[] = [];
   for (const file of files) {
     if (file.size > LARGEST) return failure(t.problems.tooLarge(file.name));
     try {
-      const brought = readImport(new Uint8Array(await file.arrayBuffer()), file.name, t, w);
-      if ("failed" in brought) return brought;
+      const bytes = new Uint8Array(await file.arrayBuffer());
+      const known = isWorkbook(bytes) ? null : readImport(bytes, file.name, t);
+      const sheet = known ? null : await sheetInFile(bytes);
+      if (!known && !sheet) return failure(w.notATable(file.name));
+      const brought = known ?? (sheet && (await assign({ name: file.name, sheet })));
+      if (!brought || "failed" in brought) return brought;
       all.push(brought);
     } catch {
       return failure(t.problems.unreadable(file.name));

@@ -13,6 +13,7 @@ export const toolFiles: ToolFileTexts = {
   newOutline: "neuer Umriss",
   takeAll: (n) => `Alle importieren (${n})`,
   takeNew: (n) => `Nur die neuen (${n})`,
+  changeColumns: "Spalten ändern",
   cancel: "Abbrechen",
   keptInFile: (names) =>
     `Hier nicht gezeigte Spalten: ${names}. Sie bleiben bei der Datei und werden wieder exportiert.`,
@@ -36,7 +37,7 @@ export const toolFiles: ToolFileTexts = {
   milling: "TOOL.T, Fräs- und Bohrwerkzeuge",
   sheet: "TOOLS.csv, für Tabellenprogramme",
   json: "TOOLS.json, alles",
-  noHolders: "Halter sind nicht enthalten.",
+  noHolders: "Halter und Einsatzgrenzen sind nicht enthalten.",
   roundsHint: "Längen mit vier, Winkel mit drei Nachkommastellen.",
   sheetHint: "Alle Spalten und Halter; Trennzeichen für Tabellenprogramme in Ihrer Sprache.",
   jsonHint: "Alle Spalten und Halter, nichts gerundet; auch für den Befehl verify.",

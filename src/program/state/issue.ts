@@ -26,6 +26,8 @@ interface Data {
   drillTooShort: { depth: number; edges: number };
   /** A centre drill whose mouth at the face is not that of its hole. */
   centreMouth: { mouth: number; wanted: number; depth: number };
+  /** Point of the drill longer than the bore is deep: the bore nowhere has its diameter. */
+  pointBeyondDepth: { point: number; depth: number };
   /** Pitch of the cycle differs from that of the tap. */
   pitchOfTap: { pitch: number; tap: number };
   cycleNeverCalled: { cycle: number };

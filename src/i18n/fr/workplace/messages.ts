@@ -86,7 +86,9 @@ export const messages = {
     toolColumn: (d, w) => {
       const what =
         d.value === null
-          ? `${d.column} manque ou n’est pas un nombre.`
+          ? d.column === "TYPE"
+            ? "TYPE manque ou n’est pas un type d’outil."
+            : `${d.column} manque ou n’est pas un nombre.`
           : `${d.column} ${w.value(d.value)} n’est pas possible.`;
       if (d.min !== undefined && d.max !== undefined)
         return `${what} Autorisé : ${w.value(d.min)} à ${w.value(d.max)}.`;
@@ -100,6 +102,11 @@ export const messages = {
     holderAxis: (d, w) => `« ${w.text(d.text)} » : le corps doit être suivant X ou suivant Z.`,
     holderHead: (d, w) =>
       `« ${w.text(d.text)} » n’est pas un contour. Indiquer chaque coin sous la forme Z/X depuis la pointe, avec un espace entre les coins et un point-virgule entre les parties ; une partie a au moins trois coins.`,
+    bladeSupport: (d, w) => `« ${w.text(d.text)} » n’est pas un support de lame : NONE, STRAIGHT ou CURVED.`,
+    straightBlade: () =>
+      "Une lame droite frotte dans une gorge axiale : il faut une lame courbe adaptée au ⌀ (DAXN, DAXX).",
+    pointDiffers: (d, w) =>
+      `La longueur de pointe ${w.size(d.length)} ne correspond pas à ${w.angle(d.angle)}, qui donne ${w.size(d.byAngle)} : l’angle est retenu.`,
     betterTool: (d) => `L’outil ${d.tool} ${d.name} convient à ce contour.`,
     startInArea: (d, w) =>
       `Le point de départ ${w.place(d.x, d.z)} est dans la zone à usiner : l’outil va d’abord à la distance d’approche.`,
@@ -283,6 +290,8 @@ export const messages = {
       `${w.text(d.word)} : l’avance de coupe est de 0 ici. Indiquer une avance supérieure à 0 ; FAUTO reprend le F de TOOL CALL.`,
     feedUnlikely: (d, w) =>
       `Une avance de ${w.number(d.feed)} ${d.unit} est peu vraisemblable. Vérifier M136 : avec M136, F est en mm par tour.`,
+    pointBeyondDepth: (d, w) =>
+      `Le trou a ${w.size(d.depth)} de profondeur, la pointe du foret ${w.size(d.point)} : le trou n’atteint pas son diamètre.`,
     drillTooShort: (d, w) =>
       `Le trou a ${w.size(d.depth)} de profondeur, les arêtes du foret (LCUTS) ${w.size(d.edges)} : la queue peut frotter.`,
     centreMouth: (d, w) =>
