@@ -28,7 +28,7 @@ const cellOfTitle = new Map(COLUMNS.map((cell) => [titleOf(cell), cell]));
 const BOM = "\uFEFF";
 
 /** Splits a sheet into cells. A quoted cell may hold anything, with doubled quotes. Never throws. */
-function cellsOfSheet(text: string, separator: string): string[][] {
+export function cellsOfSheet(text: string, separator: string): string[][] {
   const lines: string[][] = [[]];
   let cell = "";
   let quoted = false;
@@ -56,7 +56,7 @@ function cellsOfSheet(text: string, separator: string): string[][] {
 }
 
 /** Separator of the cells: the most frequent one in the first line outside of quotes. */
-function separatorOf(line: string): string {
+export function separatorOf(line: string): string {
   const bare = line.replaceAll(/"[^"]*"/g, "");
   const [first = ","] = [";", "\t", ","].sort((a, b) => bare.split(b).length - bare.split(a).length);
   return first;
