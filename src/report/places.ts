@@ -25,6 +25,7 @@ const IN_STOCK: ReadonlySet<AnyCode> = new Set<AnyCode>([
   "startInMaterial",
   "cameLoose",
   "cutOnLoosePiece",
+  "toolLimit",
 ]);
 
 /** The kind of a finding: equal data for the same operation, except place and area. Intended cuts are all one kind. */

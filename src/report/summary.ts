@@ -77,6 +77,8 @@ function because(r: VerdictReason): string {
       return `tool or holder touches the clamping, first${inBlock(r.block)}`;
     case "spindleStopped":
       return `the spindle does not turn as it must, first${inBlock(r.block)}`;
+    case "toolLimit":
+      return `a tool works beyond what its row states, first${inBlock(r.block)}`;
     case "holeMissing":
       return `a hole is missing, first${inBlock(r.block)}`;
     case "unproved":
@@ -96,7 +98,7 @@ function because(r: VerdictReason): string {
     case "flanksUnknown":
       return `flanks not checked: tool ${r.tool} ${r.name} has no T-ANGLE or P-ANGLE`;
     case "curvatureUnknown":
-      return `curvature of the blade not checked: tool ${r.tool} ${r.name} plunges along Z, its range of diameters is not specified`;
+      return `curvature of the blade not checked: tool ${r.tool} ${r.name} plunges along Z, DAXN or DAXX is empty`;
   }
 }
 

@@ -18,6 +18,7 @@ import { isPlainCut, judgePlainCut, type Surface } from "./plain-cut.ts";
 import { largest, placeIn } from "./region.ts";
 import type { AnyFinding, SimulatedOperation } from "./simulation.ts";
 import { sweptBy, type Sweep } from "./sweep.ts";
+import { limitHit, type LimitHit } from "./tool-limits.ts";
 
 /** After this many damaging moves the check stops: it costs far more where there is damage. */
 export const MOST_CONTACTS = 1000;
@@ -57,7 +58,7 @@ export function check(index: number, sweep: Sweep, cut: Cutting, against: CheckC
   const report = (
     kind: AnyFinding["kind"],
     rings: Ring[],
-    by: Pick<AnyFinding, "block" | "operation" | "isMeant" | "rear" | "below"> = step,
+    by: Pick<AnyFinding, "block" | "operation" | "isMeant" | "rear" | "below"> & { readonly limit?: LimitHit } = step,
   ) => {
     if (rings.length > 0)
       found.push({
@@ -73,6 +74,9 @@ export function check(index: number, sweep: Sweep, cut: Cutting, against: CheckC
         ...(by.below !== undefined && { below: by.below }),
         ...(by.rear !== undefined && { rear: by.rear }),
         ...(kind === "spindleStopped" && step.spindleFault && { idle: step.spindleFault }),
+        ...(by.limit && {
+          limit: { tool: step.tool.T, column: by.limit.column, value: by.limit.value, limit: by.limit.limit },
+        }),
         ...(kind === "holeMissing" && step.hole && { hole: { tool: step.tool.T, ...step.hole } }),
       });
   };
@@ -106,6 +110,8 @@ export function check(index: number, sweep: Sweep, cut: Cutting, against: CheckC
     }
   }
   report("holderContact", sure(holderHits(step, outlines, now)));
+  const limit = limitHit(step, sweep, outlines.insert, now);
+  if (limit) report("toolLimit", limit.rings, { ...step, limit });
   if (hold && !against.isClamped)
     report(step.move.kind === "rapid" ? "rapidBehindBlank" : "feedBehindBlank", sweptBehindBlank(sweep, hold.rear), {
       ...step,

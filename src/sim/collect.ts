@@ -44,10 +44,15 @@ const leavesStock = (f: AnyFinding) => f.kind === "holderContact" || f.kind === 
 const goesOn = (f: AnyFinding) => leavesStock(f) || f.kind === "cutBelowContour" || f.kind === "intendedCut";
 /** Findings without stock cover the same place each time. */
 const covers = (f: AnyFinding) =>
-  leavesStock(f) || f.kind === "cutOnLoosePiece" || f.kind === "rapidBehindBlank" || f.kind === "feedBehindBlank";
+  leavesStock(f) ||
+  f.kind === "toolLimit" ||
+  f.kind === "cutOnLoosePiece" ||
+  f.kind === "rapidBehindBlank" ||
+  f.kind === "feedBehindBlank";
 
 /** The key of findings that belong together: with a stopped spindle, every cut until it starts. */
 function groupOf(f: AnyFinding): string {
+  if (f.limit) return `${f.kind} ${f.limit.tool} ${f.limit.column}`;
   if (f.idle) return `${f.idle.how} ${f.idle.by ?? ""}`;
   const part = f.clamp ? `${f.clamp.part} ${f.clamp.by} ` : "";
   return `${f.kind} ${part}${f.isMeant ?? false} ${f.operation ?? (goesOn(f) ? "" : `block ${f.block}`)}`;
@@ -84,7 +89,7 @@ export function collector(): Collector {
         const group = groups.get(key) ?? [];
         const box = boxAround(f.rings);
         const same =
-          group.find((k) => f.idle !== undefined || gapBetween(k.box, box) <= SAME_PLACE) ??
+          group.find((k) => f.idle !== undefined || f.limit !== undefined || gapBetween(k.box, box) <= SAME_PLACE) ??
           (kept.length >= MOST ? last.get(f.kind) : undefined);
         if (same) join(same, f, box);
         else {

@@ -34,7 +34,18 @@ function overrun({ crest, stop, openSide }: ThreadWay, { place, area }: AnyFindi
   });
 }
 
-function whatOf({ kind, area, place, block, clamp, idle, hole, other = block, rear = place.z }: AnyFinding): Issue {
+function whatOf({
+  kind,
+  area,
+  place,
+  block,
+  clamp,
+  idle,
+  hole,
+  limit,
+  other = block,
+  rear = place.z,
+}: AnyFinding): Issue {
   const [x, z] = [toDiameter(place.r), place.z];
   if (clamp) return issue("clampContact", "error", { ...clamp, x, z });
   switch (kind) {
@@ -53,6 +64,8 @@ function whatOf({ kind, area, place, block, clamp, idle, hole, other = block, re
       return issue("behindBlank", "warning", { motion: "feed", x, z, rear });
     case "spindleStopped":
       return issue(kind, "error", { how: idle?.how ?? "stopped", ...(idle && idle.by !== null && { block: idle.by }) });
+    case "toolLimit":
+      return issue(kind, "error", { tool: 0, column: "CDX", value: 0, limit: 0, ...limit, x, z });
     case "holeMissing":
       return issue(kind, "error", { tool: hole?.tool ?? 0, diameter: toDiameter(radius(hole?.drill ?? 0)), z });
     default:

@@ -1,6 +1,6 @@
 import type { PackedRings } from "../kernel/area/clip.ts";
 import type { Clamped, ClampPart } from "../kernel/area/clamping.ts";
-import type { Issue, Reason } from "../kernel/plan/issue.ts";
+import type { Issue, Reason, ToolLimit } from "../kernel/plan/issue.ts";
 import type { MachiningLimit, Plan } from "../kernel/plan/plan.ts";
 import type { Pt, Ring } from "../kernel/geometry/point.ts";
 import type { SpindleFault, NeededHole, StatedBlank, Step, UnsimulatedBlock } from "../kernel/time/step.ts";
@@ -58,6 +58,7 @@ export const STOCK_FAULTS = [
   "rapidBehindBlank",
   "spindleStopped",
   "holeMissing",
+  "toolLimit",
 ] as const;
 export type StockFault = (typeof STOCK_FAULTS)[number];
 
@@ -84,6 +85,13 @@ export interface StockFinding<Kind = StockFault> {
   readonly idle?: SpindleFault;
   /** The hole that is missing, mm, and the number of the tool that needs it. */
   readonly hole?: NeededHole & { readonly tool: number };
+  /** The limit that the row of the tool states, and what the step makes of it, mm; only for toolLimit. */
+  readonly limit?: {
+    readonly tool: number;
+    readonly column: ToolLimit;
+    readonly value: number;
+    readonly limit: number;
+  };
   /** Number of moves with this finding in this place; `step` is the first. */
   readonly moves: number;
   /**

@@ -69,6 +69,7 @@ export const SEVERITY: Readonly<Record<string, "error" | "warning" | "info">> = 
   feedUnlikely: "warning",
   spindleStopped: "error",
   holeMissing: "error",
+  toolLimit: "error",
   toolIndexUnknown: "error",
   firstElement: "error",
   controlRule: "error",

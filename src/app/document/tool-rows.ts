@@ -1,8 +1,8 @@
 import { z } from "zod/mini";
-import { HOLDER_CELLS, MILL_COLUMNS, TOOL_COLUMNS } from "../../program/tools/tool-columns.ts";
+import { BESIDE_CELLS, MILL_COLUMNS, TOOL_COLUMNS } from "../../program/tools/tool-columns.ts";
 
 const cellText = z.string().check(z.maxLength(500));
-const cells = z.partialRecord(z.enum([...TOOL_COLUMNS, ...MILL_COLUMNS, ...HOLDER_CELLS]), cellText);
+const cells = z.partialRecord(z.enum([...TOOL_COLUMNS, ...MILL_COLUMNS, ...BESIDE_CELLS]), cellText);
 
 export const toolRow = z.object({ id: cellText, cells });
 /** Rows of a tool table from untrusted data. */

@@ -4,6 +4,7 @@ import type { AnyIssue } from "../../i18n/message-texts.ts";
 import { QUESTIONS } from "../../sim/causes.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import type { Bounds } from "../../view/camera.ts";
+import { BESIDE_CELLS } from "../../program/tools/tool-columns.ts";
 import type { RunFinding } from "../../program/state/run-types.ts";
 
 /** The place of a finding in the picture, and its position in the playback. */
@@ -71,6 +72,7 @@ const toolPlaces: ReadonlySet<string> = new Set([
   "CUTLENGTH",
   "CUTWIDTH",
   "DCW",
+  ...BESIDE_CELLS,
 ]);
 export const isAboutTool = (at: string | null): boolean => at !== null && toolPlaces.has(at);
 

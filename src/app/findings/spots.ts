@@ -31,6 +31,7 @@ const SHOWN_AT = {
   intendedCut: 0.999,
   spindleStopped: 0,
   holeMissing: 0,
+  toolLimit: 0.999,
 } as const;
 
 /** The issue code of a finding of the stock. */
@@ -121,6 +122,7 @@ export function spotOfProof(simulation: Simulation, { issue, step }: ProofIssue)
     case "holderContact":
     case "clampContact":
     case "cutOnLoosePiece":
+    case "toolLimit":
     case "cutBelowContour":
     case "intendedCut":
     case "behindBlank": {

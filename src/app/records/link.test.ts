@@ -4,7 +4,7 @@ import { expect, test } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { CLAMPING_KINDS } from "../../program/clamping/words.ts";
 import { exampleJob } from "../../program/job/job.ts";
-import { HOLDER_CELLS, MILL_COLUMNS, TOOL_COLUMNS, type CellName } from "../../program/tools/tool-columns.ts";
+import { BESIDE_CELLS, MILL_COLUMNS, TOOL_COLUMNS, type CellName } from "../../program/tools/tool-columns.ts";
 import { shippedList } from "../../program/tools/tool-list.ts";
 import { LARGEST_PROGRAM } from "../base/limits.ts";
 import { plainWork } from "./save-file.ts";
@@ -18,7 +18,7 @@ const coded = (bytes: Uint8Array) => Buffer.from(bytes).toString("base64url");
 const packed = (text: string, mark = LINK_MARK) =>
   mark + coded(deflateSync(strToU8(text), /^#h/.test(mark) ? { dictionary: LINK_DICTIONARY } : {}));
 
-const CELLS: readonly CellName[] = [...new Set<CellName>([...TOOL_COLUMNS, ...MILL_COLUMNS, ...HOLDER_CELLS])];
+const CELLS: readonly CellName[] = [...new Set<CellName>([...TOOL_COLUMNS, ...MILL_COLUMNS, ...BESIDE_CELLS])];
 const anyText = fc.string({ unit: "grapheme", maxLength: 40 });
 const awkward = fc.oneof(
   anyText,

@@ -6,6 +6,7 @@ import { cellOf, type ToolEntry } from "../../program/tools/tool-entry.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { setCell } from "./tool-edits.ts";
 import { closeStep } from "../../app/document/steps.ts";
+import { ChoiceField } from "./ChoiceField.tsx";
 import { CellMessages, ToolField } from "./ToolField.tsx";
 
 interface Props {
@@ -16,36 +17,16 @@ interface Props {
 /** The axis of the shank; an invalid axis from a file stays visible. */
 function AxisField({ entry, issues }: Props) {
   const t = useTexts("tables").tools;
-  const id = useId();
-  const text = cellOf(entry, "axis");
-  const axis = readAxis(text);
-  const found = issues.filter((issue) => issue.at === "axis");
   return (
-    <div className="tool-field">
-      <label htmlFor={id}>
-        <span className="soft small">{t.holder.axis}</span>
-      </label>
-      <select
-        id={id}
-        className="select"
-        value={axis ?? text}
-        aria-invalid={found.length > 0}
-        aria-describedby={`${id}-wrong`}
-        onChange={(e) => {
-          closeStep();
-          setCell(entry.id, "axis", e.currentTarget.value);
-          closeStep();
-        }}
-      >
-        {axis === null && <option value={text}>{text}</option>}
-        {(["", "X", "Z"] as const).map((each) => (
-          <option key={each} value={each}>
-            {t.axes[each]}
-          </option>
-        ))}
-      </select>
-      <CellMessages id={`${id}-wrong`} issues={found} text={text} />
-    </div>
+    <ChoiceField
+      entry={entry}
+      cell="axis"
+      issues={issues}
+      value={readAxis(cellOf(entry, "axis"))}
+      choices={["", "X", "Z"]}
+      words={t.axes}
+      label={<span className="soft small">{t.holder.axis}</span>}
+    />
   );
 }
 

@@ -1,7 +1,8 @@
 import { useMemo, useState } from "react";
 import { pageLength } from "../../app/base/unit.ts";
 import { formatNumber } from "../../i18n/number.ts";
-import { insertOutline } from "../../kernel/cutter/insert.ts";
+import type { ToolsTexts } from "../../i18n/en/tables/tools.ts";
+import { insertOutline, isBar, plungesAxially } from "../../kernel/cutter/insert.ts";
 import { CHORD, ROUND, SAME } from "../../kernel/tolerance.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { boundsOf } from "../../view/bounds.ts";
@@ -25,6 +26,16 @@ export function useLastValidTool(id: string, tool: Tool | null): Tool | null {
   const [last, setLast] = useState<{ readonly id: string; readonly tool: Tool } | null>(null);
   if (tool && (last?.id !== id || last.tool !== tool)) setLast({ id, tool });
   return tool ?? (last?.id === id ? last.tool : null);
+}
+
+/** The stated limits of a tool, each in a few words. */
+function limitsOf(tool: Tool, number: (n: number) => string, { limitsOf: w }: ToolsTexts): string[] {
+  const { DAXN, DAXX, CDX, DMIN } = tool;
+  return [
+    ...(plungesAxially(tool) && DAXN !== undefined && DAXX !== undefined ? [w.axial(number(DAXN), number(DAXX))] : []),
+    ...(isBar(tool) && CDX !== undefined ? [w.depth(number(CDX))] : []),
+    ...(DMIN === undefined ? [] : [w.bore(number(DMIN))]),
+  ];
 }
 
 /** The insert of the open row to scale, with a reference length; updated at each keystroke. */
@@ -62,6 +73,11 @@ export function LiveInsert({
           <i style={{ width: pageLength(pixels) }} /> {t.scale(number(measured.bar, 3))}
         </span>
         <span className="soft number">{t.size(number(measured.width, 2), number(measured.height, 2))}</span>
+        {limitsOf(tool, (n) => number(n, 3), t).map((each) => (
+          <span key={each} className="soft number">
+            {each}
+          </span>
+        ))}
         {!now && (
           <span className="last-possible">
             <Icon name="info" /> {t.lastPossible}

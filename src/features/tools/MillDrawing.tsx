@@ -18,12 +18,13 @@ const DRAWN = 4;
 /** Turns of a thread closer than this are not drawn one by one, px. */
 const CLOSEST_TURNS = 4;
 
-/** Drawn sizes of a tool, mm: cutting width, point, cutting edge length if known, and thread pitch. */
+/** Drawn sizes of a tool, mm: cutting width, point, cutting edge length if known, thread pitch; point angle in degrees. */
 interface Side {
   readonly across: number;
   readonly point: number;
   readonly edges: number | null;
   readonly pitch: number | null;
+  readonly angle: number;
 }
 
 function sideOf(mill: MillTool): Side {
@@ -34,6 +35,7 @@ function sideOf(mill: MillTool): Side {
     point: drill ? pointLength(drill) : 0,
     edges: drill?.CUTLENGTH ?? null,
     pitch: drill?.PITCH ?? null,
+    angle: drill?.["T-ANGLE"] ?? 0,
   };
 }
 
@@ -85,7 +87,7 @@ export function MillDrawing({ mill }: { readonly mill: MillTool | null }) {
   const scale = HEIGHT / span;
   const bar = scaleLengthFor(span / 6);
   const number = (n: number) => formatNumber(language, n);
-  const angle = side.point > 0 ? `${number(mill["T-ANGLE"] ?? 0)}°` : t.flat;
+  const angle = side.point > 0 ? `${number(side.angle)}°` : t.flat;
   const pointed = mill.TYPE === "DRILL" || mill.TYPE === "CENTER";
   return (
     <figure className="live-insert" aria-label={t.millDrawing}>

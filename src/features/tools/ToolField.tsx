@@ -1,6 +1,6 @@
 import type { ToolsTexts } from "../../i18n/en/tables/tools.ts";
 import type { Issue } from "../../kernel/plan/issue.ts";
-import type { HolderNumber, NumberColumn } from "../../program/tools/tool-columns.ts";
+import type { HolderNumber, LimitNumber, NumberCell, NumberColumn } from "../../program/tools/tool-columns.ts";
 import { isDrillType, ruleOf } from "../../program/tools/tool-columns.ts";
 import { cellOf, type ToolEntry } from "../../program/tools/tool-entry.ts";
 import { FieldMessage } from "../../app/fields/number/FieldMessage.tsx";
@@ -38,7 +38,8 @@ export const CellMessages = ({ id, ...of }: MessagesProps & { readonly id: strin
 const UNITS = { length: "mm", angle: "degrees", number: null } as const;
 
 /** Meaning of a column for tools of one type only. */
-function ownMeaning(t: ToolsTexts, cell: NumberColumn | HolderNumber, type: string): string | null {
+function ownMeaning(t: ToolsTexts, cell: NumberCell, type: string): string | null {
+  if (cell in t.limits) return t.limits[cell as LimitNumber];
   if (cell === "T-ANGLE" && isDrillType(type)) return t.drillAngle;
   return cell === "CUTLENGTH" && type === "THREAD" ? t.toothHeight : null;
 }
@@ -51,7 +52,7 @@ export function ToolField({
   unused = null,
 }: {
   readonly entry: ToolEntry;
-  readonly cell: NumberColumn | HolderNumber;
+  readonly cell: NumberCell;
   readonly issues: readonly Issue[];
   /** The type that does not use this column; null if it does. */
   readonly unused?: string | null;

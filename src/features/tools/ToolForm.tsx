@@ -5,6 +5,7 @@ import {
   applies,
   isDrillType,
   MILL_TABLE,
+  POINT_LENGTH,
   type MillColumn,
   type NumberColumn,
 } from "../../program/tools/tool-columns.ts";
@@ -20,6 +21,7 @@ import { setCell } from "./tool-edits.ts";
 import { closeStep } from "../../app/document/steps.ts";
 import { enterNext } from "../../app/fields/number/enter-next.ts";
 import { HolderFields } from "./HolderFields.tsx";
+import { LimitFields } from "./LimitFields.tsx";
 import { CellMessages, ToolField } from "./ToolField.tsx";
 import { useToolName } from "../../app/document/tool-name.ts";
 
@@ -98,6 +100,7 @@ function TurningColumns({ entry, reading }: Row) {
         <legend>{t.groups.insert}</legend>
         {INSERT.map(field)}
       </fieldset>
+      <LimitFields entry={entry} issues={issues} />
       <fieldset className="tool-group">
         <legend>{t.groups.setting}</legend>
         <p className="soft small tool-note">{t.keptOnly}</p>
@@ -125,9 +128,11 @@ function MillColumns({ entry, reading: { issues, mill } }: Row) {
       <fieldset className="tool-group">
         <legend>{t.groups.mill}</legend>
         <p className="soft small tool-note">{isDrillType(type) ? t.drillNote : t.millNote}</p>
-        {MILL_TABLE.filter((cell) => applies(cell, type)).map((cell) => (
-          <ToolField key={cell} entry={entry} cell={cell} issues={issues} />
-        ))}
+        {([...MILL_TABLE, POINT_LENGTH] as const)
+          .filter((cell) => applies(cell, type))
+          .map((cell) => (
+            <ToolField key={cell} entry={entry} cell={cell} issues={issues} />
+          ))}
       </fieldset>
     </>
   );

@@ -228,7 +228,7 @@ test("a drill shows only the columns it uses, is listed among the milling tools,
   const names = screen
     .getAllByRole<HTMLInputElement>("textbox")
     .map((each) => each.getAttribute("aria-label")?.split(":")[0]);
-  expect(names).toEqual(["T", "NAME", "R", "DR", "L", "DL", "T-ANGLE", "LCUTS"]);
+  expect(names).toEqual(["T", "NAME", "R", "DR", "L", "DL", "T-ANGLE", "LCUTS", "PL"]);
   await user.type(field("R: tool radius"), "4,25");
   await user.type(field("T-ANGLE: point angle"), "118");
   await user.type(field("LCUTS: edge length"), "47");

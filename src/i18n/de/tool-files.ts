@@ -36,7 +36,7 @@ export const toolFiles: ToolFileTexts = {
   milling: "TOOL.T, Fräs- und Bohrwerkzeuge",
   sheet: "TOOLS.csv, für Tabellenprogramme",
   json: "TOOLS.json, alles",
-  noHolders: "Halter sind nicht enthalten.",
+  noHolders: "Halter und Einsatzgrenzen sind nicht enthalten.",
   roundsHint: "Längen mit vier, Winkel mit drei Nachkommastellen.",
   sheetHint: "Alle Spalten und Halter; Trennzeichen für Tabellenprogramme in Ihrer Sprache.",
   jsonHint: "Alle Spalten und Halter, nichts gerundet; auch für den Befehl verify.",

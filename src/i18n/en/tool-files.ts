@@ -32,7 +32,7 @@ export const toolFiles: ToolFileTexts = {
   milling: "TOOL.T, milling and drilling tools",
   sheet: "TOOLS.csv, for a spreadsheet",
   json: "TOOLS.json, everything",
-  noHolders: "Holders are not included.",
+  noHolders: "Holders and limits are not included.",
   roundsHint: "Lengths with four decimals, angles with three.",
   sheetHint: "All columns and holders; separators for spreadsheets in your language.",
   jsonHint: "All columns and holders, nothing rounded; the verify command reads it.",

@@ -36,7 +36,7 @@ export const toolFiles = typeset<ToolFileTexts>({
   milling: "TOOL.T, outils de fraisage et de perçage",
   sheet: "TOOLS.csv, pour un tableur",
   json: "TOOLS.json, tout",
-  noHolders: "Les porte-outils ne sont pas inclus.",
+  noHolders: "Porte-outils et limites non inclus.",
   roundsHint: "Longueurs à quatre décimales, angles à trois.",
   sheetHint: "Toutes les colonnes et les porte-outils ; séparateurs pour les tableurs de votre langue.",
   jsonHint: "Toutes les colonnes et les porte-outils, rien d’arrondi ; lu par la commande verify.",

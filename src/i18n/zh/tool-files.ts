@@ -31,7 +31,7 @@ export const toolFiles: ToolFileTexts = {
   milling: "TOOL.T，铣刀和钻头",
   sheet: "TOOLS.csv，用于电子表格",
   json: "TOOLS.json，全部",
-  noHolders: "不含刀杆。",
+  noHolders: "不包含刀杆和使用范围。",
   roundsHint: "长度四位小数，角度三位小数。",
   sheetHint: "所有列和刀杆；分隔符适合您语言的电子表格。",
   jsonHint: "所有列和刀杆，不取整；verify 命令可读取。",

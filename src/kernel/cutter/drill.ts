@@ -2,7 +2,7 @@ import { METRIC } from "../contour/metric-thread.ts";
 import type { Convex } from "../reach/convex.ts";
 import type { Flat } from "../geometry/flat.ts";
 import { DRILL_TYPES, type Tool } from "../plan/tool.ts";
-import { length, radians } from "../units.ts";
+import { degrees, inDegrees, length, radians, type Degrees } from "../units.ts";
 import type { NeededHole } from "../time/step.ts";
 
 /** Length of a drill whose LCUTS is empty, mm. */
@@ -17,6 +17,10 @@ export function pointLength(t: Tool): number {
   const angle = t["T-ANGLE"] ?? FLAT;
   return angle > 0 && angle < FLAT ? (t.R ?? 0) / Math.tan(radians(angle) / 2) : 0;
 }
+
+/** Point angle of a drill by its radius and the length of its point, mm. */
+export const pointAngleOf = (radius: number, point: number): Degrees =>
+  degrees(2 * inDegrees(Math.atan2(radius, point)));
 
 /** Depth of the point at which the bore has this radius, mm; null if the angle makes no point. */
 export function depthAtRadius(t: Tool, radius: number): number | null {

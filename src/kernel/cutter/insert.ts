@@ -71,8 +71,11 @@ export const isBar = (t: Tool) => t.TYPE === "RECESS" || t.TYPE === "RECTURN";
 export const flanksUnknown = (t: Tool) =>
   (t.TYPE === "ROUGH" || t.TYPE === "FINISH") && (t["T-ANGLE"] === undefined || t["P-ANGLE"] === undefined);
 
-/** True for a blade that plunges along Z: its side is curved for a range of diameters, which no column gives. */
-export const curvatureUnknown = (t: Tool) => isBar(t) && tipDirection(t.TO).v === 0 && tipDirection(t.TO).u !== 0;
+/** True for a blade that plunges along Z. */
+export const plungesAxially = (t: Tool) => isBar(t) && tipDirection(t.TO).v === 0 && tipDirection(t.TO).u !== 0;
+
+/** True for such a blade whose range of diameters is not stated: its side is curved for one. */
+export const curvatureUnknown = (t: Tool) => plungesAxially(t) && (t.DAXN === undefined || t.DAXX === undefined);
 
 /**
  * The insert as a convex boundary of lines and arcs, relative to the theoretical tip; u is z, v is r (mm). With unknown

@@ -6,6 +6,9 @@ import type { ClampPart } from "../area/clamping.ts";
  */
 export type Severity = "error" | "warning" | "info";
 
+/** A stated limit of a tool, by its column. */
+export type ToolLimit = "DAXN" | "DAXX" | "CDX" | "CUTDIA" | "DMIN";
+
 /** Cause of residual material. */
 export type Reason =
   | "insertRadius"
@@ -76,6 +79,10 @@ interface Data {
   /** A holder: the axis of its shank, the corners of its head. */
   holderAxis: { text: string };
   holderHead: { text: string };
+  /** The support of a blade is none of the known words. */
+  bladeSupport: { text: string };
+  /** Stated length of a drill's point, and the length that its radius and angle make, mm. */
+  pointDiffers: { length: number; byAngle: number; angle: number };
   betterTool: { tool: number; name: string };
   /* threads */
   pitchZero: {};
@@ -265,6 +272,8 @@ interface Data {
   spindleStopped: { how: "stopped" | "noSpeed" | "hand"; block?: number };
   /** A tap, reamer or boring tool feeds where there is no hole of this diameter, mm. */
   holeMissing: { tool: number; diameter: number; z: number };
+  /** The tool works beyond a limit that its row states: a diameter, or a depth for CDX, mm. */
+  toolLimit: { tool: number; column: ToolLimit; value: number; limit: number; x: number; z: number };
   /** More moves than `limit` do damage; the moves behind them were not checked. */
   contactsUnlooked: { limit: number };
   /** A cut is deeper than the infeed allows, mm; `pass` is absent on a smoothing or finishing cut. */

@@ -8,6 +8,10 @@ export type DrillType = (typeof DRILL_TYPES)[number];
 /** Tip orientation 1..9, as on HEIDENHAIN lathes. */
 export type TipOrientation = 1 | 2 | 3 | 4 | 5 | 6 | 7 | 8 | 9;
 
+/** What stands below the insert of a blade: nothing, a straight web, or one curved for axial grooves. */
+export const BLADE_SUPPORTS = ["NONE", "STRAIGHT", "CURVED"] as const;
+export type BladeSupport = (typeof BLADE_SUPPORTS)[number];
+
 /** A corner of a holder, from the theoretical tip along Z and X (radius), mm. */
 export type HolderCorner = readonly [z: Length, x: Length];
 
@@ -56,6 +60,17 @@ export interface Tool {
   readonly CUTWIDTH?: Length;
   readonly DCW?: Length;
   readonly holder?: Holder;
+  /** What the maker of a blade or a bar states about its use, by the symbols of ISO 13399; mm, diameters. */
+  /** Axial groove: smallest and largest outside diameter of the first plunge. */
+  readonly DAXN?: Length;
+  readonly DAXX?: Length;
+  /** Greatest cutting depth of a blade. */
+  readonly CDX?: Length;
+  /** Largest diameter that a blade parts off. */
+  readonly CUTDIA?: Length;
+  /** Smallest bore for a boring bar. */
+  readonly DMIN?: Length;
+  readonly SUPPORT?: BladeSupport;
   /**
    * FUNCTION TURNDATA CORR: offset of the insert from the tip that the control calculates with, along Z and X (radius).
    */

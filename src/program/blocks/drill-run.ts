@@ -18,6 +18,8 @@ import { requireSpindle } from "./spindle-start.ts";
 
 /** Distance from the axis within which a drill counts as centred, mm. */
 const ON_AXIS = 0.001;
+/** The cycle that only centres. */
+const CENTRING = 240;
 /** This feed value means rapid. */
 const AS_RAPID = 99_999;
 
@@ -62,7 +64,7 @@ function value(machine: Machine, { values, index }: Defined, name: string): numb
 /** Position of the bore; null when its depth does not point down. */
 function boreOf({ cycle }: Defined, tool: Tool, q: Q, datum: number): Bore | null {
   const surface = q("Q203") + datum;
-  const byDiameter = cycle === 240 && q("Q343") === 1;
+  const byDiameter = cycle === CENTRING && q("Q343") === 1;
   const depth = byDiameter ? depthAtRadius(tool, perSide(diameter(Math.abs(q("Q344"))))) : -q("Q201");
   if (depth === null || !(depth > 0) || q("Q200") < 0) return null;
   // Q395 = 1: the depth is that of the full radius.
@@ -83,11 +85,11 @@ function judge(machine: Machine, { defined, tool, bore, q }: Judged, index: numb
   const say = (issue: Parameters<typeof machine.log.report>[0], at: string) =>
     machine.log.report(issue, defined.index, lineOfParameter(raw, at));
   const edges = tool.CUTLENGTH;
-  if (edges !== undefined && bore.surface - bore.bottom > edges + SAME)
-    machine.log.report(
-      programIssue("drillTooShort", "warning", { depth: bore.surface - bore.bottom, edges }, "tool"),
-      index,
-    );
+  const [depth, point] = [bore.surface - bore.bottom, pointLength(tool)];
+  if (edges !== undefined && depth > edges + SAME)
+    machine.log.report(programIssue("drillTooShort", "warning", { depth, edges }, "tool"), index);
+  if (tool.TYPE === "DRILL" && defined.cycle !== CENTRING && point > depth + SAME)
+    say(programIssue("pointBeyondDepth", "warning", { point, depth }, "Q201"), "Q201");
   const tapping = DRILL_WORDS.get(defined.cycle)?.includes("Q239");
   const pitch = Math.abs(q("Q239"));
   if (tapping && tool.PITCH !== undefined && Math.abs(tool.PITCH - pitch) > SAME)

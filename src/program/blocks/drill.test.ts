@@ -198,6 +198,11 @@ describe("drilling on the axis while turning", () => {
     expect(codes(program(drilling.replace("Q201=-33", "Q201=-43.5")))).toEqual(["drillTooShort"]);
     expect(codes(program(drilling.replace("Q206=130", "Q206=0")))).toEqual(["feedZero"]);
   });
+  test("a bore less deep than the point of its drill is reported, and none that only centres", () => {
+    expect(codes(program(drilling.replace("Q201=-33", "Q201=-8.5")))).toEqual([]);
+    expect(codes(program(drilling.replace("Q201=-33", "Q201=-8")))).toEqual(["pointBeyondDepth"]);
+    expect(codes(program(drilling.replace("Q201=-33", "Q201=-2"), { tool: 42 }))).toEqual([]);
+  });
   test.each([
     ["M3", "+1.25", []],
     ["M4", "-1.25", []],

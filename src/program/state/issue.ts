@@ -24,6 +24,8 @@ interface Data {
   feedUnlikely: { feed: number; unit: FeedUnit };
   /** Bore deeper than the cutting edge length of the drill. */
   drillTooShort: { depth: number; edges: number };
+  /** Point of the drill longer than the bore is deep: the bore nowhere has its diameter. */
+  pointBeyondDepth: { point: number; depth: number };
   /** Pitch of the cycle differs from that of the tap. */
   pitchOfTap: { pitch: number; tap: number };
   cycleNeverCalled: { cycle: number };

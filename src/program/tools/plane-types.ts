@@ -104,4 +104,6 @@ export interface Mill {
   /** Cutting edge length. */
   readonly LCUTS?: number;
   readonly PITCH?: number;
+  /** Length of the point, where its angle is not stated. */
+  readonly PL?: number;
 }

@@ -1,12 +1,15 @@
 import { z } from "zod";
 import type { Issue } from "../../kernel/plan/issue.ts";
-import { DRILL_TYPES, TOOL_TYPES, type Tool } from "../../kernel/plan/tool.ts";
+import { BLADE_SUPPORTS, DRILL_TYPES, TOOL_TYPES, type Tool } from "../../kernel/plan/tool.ts";
 import { checkTool } from "./check-tool.ts";
 import { soundHead } from "./holder-cells.ts";
+import { isLimit } from "./tool-columns.ts";
 import type { Mill } from "./plane-types.ts";
 
 /** An optional cell, which may be null. */
 const cell = z.number().nullish();
+/** A stated limit, mm; 0 counts as none. */
+const limit = z.number().min(0).nullish();
 /** Parts of a head, each by its corners [Z, X]. */
 const head = z
   .array(z.array(z.tuple([z.number(), z.number()])))
@@ -29,6 +32,12 @@ const row = z.object({
   CUTLENGTH: cell,
   CUTWIDTH: cell,
   DCW: cell,
+  DAXN: limit,
+  DAXX: limit,
+  CDX: limit,
+  CUTDIA: limit,
+  DMIN: limit,
+  SUPPORT: z.enum(BLADE_SUPPORTS).nullish(),
   holder: z
     .object({
       width: z.number().positive(),
@@ -51,6 +60,7 @@ const mill = z.object({
   "T-ANGLE": z.number().min(0).max(180).nullish(),
   LCUTS: z.number().min(0).nullish(),
   PITCH: z.number().min(0).nullish(),
+  PL: limit,
   TYPE: z
     .string()
     .refine((type) => !TOOL_TYPES.some((t) => t === type))
@@ -83,6 +93,7 @@ export function millOf(cells: MillCells): Mill {
       ...(cells["T-ANGLE"] && { "T-ANGLE": cells["T-ANGLE"] }),
       ...(cells.LCUTS && { LCUTS: cells.LCUTS }),
       ...(cells.PITCH && { PITCH: cells.PITCH }),
+      ...(cells.PL && { PL: cells.PL }),
     }),
   };
 }
@@ -118,7 +129,8 @@ export function readTools(text: string): ShopTools | { readonly problem: string 
     }
     const present = Object.fromEntries(
       Object.entries(cells).filter(
-        ([column, value]) => value !== null && value !== undefined && !(column === "CUTLENGTH" && value === 0),
+        ([column, value]) =>
+          value !== null && value !== undefined && !((column === "CUTLENGTH" || isLimit(column)) && value === 0),
       ),
     );
     const problems = checkTool(present);

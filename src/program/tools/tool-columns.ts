@@ -29,13 +29,28 @@ export type HolderNumber = (typeof HOLDER_NUMBERS)[number];
 export const HOLDER_CELLS = [...HOLDER_NUMBERS, "axis", "head"] as const;
 export type HolderCell = (typeof HOLDER_CELLS)[number];
 /**
+ * What the maker states about the use of a blade or a bar, beside the columns of the control, by the symbols of ISO
+ * 13399: diameters of an axial groove, cutting depth, largest diameter to part off, smallest bore.
+ */
+export const LIMIT_NUMBERS = ["DAXN", "DAXX", "CDX", "CUTDIA", "DMIN"] as const;
+export type LimitNumber = (typeof LIMIT_NUMBERS)[number];
+/** The limits with the support of a blade. */
+export const LIMIT_CELLS = [...LIMIT_NUMBERS, "SUPPORT"] as const;
+/** Length of a drill's point, beside the columns of the control. */
+export const POINT_LENGTH = "PL";
+/** Cells of a row that no table of the control has. */
+export const BESIDE_CELLS = [...HOLDER_CELLS, ...LIMIT_CELLS, POINT_LENGTH] as const;
+export type BesideCell = (typeof BESIDE_CELLS)[number];
+/**
  * Columns of a milling tool besides T and NAME: length, radius, their deltas, cutting edge length of a drill, pitch of
  * a tap. The point angle of a drill is in T-ANGLE.
  */
 export const MILL_COLUMNS = ["L", "R", "DL", "DR", "LCUTS", "PITCH"] as const;
 export type MillColumn = (typeof MILL_COLUMNS)[number];
 export type NumberColumn = Exclude<ToolColumn, "NAME" | "TYPE"> | MillColumn;
-export type CellName = ToolColumn | MillColumn | HolderCell;
+export type CellName = ToolColumn | MillColumn | BesideCell;
+/** Cells that hold one number. */
+export type NumberCell = NumberColumn | HolderNumber | LimitNumber | typeof POINT_LENGTH;
 /** Type of a milling tool that is no drill. */
 export const MILL = "MILL";
 /** Types of the table of milling tools. */
@@ -102,16 +117,18 @@ export const HOLDER_RULES: Readonly<Record<HolderNumber, ColumnRule>> = {
   offsetX: anyLength,
 };
 
-const isHolderNumber = (cell: NumberColumn | HolderNumber): cell is HolderNumber =>
-  HOLDER_NUMBERS.some((each) => each === cell);
+const isHolderNumber = (cell: string): cell is HolderNumber => HOLDER_NUMBERS.some((each) => each === cell);
+/** Whether a cell is one of the limits. */
+export const isLimit = (cell: string): cell is LimitNumber => LIMIT_NUMBERS.some((each) => each === cell);
 
 export const isToolType = (text: string): text is ToolType => TOOL_TYPES.some((type) => type === text);
 export const isDrillType = (text: string): text is DrillType => DRILL_TYPES.some((type) => type === text);
 export const isMillType = (text: string): boolean => MILL_TYPES.some((type) => type === text);
 
 /** Rule of a cell for a tool type. */
-export function ruleOf(cell: NumberColumn | HolderNumber, type = ""): ColumnRule {
+export function ruleOf(cell: NumberCell, type = ""): ColumnRule {
   if (isHolderNumber(cell)) return HOLDER_RULES[cell];
+  if (isLimit(cell) || cell === POINT_LENGTH) return size;
   return cell === "T-ANGLE" && isDrillType(type) ? POINT : COLUMN_RULES[cell];
 }
 
@@ -124,6 +141,12 @@ const SHAPING: Partial<Record<CellName, readonly (ToolType | DrillType)[]>> = {
   DCW: ["RECESS", "RECTURN"],
   LCUTS: DRILL_TYPES,
   PITCH: ["TAP"],
+  DAXN: ["RECESS", "RECTURN"],
+  DAXX: ["RECESS", "RECTURN"],
+  CDX: ["RECESS", "RECTURN"],
+  CUTDIA: ["RECESS", "RECTURN"],
+  SUPPORT: ["RECESS", "RECTURN"],
+  PL: ["DRILL", "CENTER"],
 };
 
 /** Whether a column applies to a type; with an unknown type all do. */

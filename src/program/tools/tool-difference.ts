@@ -1,4 +1,4 @@
-import { HOLDER_CELLS, MILL_COLUMNS, TOOL_COLUMNS, type CellName } from "./tool-columns.ts";
+import { BESIDE_CELLS, MILL_COLUMNS, TOOL_COLUMNS, type CellName } from "./tool-columns.ts";
 import { cellOf, readEntry, type ToolEntry } from "./tool-entry.ts";
 import { freeNumber, newId, type ToolList } from "./tool-list.ts";
 
@@ -11,7 +11,7 @@ export interface ToolPair {
   readonly differs: readonly CellName[];
 }
 
-const CELLS: readonly CellName[] = [...new Set<CellName>([...TOOL_COLUMNS, ...MILL_COLUMNS, ...HOLDER_CELLS])];
+const CELLS: readonly CellName[] = [...new Set<CellName>([...TOOL_COLUMNS, ...MILL_COLUMNS, ...BESIDE_CELLS])];
 
 /** Normalized text of a cell: `0,80` is 0.8. */
 function normalizedCell(entry: ToolEntry, cell: CellName): string {

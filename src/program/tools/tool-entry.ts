@@ -1,7 +1,8 @@
 import { issue, type Issue } from "../../kernel/plan/issue.ts";
 import { USUAL_TOOTH } from "../../kernel/cutter/insert.ts";
 import { fixesFinding, offerOf, withOffer } from "../../kernel/plan/offer.ts";
-import type { DrillType, Tool } from "../../kernel/plan/tool.ts";
+import { BLADE_SUPPORTS, type BladeSupport, type DrillType, type Tool } from "../../kernel/plan/tool.ts";
+import { radians } from "../../kernel/units.ts";
 import { checkTool } from "./check-tool.ts";
 import { readText } from "../values/field.ts";
 import { readAxis, readHead, writeHead } from "./holder-cells.ts";
@@ -11,13 +12,14 @@ import {
   HOLDER_NUMBERS,
   isDrillType,
   isMillType,
+  LIMIT_CELLS,
+  LIMIT_NUMBERS,
   MILL_TABLE,
+  POINT_LENGTH,
   ruleOf,
   TOOL_COLUMNS,
   type CellName,
-  type HolderNumber,
-  type NumberColumn,
-  type ToolColumn,
+  type NumberCell,
 } from "./tool-columns.ts";
 
 /** Source file of table rows, kept so that it can be exported with nothing else changed. */
@@ -53,7 +55,7 @@ export interface ToolEntry {
  * mill.
  */
 export type MillTool = { readonly T: number; readonly NAME: string; readonly R: number; readonly TYPE?: DrillType } & {
-  readonly [C in Exclude<(typeof MILL_TABLE)[number], "R">]?: number;
+  readonly [C in Exclude<(typeof MILL_TABLE)[number], "R"> | typeof POINT_LENGTH]?: number;
 };
 
 /** A row read: the tool when every cell can be used, and everything found, each at its column. */
@@ -73,7 +75,7 @@ export const isMillEntry = (entry: ToolEntry): boolean => isMillType(cellOf(entr
 /** A tool as a typed row. */
 export function entryOf(tool: Tool, id: string): ToolEntry {
   const cells: Partial<Record<CellName, string>> = {};
-  for (const column of TOOL_COLUMNS) {
+  for (const column of [...TOOL_COLUMNS, ...LIMIT_CELLS]) {
     const value = tool[column];
     if (value !== undefined) cells[column] = String(value);
   }
@@ -99,7 +101,7 @@ function nameIssues(text: string): Issue[] {
 }
 
 /** One number: its value, null when empty, or its issue. */
-function numberOf(cell: NumberColumn | HolderNumber, text: string, type: string): number | null | Issue {
+function numberOf(cell: NumberCell, text: string, type: string): number | null | Issue {
   const { value, issue: found } = readText({ ...ruleOf(cell, type), id: cell, optional: true, decimals: null }, text);
   return found?.code === "outOfRange"
     ? issue("toolColumn", "error", { column: cell, ...found.data }, cell)
@@ -107,23 +109,23 @@ function numberOf(cell: NumberColumn | HolderNumber, text: string, type: string)
 }
 
 interface Numbers {
-  readonly values: Partial<Record<NumberColumn | HolderNumber, number>>;
+  readonly values: Partial<Record<NumberCell, number>>;
   readonly issues: readonly Issue[];
 }
 
 /** All numbers of a row. Cells that do not apply to its type are taken when valid and never reported. */
 function numbersOf(entry: ToolEntry): Numbers {
   const type = cellOf(entry, "TYPE");
-  const values: Partial<Record<NumberColumn | HolderNumber, number>> = {};
+  const values: Partial<Record<NumberCell, number>> = {};
   const issues: Issue[] = [];
   const columns = TOOL_COLUMNS.filter((column) => column !== "NAME" && column !== "TYPE");
-  for (const cell of [...columns, ...HOLDER_NUMBERS]) {
+  for (const cell of [...columns, ...HOLDER_NUMBERS, ...LIMIT_NUMBERS]) {
     const read = numberOf(cell, cellOf(entry, cell), type);
     if (read === null) continue;
     if (typeof read === "number") values[cell] = read;
-    else if (HOLDER_NUMBERS.some((each) => each === cell) || applies(cell as ToolColumn, type)) issues.push(read);
+    else if (HOLDER_NUMBERS.some((each) => each === cell) || applies(cell, type)) issues.push(read);
   }
-  if (values.CUTLENGTH === 0) delete values.CUTLENGTH;
+  for (const cell of ["CUTLENGTH", ...LIMIT_NUMBERS] as const) if (values[cell] === 0) delete values[cell];
   return { values, issues };
 }
 
@@ -140,12 +142,33 @@ function holderIssues(entry: ToolEntry): Issue[] {
   ];
 }
 
+/** Reads the support of a blade; null when invalid. */
+export const readSupport = (text: string): BladeSupport | "" | null => {
+  const word = text.trim().toUpperCase();
+  return word === "" ? "" : (BLADE_SUPPORTS.find((each) => each === word) ?? null);
+};
+
+/** Limits that contradict each other, and an unknown word for the support, where the type uses them. */
+function limitIssues(entry: ToolEntry, { DAXN, DAXX }: Numbers["values"]): Issue[] {
+  const text = cellOf(entry, "SUPPORT");
+  if (!applies("SUPPORT", cellOf(entry, "TYPE"))) return [];
+  return [
+    ...(readSupport(text) === null ? [issue("bladeSupport", "error", { text }, "SUPPORT")] : []),
+    ...(DAXN !== undefined && DAXX !== undefined && DAXX < DAXN
+      ? [issue("toolColumn", "error", { column: "DAXX", value: DAXX, min: DAXN }, "DAXX")]
+      : []),
+  ];
+}
+
 /** Keeps the first issue of each column. */
 function firstOfEach(all: readonly Issue[]): Issue[] {
   const found = new Map<string | undefined, Issue>();
   for (const each of all) if (!found.has(each.at)) found.set(each.at, each);
   return [...found.values()];
 }
+
+/** Stated lengths of a point are rounded, and its edges are relieved at the corner, mm. */
+const SAME_POINT = 0.2;
 
 /** Smallest radius of a drill. */
 const LEAST_DRILL = 0.001;
@@ -154,9 +177,9 @@ const LEAST_DRILL = 0.001;
 function readMill(entry: ToolEntry): EntryReading {
   const type = cellOf(entry, "TYPE");
   const drill = isDrillType(type) ? type : null;
-  const values: Partial<Record<NumberColumn, number>> = {};
+  const values: Partial<Record<NumberCell, number>> = {};
   const found: Issue[] = [];
-  for (const column of ["T", ...MILL_TABLE] as const) {
+  for (const column of ["T", ...MILL_TABLE, POINT_LENGTH] as const) {
     if (!applies(column, type)) continue;
     const read = numberOf(column, cellOf(entry, column), type);
     if (typeof read === "number") values[column] = read;
@@ -170,6 +193,13 @@ function readMill(entry: ToolEntry): EntryReading {
     found.push(issue("toolColumn", "error", { column: "R", value: R, min: least, nearest: least }, "R"));
   else if (R !== undefined && R + wear < least)
     found.push(issue("toolColumn", "error", { column: "DR", value: wear, min: least - R, nearest: least - R }, "DR"));
+  if (drill && R !== undefined && others["T-ANGLE"] && others.PL) {
+    const length = (R + wear) / Math.tan(radians(others["T-ANGLE"]) / 2);
+    if (Math.abs(length - others.PL) > SAME_POINT)
+      found.push(
+        issue("pointDiffers", "warning", { length: others.PL, byAngle: length, angle: others["T-ANGLE"] }, "PL"),
+      );
+  }
   const NAME = cellOf(entry, "NAME");
   const issues = firstOfEach([...found, ...nameIssues(NAME)]);
   const sound = T !== undefined && R !== undefined && issues.every((each) => each.severity !== "error");
@@ -198,6 +228,7 @@ function readTurning(entry: ToolEntry): EntryReading {
   const { values, issues } = numbersOf(entry);
   const { T, width, length, offsetZ = 0, offsetX = 0, ...columns } = values;
   const [axis, head] = [readAxis(cellOf(entry, "axis")), readHead(cellOf(entry, "head"))];
+  const support = readSupport(cellOf(entry, "SUPPORT"));
   const shank =
     width === undefined || length === undefined
       ? null
@@ -207,6 +238,7 @@ function readTurning(entry: ToolEntry): EntryReading {
     NAME: cellOf(entry, "NAME"),
     TYPE: cellOf(entry, "TYPE"),
     ...columns,
+    ...(support && { SUPPORT: support }),
     ...(shank && { holder: shank }),
   };
   const { holder: _, ...checked } = row;
@@ -216,6 +248,7 @@ function readTurning(entry: ToolEntry): EntryReading {
     ...nameIssues(row.NAME),
     ...checkTool(checked),
     ...holderIssues(entry),
+    ...limitIssues(entry, values),
     ...flanks(row.TYPE, values),
   ]);
   const sound = kept.every((each) => each.severity !== "error");

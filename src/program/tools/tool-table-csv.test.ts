@@ -1,5 +1,6 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
+import type { Tool } from "../../kernel/plan/tool.ts";
 import { shippedTools } from "./shipped-tools.ts";
 import { readEntry } from "./tool-entry.ts";
 import { readTableCsv, writeTableCsv } from "./tool-table-csv.ts";
@@ -69,13 +70,15 @@ describe("tools as a sheet", () => {
 
   test.each(["comma", "point"] as const)("what is written with a %s is read again, holders too", (manner) => {
     const mills = [
-      { T: 40, NAME: "D8,5", R: 4.25, L: 120.125, TYPE: "DRILL" as const },
+      { T: 40, NAME: "D8,5", R: 4.25, L: 120.125, PL: 1.5, TYPE: "DRILL" as const },
       { T: 41, NAME: 'A"B', R: 8, DR: -0.02 },
     ];
-    const { rows, leftOut } = read(writeTableCsv(shippedTools, mills, manner));
+    const limited = { DAXN: 24, DAXX: 60.5, CDX: 12, CUTDIA: 32, DMIN: 25, SUPPORT: "CURVED" } as unknown as Tool;
+    const tools = shippedTools.map((tool) => (tool.T === 8 ? { ...tool, ...limited } : tool));
+    const { rows, leftOut } = read(writeTableCsv(tools, mills, manner));
     expect(leftOut).toEqual([]);
     const found = rows.map((cells) => readEntry({ id: "r", cells }));
-    expect(found.flatMap(({ tool }) => tool ?? [])).toEqual(shippedTools);
+    expect(found.flatMap(({ tool }) => tool ?? [])).toEqual(tools);
     expect(found.flatMap(({ mill }) => mill ?? [])).toEqual(mills);
   });
 

@@ -3,6 +3,8 @@ import { writeHead } from "./holder-cells.ts";
 import { TABLE_NUMBER } from "./table-layout.ts";
 import {
   HOLDER_CELLS,
+  LIMIT_CELLS,
+  POINT_LENGTH,
   isDrillType,
   isMillType,
   isToolType,
@@ -21,7 +23,7 @@ import type { TableFile } from "./tool-table-text.ts";
  */
 
 const HOLDER = "HOLDER.";
-const COLUMNS: readonly CellName[] = [...TOOL_COLUMNS, ...MILL_COLUMNS, ...HOLDER_CELLS];
+const COLUMNS: readonly CellName[] = [...TOOL_COLUMNS, ...MILL_COLUMNS, ...LIMIT_CELLS, POINT_LENGTH, ...HOLDER_CELLS];
 const titleOf = (cell: CellName): string =>
   HOLDER_CELLS.some((each) => each === cell) ? `${HOLDER}${cell.toUpperCase()}` : cell;
 const cellOfTitle = new Map(COLUMNS.map((cell) => [titleOf(cell), cell]));
@@ -77,7 +79,9 @@ function rowOf(titles: readonly (CellName | null)[], line: readonly string[]): T
     (!isToolType(type) && cells.R !== undefined && cells.RS === undefined && cells.TO === undefined);
   if (mill) cells.TYPE = isDrillType(type) ? type : MILL;
   else if (type !== "") cells.TYPE = type;
-  const columns: readonly CellName[] = mill ? ["T", "NAME", "TYPE", ...MILL_TABLE] : [...TOOL_COLUMNS, ...HOLDER_CELLS];
+  const columns: readonly CellName[] = mill
+    ? ["T", "NAME", "TYPE", ...MILL_TABLE, POINT_LENGTH]
+    : [...TOOL_COLUMNS, ...LIMIT_CELLS, ...HOLDER_CELLS];
   return Object.fromEntries(Object.entries(cells).filter(([cell]) => columns.some((each) => each === cell)));
 }
 

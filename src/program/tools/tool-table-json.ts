@@ -2,6 +2,8 @@ import type { Holder, Tool } from "../../kernel/plan/tool.ts";
 import { writeHead } from "./holder-cells.ts";
 import {
   HOLDER_CELLS,
+  LIMIT_CELLS,
+  POINT_LENGTH,
   isDrillType,
   isToolType,
   MILL,
@@ -18,7 +20,9 @@ import { readTableText, type TableFile } from "./tool-table-text.ts";
  */
 export function writeTableJson(tools: readonly Tool[], mills: readonly MillTool[] = []): string {
   const lines = tools.map((tool) => {
-    const columns = TOOL_COLUMNS.filter((column) => tool[column] !== undefined).map((column) => [column, tool[column]]);
+    const columns = [...TOOL_COLUMNS, ...LIMIT_CELLS]
+      .filter((column) => tool[column] !== undefined)
+      .map((column) => [column, tool[column]]);
     return `  ${JSON.stringify({ ...Object.fromEntries(columns), ...(tool.holder && { holder: tool.holder }) })}`;
   });
   lines.push(...mills.map(({ T, NAME, ...columns }) => `  ${JSON.stringify({ T, NAME, TYPE: MILL, ...columns })}`));
@@ -44,7 +48,9 @@ function cellsOf(row: Readonly<Record<string, unknown>>, leftOut: Set<string>): 
   const isMill = "R" in row && !isToolType(String(row["TYPE"]));
   const drill = String(row["TYPE"]).toUpperCase();
   if (isMill) cells.TYPE = isDrillType(drill) ? drill : MILL;
-  const columns: readonly CellName[] = isMill ? ["T", "NAME", ...MILL_TABLE] : TOOL_COLUMNS;
+  const columns: readonly CellName[] = isMill
+    ? ["T", "NAME", ...MILL_TABLE, POINT_LENGTH]
+    : [...TOOL_COLUMNS, ...LIMIT_CELLS];
   for (const [name, value] of Object.entries(row)) {
     const column = columns.find((each) => each === name);
     if (column) take(column, value);

@@ -55,9 +55,20 @@ const holder = fc.record(
   },
   { requiredKeys: ["width", "length", "offsetZ", "offsetX"] },
 );
+const limits = fc.record(
+  {
+    DAXN: length(1, 50),
+    DAXX: length(50, 500),
+    CDX: length(1, 50),
+    CUTDIA: length(1, 100),
+    DMIN: length(1, 100),
+    SUPPORT: fc.constantFrom("NONE", "STRAIGHT", "CURVED"),
+  },
+  { requiredKeys: [] },
+);
 const withHolder = fc
-  .tuple(tool, fc.option(holder))
-  .map(([t, h]) => (h ? ({ ...t, holder: h } as unknown as Tool) : t));
+  .tuple(tool, fc.option(holder), limits)
+  .map(([t, h, l]) => ({ ...t, ...l, ...(h && { holder: h }) }) as unknown as Tool);
 const table = (one: fc.Arbitrary<Tool>) => fc.uniqueArray(one, { selector: (t) => t.T, minLength: 1, maxLength: 12 });
 const toolsOf = (rows: readonly ToolEntry["cells"][]) => rows.map((row) => readEntry({ id: "r", cells: row }).tool);
 
@@ -458,6 +469,8 @@ describe("milling tools", () => {
     [{ TYPE: "TAP", R: "5", PITCH: "1.5", LCUTS: "-1", "T-ANGLE": "abc" }, ["LCUTS toolColumn"]],
     [{ TYPE: "DRILL", R: "5", PITCH: "abc", TO: "x" }, []],
     [{ TYPE: "MILL", R: "0", LCUTS: "abc" }, []],
+    [{ TYPE: "DRILL", R: "5", PL: "3", "T-ANGLE": "118" }, []],
+    [{ TYPE: "DRILL", R: "5", PL: "5", "T-ANGLE": "118" }, ["PL pointDiffers"]],
   ])("%o: %s", (cells, expected) =>
     expect(
       readEntry({ id: "d", cells: { T: "31", ...cells } }).issues.map((found) => `${found.at} ${found.code}`),
@@ -471,6 +484,16 @@ describe("milling tools", () => {
     ]);
     expect(readList([{ id: "d", cells }]).table.mills?.map(drillOf)[0]).not.toHaveProperty("CUTLENGTH");
     expect(readList([{ id: "d", cells: { ...cells, TYPE: "MILL" } }]).table.mills?.map(drillOf)).toEqual([null]);
+  });
+
+  test.each([
+    ["5", 90],
+    ["2.887", 120],
+    ["0", undefined],
+  ])("a point %s mm long on a drill of ⌀10 is one of %s°", (PL, angle) => {
+    const [drill] =
+      readList([{ id: "d", cells: { T: "31", TYPE: "DRILL", R: "5", PL } }]).table.mills?.map(drillOf) ?? [];
+    expect(drill?.["T-ANGLE"] && Math.round(drill["T-ANGLE"] * 10) / 10).toBe(angle);
   });
 
   test("drills of a control's table are known by their word or their number, under either title", () => {

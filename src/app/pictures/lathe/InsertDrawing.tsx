@@ -1,6 +1,6 @@
 import { useId, useMemo } from "react";
 import { holderOutlines } from "../../../kernel/cutter/holder.ts";
-import { insertOutline } from "../../../kernel/cutter/insert.ts";
+import { insertOutline, isBar, tipDirection } from "../../../kernel/cutter/insert.ts";
 import { CHORD } from "../../../kernel/tolerance.ts";
 import type { Tool } from "../../../kernel/plan/tool.ts";
 import type { Bounds } from "../../../view/camera.ts";
@@ -23,6 +23,17 @@ export function heldBounds(tool: Tool): Bounds {
   const insert = boundsOf(insertOutline(tool, CHORD)) ?? BARE;
   const near = grownBounds(insert, BESIDE * Math.max(insert.right - insert.left, insert.high - insert.low));
   return common(joined(insert, boundsOf(holderOutlines(tool).flat())) ?? insert, near);
+}
+
+/** Lines across the drawing at a distance from the tip: the cutting depth of a blade, the far wall of the smallest bore. */
+function limitLines(tool: Tool): (readonly ["x" | "z", number])[] {
+  const { u, v } = tipDirection(tool.TO);
+  return [
+    ...(isBar(tool) && tool.CDX !== undefined
+      ? [v === 0 ? (["z", -Math.sign(u) * tool.CDX] as const) : (["x", -Math.sign(v) * tool.CDX] as const)]
+      : []),
+    ...(tool.DMIN !== undefined && v > 0 ? [["x", -tool.DMIN] as const] : []),
+  ];
 }
 
 /** A tool's insert, with holder if it has one, to scale: Z to the right, X up, a small cross at the theoretical tip. */
@@ -51,6 +62,7 @@ export function InsertDrawing({
     () => joined(whole ? heldBounds(tool) : boundsOf(insertOutline(tool, CHORD)), TIP) ?? BARE,
     [tool, whole],
   );
+  const limits = whole ? limitLines(tool) : [];
   const wide = box.right - box.left,
     tall = box.high - box.low;
   const scale = span ? Math.min(width, height) / span : Math.min((width - 8) / wide, (height - 8) / tall);
@@ -72,6 +84,14 @@ export function InsertDrawing({
         <g transform={`matrix(${scale} 0 0 ${-scale} ${x} ${y})`}>
           <DrawnTool tool={tool} />
         </g>
+        {whole && limits.length > 0 && (
+          <path
+            className="tool-limit"
+            d={limits
+              .map(([axis, at]) => (axis === "x" ? `M0 ${y - at * scale}H${width}` : `M${x + at * scale} 0V${height}`))
+              .join("")}
+          />
+        )}
         <path className="insert-tip" d={`M${x - 3} ${y}H${x + 3}M${x} ${y - 3}V${y + 3}`} />
       </g>
     </svg>

@@ -77,7 +77,7 @@ export const findings = {
       holderUnknown: (tools) => `Der Halter von Werkzeug ${tools} wurde nicht geprüft: Die Tabelle beschreibt keinen.`,
       flanksUnknown: (tools) =>
         `Die Flanken von Werkzeug ${tools} wurden nicht geprüft: T-ANGLE oder P-ANGLE ist leer.`,
-      curvatureUnknown: (tools) => `Werkzeug ${tools}: Durchmesserbereich des Axialstechers fehlt.`,
+      curvatureUnknown: (tools) => `Werkzeug ${tools}: Durchmesserbereich des Axialstechers (DAXN, DAXX) fehlt.`,
     },
   },
   leaving: {

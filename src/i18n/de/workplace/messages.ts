@@ -105,6 +105,10 @@ export const messages = {
     holderAxis: (d, w) => `„${w.text(d.text)}“: Der Schaft muss in X oder in Z liegen.`,
     holderHead: (d, w) =>
       `„${w.text(d.text)}“ ist kein Umriss. Jede Ecke als Z/X ab der Spitze eingeben, Ecken durch Leerzeichen, Teile durch Semikolon getrennt; ein Teil hat mindestens drei Ecken.`,
+    bladeSupport: (d, w) =>
+      `„${w.text(d.text)}“ ist keine Unterstützung einer Stechklinge: NONE, STRAIGHT oder CURVED.`,
+    pointDiffers: (d, w) =>
+      `Spitzenlänge ${w.size(d.length)} passt nicht zu ${w.angle(d.angle)}, daraus folgen ${w.size(d.byAngle)}: Es gilt der Winkel.`,
     betterTool: (d) => `Werkzeug ${d.tool} ${d.name} ist für diese Kontur geeignet.`,
     startInArea: (d, w) =>
       `Der Startpunkt ${w.place(d.x, d.z)} liegt im Zerspanbereich: Das Werkzeug fährt zuerst auf Sicherheitsabstand.`,
@@ -285,6 +289,8 @@ export const messages = {
       `${w.text(d.word)}: Der Schnittvorschub ist hier 0. Vorschub größer 0 eingeben; FAUTO übernimmt F aus TOOL CALL.`,
     feedUnlikely: (d, w) =>
       `Ein Vorschub von ${w.number(d.feed)} ${d.unit} ist unwahrscheinlich. M136 prüfen: Mit M136 gilt F in mm pro Umdrehung.`,
+    pointBeyondDepth: (d, w) =>
+      `Die Bohrung ist ${w.size(d.depth)} tief, die Bohrerspitze ${w.size(d.point)} lang: Die Bohrung erreicht ihren Durchmesser nicht.`,
     drillTooShort: (d, w) =>
       `Die Bohrung ist ${w.size(d.depth)} tief, die Schneiden des Bohrers (LCUTS) sind ${w.size(d.edges)} lang: Der Schaft kann reiben.`,
     pitchOfTap: (d, w) =>

@@ -78,8 +78,7 @@ export const findings = {
       approachesClear: "Approach and departure are clear.",
       holderUnknown: (tools: string) => `The holder was not checked for tool ${tools}: the table describes none.`,
       flanksUnknown: (tools: string) => `The flanks were not checked for tool ${tools}: T-ANGLE or P-ANGLE is empty.`,
-      curvatureUnknown: (tools: string) =>
-        `The blade of tool ${tools} plunges along Z; its range of diameters is not specified.`,
+      curvatureUnknown: (tools: string) => `Tool ${tools}: the ⌀ range of the axial blade (DAXN, DAXX) is empty.`,
     },
   },
   leaving: {

@@ -98,6 +98,9 @@ export const messages = {
     holderAxis: (d, w) => `“${w.text(d.text)}”: the shank must be along X or along Z.`,
     holderHead: (d, w) =>
       `“${w.text(d.text)}” is not an outline. Enter each corner as Z/X from the tip, with spaces between corners and semicolons between parts; a part needs three corners.`,
+    bladeSupport: (d, w) => `“${w.text(d.text)}” is no support of a blade: NONE, STRAIGHT or CURVED.`,
+    pointDiffers: (d, w) =>
+      `Point length ${w.size(d.length)} does not fit ${w.angle(d.angle)}, which makes ${w.size(d.byAngle)}: the angle is used.`,
     betterTool: (d) => `Tool ${d.tool} ${d.name} is suitable for this contour.`,
     startInArea: (d, w) =>
       `The start point ${w.place(d.x, d.z)} is in the area to be machined: the tool first moves to the set-up clearance.`,
@@ -275,6 +278,8 @@ export const messages = {
       `${w.text(d.word)}: the cutting feed is 0 here. Enter a feed above 0; FAUTO uses F of TOOL CALL.`,
     feedUnlikely: (d, w) =>
       `A feed of ${w.number(d.feed)} ${d.unit} is unlikely. Check M136: with M136, F is in mm per revolution.`,
+    pointBeyondDepth: (d, w) =>
+      `The bore is ${w.size(d.depth)} deep, but the point of the drill is ${w.size(d.point)} long: the bore does not reach its diameter.`,
     drillTooShort: (d, w) =>
       `The bore is ${w.size(d.depth)} deep, but the drill edges (LCUTS) are ${w.size(d.edges)} long: the shank may rub.`,
     pitchOfTap: (d, w) => `Q239 is ${w.size(d.pitch)}, but the tap in the table has PITCH ${w.size(d.tap)}.`,

@@ -77,7 +77,7 @@ export const findings = {
         `Le porte-outil n’a pas été contrôlé pour l’outil ${tools} : le tableau n’en décrit aucun.`,
       flanksUnknown: (tools) =>
         `Les flancs n’ont pas été contrôlés pour l’outil ${tools} : T-ANGLE ou P-ANGLE est vide.`,
-      curvatureUnknown: (tools) => `Outil ${tools} : plage de ⌀ de la lame axiale manquante.`,
+      curvatureUnknown: (tools) => `Outil ${tools} : plage de ⌀ de la lame axiale (DAXN, DAXX) manquante.`,
     },
   },
   leaving: {

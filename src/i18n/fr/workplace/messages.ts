@@ -100,6 +100,9 @@ export const messages = {
     holderAxis: (d, w) => `« ${w.text(d.text)} » : le corps doit être suivant X ou suivant Z.`,
     holderHead: (d, w) =>
       `« ${w.text(d.text)} » n’est pas un contour. Indiquer chaque coin sous la forme Z/X depuis la pointe, avec un espace entre les coins et un point-virgule entre les parties ; une partie a au moins trois coins.`,
+    bladeSupport: (d, w) => `« ${w.text(d.text)} » n’est pas un support de lame : NONE, STRAIGHT ou CURVED.`,
+    pointDiffers: (d, w) =>
+      `La longueur de pointe ${w.size(d.length)} ne correspond pas à ${w.angle(d.angle)}, qui donne ${w.size(d.byAngle)} : l’angle est retenu.`,
     betterTool: (d) => `L’outil ${d.tool} ${d.name} convient à ce contour.`,
     startInArea: (d, w) =>
       `Le point de départ ${w.place(d.x, d.z)} est dans la zone à usiner : l’outil va d’abord à la distance d’approche.`,
@@ -283,6 +286,8 @@ export const messages = {
       `${w.text(d.word)} : l’avance de coupe est de 0 ici. Indiquer une avance supérieure à 0 ; FAUTO reprend le F de TOOL CALL.`,
     feedUnlikely: (d, w) =>
       `Une avance de ${w.number(d.feed)} ${d.unit} est peu vraisemblable. Vérifier M136 : avec M136, F est en mm par tour.`,
+    pointBeyondDepth: (d, w) =>
+      `Le trou a ${w.size(d.depth)} de profondeur, la pointe du foret ${w.size(d.point)} : le trou n’atteint pas son diamètre.`,
     drillTooShort: (d, w) =>
       `Le trou a ${w.size(d.depth)} de profondeur, les arêtes du foret (LCUTS) ${w.size(d.edges)} : la queue peut frotter.`,
     pitchOfTap: (d, w) => `Q239 vaut ${w.size(d.pitch)}, mais le taraud du tableau a un PITCH de ${w.size(d.tap)}.`,

@@ -67,7 +67,7 @@ export const findings = {
       approachesClear: "接近和离开路径无碰撞。",
       holderUnknown: (tools) => `刀具 ${tools} 的刀杆未检查：刀具表中没有刀杆数据。`,
       flanksUnknown: (tools) => `刀具 ${tools} 的侧刃未检查：T-ANGLE 或 P-ANGLE 为空。`,
-      curvatureUnknown: (tools) => `刀具 ${tools} 的端面切槽刀片未给出直径范围。`,
+      curvatureUnknown: (tools) => `刀具 ${tools} 的端面切槽刀片未给出直径范围（DAXN、DAXX）。`,
     },
   },
   leaving: {

@@ -82,6 +82,9 @@ export const messages = {
     holderAxis: (d, w) => `“${w.text(d.text)}”：刀杆只能沿X或Z方向。`,
     holderHead: (d, w) =>
       `“${w.text(d.text)}”不是轮廓。每个角点写作Z/X（从刀尖起），角点间用空格，各部分间用分号；每部分至少三个角点。`,
+    bladeSupport: (d, w) => `“${w.text(d.text)}”不是刀板支撑：NONE、STRAIGHT 或 CURVED。`,
+    pointDiffers: (d, w) =>
+      `钻尖长度${w.size(d.length)}与顶角${w.angle(d.angle)}（应为${w.size(d.byAngle)}）不符：以角度为准。`,
     betterTool: (d) => `刀具${d.tool} ${d.name}适用于该轮廓。`,
     startInArea: (d, w) => `起点${w.place(d.x, d.z)}在加工区内：刀具先移至安全高度。`,
     startInMaterial: (d, w) => `起点${w.place(d.x, d.z)}在材料中。`,
@@ -206,6 +209,7 @@ export const messages = {
     compensationActive: (d) => `此处${d.side}仍有效，而数控系统要求R0：请在之前的定位程序段中编写R0。`,
     feedZero: (d, w) => `${w.text(d.word)}：此处切削进给为0。请给出大于0的进给；FAUTO采用TOOL CALL中的F。`,
     feedUnlikely: (d, w) => `${w.number(d.feed)} ${d.unit}的进给不合理。请检查M136：编程M136时F为毫米/转。`,
+    pointBeyondDepth: (d, w) => `孔深${w.size(d.depth)}，而钻尖长${w.size(d.point)}：孔达不到其直径。`,
     drillTooShort: (d, w) =>
       `孔深${w.size(d.depth)}，而钻头切削刃长度（LCUTS）为${w.size(d.edges)}：钻柄可能摩擦孔壁。`,
     pitchOfTap: (d, w) => `Q239为${w.size(d.pitch)}，而刀具表中丝锥的PITCH为${w.size(d.tap)}。`,

@@ -26,6 +26,14 @@ export const running = {
       hand: `Falsche Spindeldrehrichtung für dieses Werkzeug, festgelegt${by}. Andere Drehrichtung programmieren.`,
     }[how];
   },
+  toolLimit: ({ tool, column, value, limit, x, z }, w) =>
+    ({
+      DAXN: `Werkzeug ${tool} sticht axial auf ${w.diameter(value)}; die Klinge ist erst ab ${w.diameter(limit)} geeignet (DAXN) und reibt an der Außenwand.`,
+      DAXX: `Werkzeug ${tool} sticht axial auf ${w.diameter(value)}; die Klinge ist nur bis ${w.diameter(limit)} geeignet (DAXX) und reibt an der Innenwand.`,
+      CDX: `Werkzeug ${tool} steckt bei ${w.place(x, z)} ${w.length(value)} tief im Material; die Stechtiefe ist ${w.length(limit)} (CDX).`,
+      CUTDIA: `Werkzeug ${tool} sticht ${w.diameter(value)} ab; es ist bis ${w.diameter(limit)} geeignet (CUTDIA).`,
+      DMIN: `Werkzeug ${tool} steht bei ${w.place(x, z)} in einer Bohrung von ${w.diameter(value)}; es braucht ${w.diameter(limit)} (DMIN).`,
+    })[column],
   holeMissing: ({ tool, diameter, z }, w) =>
     `Werkzeug ${tool} fährt im Vorschub bis Z${w.signed(z)}, wo keine Bohrung ist: vorher mit mindestens ${w.diameter(diameter)} bohren.`,
   speedUnlimited: ({ diameter, block }, w) =>

@@ -26,6 +26,14 @@ export const running = {
       hand: `Wrong spindle direction for this tool, set${by}. Program the opposite direction.`,
     }[how];
   },
+  toolLimit: ({ tool, column, value, limit, x, z }, w) =>
+    ({
+      DAXN: `Tool ${tool} cuts an axial groove of ${w.diameter(value)}; the blade is made for ${w.diameter(limit)} or more (DAXN) and rubs on the outer wall.`,
+      DAXX: `Tool ${tool} cuts an axial groove of ${w.diameter(value)}; the blade is made for up to ${w.diameter(limit)} (DAXX) and rubs on the inner wall.`,
+      CDX: `Tool ${tool} is ${w.length(value)} deep in the material at ${w.place(x, z)}; its cutting depth is ${w.length(limit)} (CDX).`,
+      CUTDIA: `Tool ${tool} parts off ${w.diameter(value)}; it is made for up to ${w.diameter(limit)} (CUTDIA).`,
+      DMIN: `Tool ${tool} is in a bore of ${w.diameter(value)} at ${w.place(x, z)}; it needs ${w.diameter(limit)} (DMIN).`,
+    })[column],
   holeMissing: ({ tool, diameter, z }, w) =>
     `Tool ${tool} feeds to Z${w.signed(z)}, where there is no hole: first drill ${w.diameter(diameter)} or more.`,
   speedUnlimited: ({ diameter, block }, w) =>

@@ -26,6 +26,14 @@ export const running = {
       hand: `Sens de broche incorrect pour cet outil, défini${by}. Programmer le sens inverse.`,
     }[how];
   },
+  toolLimit: ({ tool, column, value, limit, x, z }, w) =>
+    ({
+      DAXN: `L’outil ${tool} usine une gorge axiale de ${w.diameter(value)} ; la lame convient à partir de ${w.diameter(limit)} (DAXN) et frotte sur la paroi extérieure.`,
+      DAXX: `L’outil ${tool} usine une gorge axiale de ${w.diameter(value)} ; la lame convient jusqu’à ${w.diameter(limit)} (DAXX) et frotte sur la paroi intérieure.`,
+      CDX: `L’outil ${tool} est à ${w.length(value)} de profondeur dans la matière en ${w.place(x, z)} ; sa profondeur de coupe est ${w.length(limit)} (CDX).`,
+      CUTDIA: `L’outil ${tool} tronçonne ${w.diameter(value)} ; il convient jusqu’à ${w.diameter(limit)} (CUTDIA).`,
+      DMIN: `L’outil ${tool} est dans un alésage de ${w.diameter(value)} en ${w.place(x, z)} ; il lui faut ${w.diameter(limit)} (DMIN).`,
+    })[column],
   holeMissing: ({ tool, diameter, z }, w) =>
     `L’outil ${tool} avance jusqu’à Z${w.signed(z)} où il n’y a pas de trou : percer d’abord à ${w.diameter(diameter)} au moins.`,
   speedUnlimited: ({ diameter, block }, w) =>

@@ -22,6 +22,14 @@ export const running = {
       hand: `主轴旋转方向${by}不适合此刀具：请编程相反方向。`,
     }[how];
   },
+  toolLimit: ({ tool, column, value, limit, x, z }, w) =>
+    ({
+      DAXN: `刀具${tool}切端面槽 ${w.diameter(value)}；刀板适用于 ${w.diameter(limit)} 以上（DAXN），会与外壁摩擦。`,
+      DAXX: `刀具${tool}切端面槽 ${w.diameter(value)}；刀板适用于 ${w.diameter(limit)} 以下（DAXX），会与内壁摩擦。`,
+      CDX: `刀具${tool}在${w.place(x, z)}处切入材料 ${w.length(value)}；其最大切深为 ${w.length(limit)}（CDX）。`,
+      CUTDIA: `刀具${tool}切断 ${w.diameter(value)}；其适用直径不超过 ${w.diameter(limit)}（CUTDIA）。`,
+      DMIN: `刀具${tool}在${w.place(x, z)}处位于 ${w.diameter(value)} 的孔中；它需要 ${w.diameter(limit)}（DMIN）。`,
+    })[column],
   holeMissing: ({ tool, diameter, z }, w) =>
     `刀具${tool}以进给移至Z${w.signed(z)}，但该处没有孔：请先钻出至少 ${w.diameter(diameter)} 的孔。`,
   speedUnlimited: ({ diameter, block }, w) =>
