@@ -147,10 +147,13 @@ export function camTool(
   const number = reader.number("post-process.number", "nc.number", "tool_number");
   const hand = handOf(reader);
   const { side, setting } = styleOf(reader, kind);
-  const wanted = Object.fromEntries(OF_KIND[kind].map((name) => [name, VOCABULARY[name] ?? []]));
+  // The tip angle of a centre drill is that of its pilot, which no column has.
+  const names = OF_KIND[kind].filter((name) => type !== "center drill" || name !== "drillPoint");
+  const wanted = Object.fromEntries(names.map((name) => [name, VOCABULARY[name] ?? []]));
   const inner = reader.text("geometry.tool_internalThread", "insert.internal-thread", "tool_internalThread");
   const isInner = /^(?:true|1|yes)$/i.test(inner?.value ?? "");
   reader.pass(...IDLE);
+  const sizes = reader.sizes(wanted);
   const inside: Fact<WorkSide> | undefined =
     type === "turning boring" ? { value: "inside", from: type } : isInner && inner ? { value: "inside", from: inner.from } : side;
   const named = description !== "" && { name: { value: description, from: description } };
@@ -162,8 +165,9 @@ export function camTool(
     ...(hand && { hand }),
     ...(setting && { setting }),
     ...shapeOf(reader, kind),
-    ...reader.sizes(wanted),
+    ...sizes,
+    ...(type === "center drill" && sizes.cutter && { cutter: { ...sizes.cutter, why: "bodyAsCentre" as const } }),
   };
-  const unused = reader.unused.filter((name) => /^(?:geometry|insert|holder|turning-holder|body)\./.test(name));
+  const unused = reader.unused.filter((name) => !/^(?:post-process|nc)\.|^(?:tool|holder|preset|use_tool)_/.test(name));
   return { label, facts, texts: [about.product, description].filter((text) => text !== ""), unused };
 }

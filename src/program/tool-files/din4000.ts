@@ -24,7 +24,7 @@ const LISTS: Readonly<Record<string, List>> = {
   "80": { kinds: { "": "tap" }, vocabulary: { cutter: ["A21", "A1"], pitch: ["A3"], flute: ["B1"] } },
   "81": {
     kinds: { "1": "drill", "6": "center", "7": "center" },
-    vocabulary: { cutter: ["A11"], drillPoint: ["E1"], flute: ["B6"] },
+    vocabulary: { cutter: ["A11"], drillPoint: ["E1"], flute: ["B6"], pointLength: ["B7"] },
   },
   "82": { kinds: { "": "mill" }, vocabulary: { cutter: ["A1"] } },
 };

@@ -60,7 +60,13 @@ interface FactValues {
   /** Angle from the feed direction to the main edge. */
   readonly setting: number;
   readonly width: number;
+  /** Limits that the maker states (`LIMIT_NUMBERS`). */
   readonly depth: number;
+  readonly axialFrom: number;
+  readonly axialTo: number;
+  readonly partOff: number;
+  readonly bore: number;
+  readonly pointLength: number;
   /** Included angle of a thread profile. */
   readonly profile: number;
   readonly pitch: number;
@@ -98,7 +104,7 @@ export const REFUSALS = [
   "probe",
   "otherMachine",
   "noColumn",
-  "noTool",
+  "kindUnknown",
   "unknownList",
   "fileMissing",
   "nothingKnown",
@@ -125,6 +131,7 @@ export type Vocabulary = { readonly [N in FactName]?: readonly string[] };
 const LENGTHS = [
   ...(["nose", "circle", "edge", "width", "depth", "pitch", "cutter", "flute", "lengthZ", "lengthX"] as const),
   ...(["shank", "reach", "head", "overall"] as const),
+  ...(["axialFrom", "axialTo", "partOff", "bore", "pointLength"] as const),
 ];
 const ANGLES = ["point", "setting", "profile", "drillPoint"] as const;
 /** These may be 0; a 0 elsewhere means that nothing is stated. */
@@ -214,12 +221,14 @@ export class PropertyReader {
   get unused(): readonly string[] {
     return [...this.properties]
       .filter(([name, { value }]) => !this.used.has(name) && value !== false && value !== "" && value !== 0)
-      .map(([name]) => name);
+      .map(([name]) => name.replace(/^geometry\./, ""));
   }
 }
 
 /** A property as it stands in the file. */
 function written(name: string, { value, unit }: FileProperty): string {
+  const plain = name.replace(/^geometry\./, "");
+  const shown = typeof value === "number" ? String(onGrid(value)) : String(value).trim().slice(0, 60);
   const own = unit === undefined || unitOf(String(value).replace(/^[\s\d.,+\-eE]+/, "")) !== null ? "" : ` ${unit}`;
-  return `${name} ${String(value).trim().slice(0, 60)}${own}`;
+  return `${plain} ${shown}${own}`;
 }

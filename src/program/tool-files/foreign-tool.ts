@@ -32,9 +32,9 @@ function kindOfFacts(facts: Facts): FileToolKind | null {
   return (facts.nose ?? facts.setting ?? facts.shape ?? facts.point) ? "turning" : null;
 }
 
-function kindOf({ facts, label }: FileTool): Fact<FileToolKind> | null {
+function kindOf({ facts, label, texts }: FileTool): Fact<FileToolKind> | null {
   if (facts.kind) return facts.kind;
-  const [worded, seen] = [kindOfWords(label), kindOfFacts(facts)];
+  const [worded, seen] = [kindOfWords([label, ...texts].join(" ")), kindOfFacts(facts)];
   if (worded) return proposed(worded, "kindFromName", label);
   return seen ? proposed(seen, "kindFromProperties") : null;
 }
@@ -65,6 +65,13 @@ function orientationOf(tool: FileTool, kind: FileToolKind, round: boolean): read
   if (held.value === "N") return [MIDDLE.inside, joined([side, held])];
   return [7, joined([side, held], ...(held.value === "L" ? (["leftBar"] as const) : []))];
 }
+
+const LIMITS = [
+  ["CDX", "depth"],
+  ["DAXN", "axialFrom"],
+  ["DAXX", "axialTo"],
+  ["CUTDIA", "partOff"],
+] as const;
 
 class Row {
   readonly cells: Partial<Record<CellName, string>> = {};
@@ -116,7 +123,7 @@ function placeOf(to: number, shank: number, reach: number, hand?: Hand): readonl
 
 function putTurning(row: Row, tool: FileTool, kind: Fact<FileToolKind>): readonly string[] {
   const { facts, label } = tool;
-  const { shape, circle, edge, point, finishing, nose, width, depth, profile, setting } = facts;
+  const { shape, circle, edge, point, finishing, nose, width, profile, setting } = facts;
   const round = kind.value === "turning" && shape?.value === "R";
   if (round) row.set("TYPE", "BUTTON", joined([kind, shape]));
   else if (kind.value === "turning") {
@@ -132,9 +139,10 @@ function putTurning(row: Row, tool: FileTool, kind: Fact<FileToolKind>): readonl
     return putHolder(row, facts);
   }
   if (kind.value === "threading") row.put("P-ANGLE", profile);
+  if (Number(row.cells.TO) > 3) row.put("DMIN", facts.bore);
   if (kind.value === "grooving" || kind.value === "parting") {
     row.put("CUTWIDTH", width);
-    row.put("CUTLENGTH", depth);
+    for (const [cell, name] of LIMITS) row.put(cell, facts[name]);
   }
   if (kind.value !== "turning") return sizesOfHolder(facts);
   row.put("T-ANGLE", setting);
@@ -149,12 +157,13 @@ function putTurning(row: Row, tool: FileTool, kind: Fact<FileToolKind>): readonl
 
 const AXIAL: Partial<Record<FileToolKind, string>> = { drill: "DRILL", center: "CENTER", tap: "TAP", mill: MILL };
 
-function putAxial(row: Row, { cutter, drillPoint, flute, pitch, lengthZ }: Facts, kind: Fact<FileToolKind>): void {
+function putAxial(row: Row, { cutter, drillPoint, flute, pitch, lengthZ, pointLength }: Facts, kind: Fact<FileToolKind>): void {
   row.set("TYPE", AXIAL[kind.value] ?? MILL, joined([kind]));
   if (cutter) row.set("R", onGrid(radiusOf(cutter.value)), joined([cutter]));
   if (lengthZ) row.put("L", lengthZ);
   if (kind.value === "drill" || kind.value === "center") row.put("T-ANGLE", drillPoint);
   if (kind.value !== "mill") row.put("LCUTS", flute);
+  if (kind.value === "drill") row.put("PL", pointLength);
   if (kind.value === "tap") row.put("PITCH", pitch);
 }
 

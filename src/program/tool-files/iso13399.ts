@@ -25,18 +25,19 @@ const VOCABULARY: Vocabulary = {
   reach: ["WF"],
   head: ["LH"],
   overall: ["LF"],
+  axialFrom: ["DAXN"],
+  axialTo: ["DAXX"],
+  partOff: ["CUTDIA"],
+  bore: ["DMIN", "DMIN1"],
+  pointLength: ["PL"],
 };
 /** A bar has a diameter in place of a width. */
 const BAR = ["DMM", "DCONMS", "DCON"];
-const BORES = ["DMIN", "DMIN1"];
-const FACES = ["DAXIN", "DAXN", "DAXX"];
 
 /** Symbols by which a list of properties is recognised. */
 export const ISO13399_SYMBOLS: ReadonlySet<string> = new Set([
   ...Object.values(VOCABULARY).flat(),
   ...BAR,
-  ...BORES,
-  ...FACES,
   ...["PSIR", "HAND", "SC", "S", "INSL", "APMX", "LE", "H", "HF", "LPR", "OAL", "CWX", "CWN", "TPN", "TPX", "NOF"],
 ]);
 
@@ -56,10 +57,9 @@ export function isoTool(
   const lead = read.setting ? undefined : reader.number("PSIR");
   const hand = oneOf<Hand>(reader.text("HAND"), /^\s*([RLN])(?:ight|eft|eutral)?\s*$/i);
   const shape = oneOf<string>(reader.text("SC"), /^\s*([A-Z])\s*$/i);
-  const bore = reader.length(BORES);
-  const face = reader.length(FACES);
+  const face = read.axialFrom ?? read.axialTo;
   const bar = read.shank ? undefined : reader.length(BAR);
-  const side = face ?? bore;
+  const side = face ?? read.bore;
   const facts: Facts = {
     name: { value: about.label, from: about.label },
     ...read,

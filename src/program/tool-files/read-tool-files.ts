@@ -1,7 +1,6 @@
 import type { LengthUnit } from "../../kernel/units.ts";
-import { MOST_ROWS } from "../tools/tool-table-json.ts";
-import type { TableFile } from "../tools/tool-table-text.ts";
-import type { FileTool, ProposalReason, RefusedItem } from "./facts.ts";
+import { MOST_ROWS, type readToolFile } from "../tools/tool-table-json.ts";
+import type { ProposalReason, RefusedItem } from "./facts.ts";
 import { isRecord, jsonOf, type ForeignContent, type NamedText, type ReadingContext } from "./foreign-file.ts";
 import { foreignTool, type ForeignTool } from "./foreign-tool.ts";
 import { TOOL_FILE_FORMATS, type ForeignFormat, type ToolFormatName } from "./formats.ts";
@@ -21,30 +20,29 @@ export interface ForeignTools {
 export interface ReadToolFile {
   readonly name: string;
   readonly content:
-    | { readonly table: Exclude<TableFile, { readonly problem: unknown }>; readonly text: string }
+    | { readonly table: Exclude<OwnTable, { readonly problem: unknown }>; readonly text: string }
     | { readonly foreign: ForeignTools }
-    | { readonly problem: "notATable" | "noRows" }
-    | { readonly problem: "columnsMissing"; readonly columns: readonly string[] }
-    | { readonly problem: "tooMany"; readonly most: number };
+    | Extract<OwnTable, { readonly problem: unknown }>;
 }
+type OwnTable = ReturnType<typeof readToolFile>;
 
 const NAMES = Object.keys(TOOL_FILE_FORMATS) as readonly ToolFormatName[];
 
-type Found = { readonly table: TableFile } | { readonly format: ForeignFormat; readonly content: ForeignContent } | null;
+interface FoundForeign {
+  readonly format: ForeignFormat;
+  readonly content: ForeignContent;
+}
+type Found = { readonly table: OwnTable } | FoundForeign;
 
 /** Content of a text, by the first format that recognises it. */
 function find(text: string, context: ReadingContext): Found {
   for (const name of NAMES) {
     const format = TOOL_FILE_FORMATS[name];
-    if ("own" in format) {
-      const table = format.own(text);
-      if (table) return { table };
-    } else {
-      const content = format.foreign(text, context);
-      if (content) return { format: name as ForeignFormat, content };
-    }
+    if ("own" in format) return { table: format.own(text) };
+    const content = format.foreign(text, context);
+    if (content) return { format: name as ForeignFormat, content };
   }
-  return null;
+  return { table: { problem: "notATable" } };
 }
 
 /** Whether a text refers to other files of its set, and has to be read before them. */
@@ -68,21 +66,21 @@ export function readToolFiles(files: readonly NamedText[], unit: LengthUnit): re
     return found.text;
   };
   const order = [...files.filter(refersToOthers), ...files.filter((file) => !refersToOthers(file))];
-  const read = order.flatMap((file): readonly (readonly [string, Found, string])[] =>
+  const read = order.flatMap((file): readonly Reading[] =>
     taken.has(file) ? [] : [[file.name, find(file.text, { name: file.name, unit, sibling }), file.text]],
   );
   return assembled(read).map(([name, found, text]): ReadToolFile => {
-    if (!found) return { name, content: { problem: "notATable" } };
-    if ("table" in found) return { name, content: tableContent(found.table, text) };
-    return { name, content: foreignContent(found, unit) };
+    if ("content" in found) return { name, content: foreignContent(found, unit) };
+    return { name, content: "problem" in found.table ? found.table : { table: found.table, text } };
   });
 }
 
+/** Name of a file, its content, and its text. */
+type Reading = readonly [name: string, found: Found, text: string];
+
 /** An insert and a holder of two files become one tool. */
-function assembled(
-  read: readonly (readonly [string, Found, string])[],
-): readonly (readonly [string, Found, string])[] {
-  const foreign = read.flatMap(([, found]) => (found && "content" in found ? [found] : []));
+function assembled(read: readonly Reading[]): readonly Reading[] {
+  const foreign = read.flatMap(([, found]) => ("content" in found ? [found] : []));
   const [first] = foreign;
   const whole = mounted(foreign.flatMap(({ content }) => content.tools));
   if (!first || foreign.length !== read.length || whole.length !== 1 || read.length < 2) return read;
@@ -94,22 +92,19 @@ function assembled(
   return [[read.map(([name]) => name).join(", "), { format: first.format, content }, ""]];
 }
 
-function tableContent(table: TableFile, text: string): ReadToolFile["content"] {
-  if ("problem" in table) return table;
-  return table.rows.length > MOST_ROWS ? { problem: "tooMany", most: MOST_ROWS } : { table, text };
-}
-
-function foreignContent(
-  { format, content }: { readonly format: ForeignFormat; readonly content: ForeignContent },
-  unit: LengthUnit,
-): ReadToolFile["content"] {
-  const { tools, refused, unitAsked, cutShort = false } = content;
+function foreignContent({ format, content }: FoundForeign, unit: LengthUnit): ReadToolFile["content"] {
+  const { tools, unitAsked, cutShort = false } = content;
   if (tools.length > MOST_ROWS) return { problem: "tooMany", most: MOST_ROWS };
-  if (tools.length === 0 && refused.length === 0) return { problem: "noRows" };
-  const made = mountedOnce(tools).map(foreignTool);
-  return { foreign: { format, tools: made, refused, assumedUnit: unitAsked ? unit : null, cutShort } };
+  const made = mounted(tools).map(foreignTool);
+  // Without a kind there is no table for a tool, and nothing that its sizes could mean.
+  const [known, unknown] = [made.filter(({ cells }) => cells.TYPE), made.filter(({ cells }) => !cells.TYPE)];
+  const refused = [
+    ...content.refused,
+    ...unknown.map(({ label, unused }): RefusedItem => ({ label, why: "kindUnknown", kind: unused.join(", ") })),
+  ];
+  if (known.length === 0 && refused.length === 0) return { problem: "noRows" };
+  return { foreign: { format, tools: known, refused, assumedUnit: unitAsked ? unit : null, cutShort } };
 }
-const mountedOnce = (tools: readonly FileTool[]) => (tools.length === 2 ? mounted(tools) : tools);
 
 /**
  * Gives a free number to each tool without one, and to each whose number an earlier one of the files has. `taken`:
