@@ -1,11 +1,12 @@
 import { useEffect, useRef, useState } from "react";
 import { Icon } from "../../app/base/Icon.tsx";
+import { retryImport } from "../../app/base/parts.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { openToolRow, showOwn, showToolKind, type ToolKind, uncover, usePlace } from "../../app/place/place.ts";
 import { useTexts, useTextsOrNull } from "../../app/base/settings/use-texts.ts";
 import { addTool, duplicateTool, removeTool, restoreShippedTools } from "./tool-edits.ts";
 import { isMillEntry } from "../../program/tools/tool-entry.ts";
-import { readImportFiles, exportToOrigin, exportTools, applyImport, type ToolImport } from "./tool-files.ts";
+import { exportToOrigin, exportTools, applyImport, type ToolImport } from "./tool-files.ts";
 import { toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
 import { useToolName } from "../../app/document/tool-name.ts";
 import { TableStatus, type TableMessage } from "../../app/fields/table/TableStatus.tsx";
@@ -16,6 +17,9 @@ import { RestoreToolsDialog } from "./RestoreToolsDialog.tsx";
 import { ToolForm } from "./ToolForm.tsx";
 import { ToolGrid } from "./ToolGrid.tsx";
 import "../../app/fields/table/tools.css";
+
+const fetchFormats = () => retryImport(() => import("../../program/tool-files/formats.ts"));
+const fetchImport = () => retryImport(() => import("./read-import.ts"));
 
 /** The tool table of this device: the whole table, and the columns of the open tool. */
 export function ToolPage() {
@@ -29,6 +33,7 @@ export function ToolPage() {
   const language = useSettings((s) => s.language);
   const page = useRef<HTMLElement>(null);
   const file = useRef<HTMLInputElement>(null);
+  const [endings, setEndings] = useState<string>();
   const read = toolsOnDevice(list);
   const opened = list.find((each) => each.id === asked);
   const kind: ToolKind = opened ? (isMillEntry(opened) ? "milling" : "turning") : lastKind;
@@ -37,6 +42,9 @@ export function ToolPage() {
   const reading = entry && read.rows.get(entry.id);
   const wrong = list.length - read.table.tools.length - read.mills.length;
 
+  useEffect(() => {
+    void fetchFormats().then(({ TOOL_FILE_ENDINGS }) => setEndings(TOOL_FILE_ENDINGS.join(",")));
+  }, []);
   const focusRow = () =>
     requestAnimationFrame(() => page.current?.querySelector<HTMLElement>("tr.open button")?.focus());
   const focusField = () =>
@@ -107,11 +115,14 @@ export function ToolPage() {
             type="file"
             hidden
             multiple
-            accept=".json,.trn,.t,.tab,.txt,.csv,application/json,text/plain,text/csv"
+            accept={endings}
             onChange={(e) => {
               const chosen = [...(e.currentTarget.files ?? [])];
               e.currentTarget.value = "";
-              if (chosen.length > 0 && w) void readImportFiles(chosen, t, w).then(receive);
+              if (chosen.length > 0 && w)
+                void fetchImport()
+                  .then(({ readImportFiles }) => readImportFiles(chosen, t, w))
+                  .then(receive);
             }}
           />
         </div>

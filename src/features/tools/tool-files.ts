@@ -6,15 +6,17 @@ import { writeBackTable } from "../../program/tools/table-write-back.ts";
 import {
   cellOf,
   isMillEntry,
-  tableOrigin,
   type EntryReading,
-  type TableLine,
   type TableOrigin,
 } from "../../program/tools/tool-entry.ts";
 import { planImport, type IncomingTools } from "../../program/tools/tool-import.ts";
 import { writeTableCsv } from "../../program/tools/tool-table-csv.ts";
-import { readToolFile, writeTableJson } from "../../program/tools/tool-table-json.ts";
+import { writeTableJson } from "../../program/tools/tool-table-json.ts";
 import { writeMillText, writeTableText } from "../../program/tools/tool-table-text.ts";
+import type { RefusedItem } from "../../program/tool-files/facts.ts";
+import type { ForeignTool } from "../../program/tool-files/foreign-tool.ts";
+import type { ForeignFormat } from "../../program/tool-files/formats.ts";
+import type { LengthUnit } from "../../kernel/units.ts";
 import { decode, encode } from "../../app/document/encoding.ts";
 import { downloadBytes, downloadText } from "../../app/base/download.ts";
 import { closeStep } from "../../app/document/steps.ts";
@@ -22,9 +24,19 @@ import { openToolRow } from "../../app/place/place.ts";
 import { editTools, toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
 import type { TableMessage } from "../../app/fields/table/TableStatus.tsx";
 
-const failure = (sentence: string): TableMessage => ({ sentences: [sentence], failed: true, changed: false });
+/** A message about a file that could not be used. */
+export const failure = (sentence: string): TableMessage => ({ sentences: [sentence], failed: true, changed: false });
 
 const isSound = (reading: EntryReading | undefined) => Boolean(reading?.tool ?? reading?.mill);
+
+/** Tools of other systems among the imported files. */
+export interface ForeignImport {
+  readonly formats: readonly ForeignFormat[];
+  readonly tools: readonly ForeignTool[];
+  readonly refused: readonly RefusedItem[];
+  /** The unit that was assumed for lengths without one; null where all have theirs. */
+  readonly assumedUnit: LengthUnit | null;
+}
 
 /** Contents of the import files, before they are applied to the table. */
 export interface ToolImport {
@@ -35,72 +47,10 @@ export interface ToolImport {
   readonly kept: readonly string[];
   readonly leftOut: readonly string[];
   readonly cutShort: boolean;
-}
-
-/** Larger files are no tool table, bytes. */
-const LARGEST = 20_000_000;
-
-function readImport(bytes: Uint8Array, name: string, t: ToolsTexts, w: ToolFileTexts): ToolImport | TableMessage {
-  const { text, encoding } = decode(bytes);
-  const read = readToolFile(text);
-  if ("problem" in read) {
-    switch (read.problem) {
-      case "columnsMissing":
-        return failure(t.problems.columnsMissing(name, read.columns.join(", ")));
-      case "tooMany":
-        return failure(t.problems.tooMany(name, read.most));
-      case "noRows":
-        return failure(t.problems.noRows(name));
-      case "notATable":
-        return failure(w.notATable(name));
-    }
-  }
-  const { rows, table, columns, leftOut, cutShort } = read;
-  const origin = tableOrigin(name, text, encoding);
-  const lines = rows.map((_, i): TableLine | undefined => {
-    const at = table?.lines[i];
-    return at === undefined ? undefined : { origin, at };
-  });
-  const incoming = {
-    rows,
-    lines,
-    columns: rows.map(() => columns),
-    names: table?.turning ?? new Map<number, string>(),
-  };
-  return { name, incoming, kept: table ? leftOut : [], leftOut: table ? [] : leftOut, cutShort };
-}
-
-const joined = (all: readonly ToolImport[]): ToolImport => ({
-  name: all.map((each) => each.name).join(", "),
-  incoming: {
-    rows: all.flatMap((each) => each.incoming.rows),
-    lines: all.flatMap((each) => each.incoming.lines),
-    columns: all.flatMap((each) => each.incoming.columns),
-    names: new Map(all.flatMap((each) => [...each.incoming.names])),
-  },
-  kept: [...new Set(all.flatMap((each) => each.kept))],
-  leftOut: [...new Set(all.flatMap((each) => each.leftOut))],
-  cutShort: all.some((each) => each.cutShort),
-});
-
-/** Reads all chosen files, or returns the fault of the first one that cannot be read. */
-export async function readImportFiles(
-  files: readonly File[],
-  t: ToolsTexts,
-  w: ToolFileTexts,
-): Promise<ToolImport | TableMessage> {
-  const all: ToolImport[] = [];
-  for (const file of files) {
-    if (file.size > LARGEST) return failure(t.problems.tooLarge(file.name));
-    try {
-      const brought = readImport(new Uint8Array(await file.arrayBuffer()), file.name, t, w);
-      if ("failed" in brought) return brought;
-      all.push(brought);
-    } catch {
-      return failure(t.problems.unreadable(file.name));
-    }
-  }
-  return joined(all);
+  /** Tools of other systems, with the origin of each cell. */
+  readonly foreign?: ForeignImport;
+  /** The same files read again, with another unit for lengths without one. */
+  readonly withUnit?: (unit: LengthUnit) => ToolImport;
 }
 
 /** Applies an import: one step of undo. */
