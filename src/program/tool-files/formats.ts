@@ -5,6 +5,7 @@ import { readFusion } from "./fusion.ts";
 import { readLinuxCnc } from "./linuxcnc.ts";
 import { readPart21Tools } from "./part21-tools.ts";
 import { readPropertyList } from "./property-lists.ts";
+import { readToolXml } from "./xml-tools.ts";
 
 /** How a file of tools is recognised and read: by the formats of this app and of the control, or of another system. */
 type ToolFileFormat =
@@ -19,6 +20,7 @@ export const TOOL_FILE_FORMATS = {
   fusion: { endings: [".tools", ".json"], foreign: readFusion },
   freecad: { endings: [".fctl", ".fctb"], foreign: readFreeCad },
   part21: { endings: [".p21", ".zip"], foreign: readPart21Tools },
+  xml: { endings: [".xml", ".hsmlib"], foreign: readToolXml },
   linuxcnc: { endings: [".tbl"], foreign: readLinuxCnc },
   properties: { endings: [".csv", ".txt"], foreign: readPropertyList },
   own: { endings: [".trn", ".t", ".tab", ".json", ".csv", ".tsv", ".txt"], own: readToolFile },
