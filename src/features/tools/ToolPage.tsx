@@ -18,6 +18,8 @@ import { ToolForm } from "./ToolForm.tsx";
 import { ToolGrid } from "./ToolGrid.tsx";
 import "../../app/fields/table/tools.css";
 
+/** Types for file pickers that do not know the endings. */
+const PLAIN_TYPES = ["application/json", "text/plain", "text/csv", "text/xml", "application/zip"];
 const fetchFormats = () => retryImport(() => import("../../program/tool-files/formats.ts"));
 const fetchImport = () => retryImport(() => import("./read-import.ts"));
 
@@ -43,7 +45,7 @@ export function ToolPage() {
   const wrong = list.length - read.table.tools.length - read.mills.length;
 
   useEffect(() => {
-    void fetchFormats().then(({ TOOL_FILE_ENDINGS }) => setEndings(TOOL_FILE_ENDINGS.join(",")));
+    void fetchFormats().then(({ TOOL_FILE_ENDINGS }) => setEndings([...TOOL_FILE_ENDINGS, ...PLAIN_TYPES].join(",")));
   }, []);
   const focusRow = () =>
     requestAnimationFrame(() => page.current?.querySelector<HTMLElement>("tr.open button")?.focus());
@@ -164,6 +166,7 @@ export function ToolPage() {
           brought={asking}
           words={w}
           done={() => ask(null)}
+          reread={ask}
           take={(choice) => {
             ask(null);
             setSaid(applyImport(asking, choice, t, w));

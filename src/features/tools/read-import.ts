@@ -101,15 +101,10 @@ const joined = (all: readonly ToolImport[], name: string): ToolImport => ({
 });
 
 /** Reads texts with a unit for the lengths that have none; reading again with another unit needs no file. */
-function readTexts(
-  texts: readonly FileText[],
-  unit: LengthUnit,
-  { t, w, name }: Reading,
-): ToolImport | TableMessage {
+function readTexts(texts: readonly FileText[], unit: LengthUnit, { t, w, name }: Reading): ToolImport | TableMessage {
   const read = toldFiles(readToolFiles(texts, unit), texts);
   const problem = read.find(({ content }) => "problem" in content);
-  if (problem && "problem" in problem.content)
-    return problemOf({ name: problem.name, content: problem.content }, t, w);
+  if (problem && "problem" in problem.content) return problemOf({ name: problem.name, content: problem.content }, t, w);
   const foreign = foreignImport(read, useTools.getState().list);
   const cutShort = read.some(({ content }) => "foreign" in content && content.foreign.cutShort);
   const tables = read.flatMap(({ name: file, content }) => {
@@ -150,4 +145,3 @@ export async function readImportFiles(
   const name = files.map((each) => each.name).join(", ");
   return readTexts(texts, "mm", { t, w, name });
 }
-

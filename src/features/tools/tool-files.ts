@@ -3,12 +3,7 @@ import type { Language } from "../../i18n/languages.ts";
 import { decimalSign } from "../../i18n/number.ts";
 import type { ToolFileTexts } from "../../i18n/tool-file-text.ts";
 import { writeBackTable } from "../../program/tools/table-write-back.ts";
-import {
-  cellOf,
-  isMillEntry,
-  type EntryReading,
-  type TableOrigin,
-} from "../../program/tools/tool-entry.ts";
+import { cellOf, isMillEntry, type EntryReading, type TableOrigin } from "../../program/tools/tool-entry.ts";
 import { planImport, type IncomingTools } from "../../program/tools/tool-import.ts";
 import { writeTableCsv } from "../../program/tools/tool-table-csv.ts";
 import { writeTableJson } from "../../program/tools/tool-table-json.ts";

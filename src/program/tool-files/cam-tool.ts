@@ -28,7 +28,13 @@ const VOCABULARY: Vocabulary = {
   ],
   circle: ["geometry.INSC", "geometry.IC"],
   point: ["geometry.EPSR", "insert.tip-angle", "tool_insertAngle"],
-  width: ["geometry.tool_grooveWidth", "geometry.CW", "insert.groove-width", "tool_grooveWidth", "geometry.tool_insertWidth"],
+  width: [
+    "geometry.tool_grooveWidth",
+    "geometry.CW",
+    "insert.groove-width",
+    "tool_grooveWidth",
+    "geometry.tool_insertWidth",
+  ],
   profile: ["geometry.thread-profile-angle", "body.thread-profile-angle", "tool_threadProfileAngle"],
   pitch: ["geometry.TP", "body.thread-pitch", "tool_threadPitch"],
   cutter: ["geometry.DC", "body.diameter", "tool_diameter"],
@@ -92,7 +98,10 @@ const IDLE = [
 function handOf(reader: PropertyReader): Fact<Hand> | undefined {
   const said = reader.text("holder.HAND", "holder.hand", "turning-holder.hand", "tool_hand");
   const letter = /^'?(?:(R)(?:ight.*)?|(L)(?:eft.*)?|(N)(?:eutral.*)?)'?$/i.exec(said?.value ?? "");
-  const hand = letter?.slice(1).find((each) => each !== undefined)?.toUpperCase() as Hand | undefined;
+  const hand = letter
+    ?.slice(1)
+    .find((each) => each !== undefined)
+    ?.toUpperCase() as Hand | undefined;
   return said && hand ? { value: hand, from: said.from } : undefined;
 }
 
@@ -155,7 +164,11 @@ export function camTool(
   reader.pass(...IDLE);
   const sizes = reader.sizes(wanted);
   const inside: Fact<WorkSide> | undefined =
-    type === "turning boring" ? { value: "inside", from: type } : isInner && inner ? { value: "inside", from: inner.from } : side;
+    type === "turning boring"
+      ? { value: "inside", from: type }
+      : isInner && inner
+        ? { value: "inside", from: inner.from }
+        : side;
   const named = description !== "" && { name: { value: description, from: description } };
   const facts: Facts = {
     ...(number && { number }),

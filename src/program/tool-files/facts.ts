@@ -143,13 +143,15 @@ const UNITS: readonly (readonly [RegExp, LengthUnit])[] = [
   [/^(?:in|inch(?:es)?|"|″|'')$/i, "inch"],
 ];
 /** Unit of length by its name; null for others. */
-export const unitOf = (name: string): LengthUnit | null =>
-  UNITS.find(([form]) => form.test(name.trim()))?.[1] ?? null;
+export const unitOf = (name: string): LengthUnit | null => UNITS.find(([form]) => form.test(name.trim()))?.[1] ?? null;
 
 const MEASURE = /^\s*([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d{1,3})?)\s*(\S{0,12})\s*$/;
 
 /** Number of a property and its unit, the one behind the number before that of the property. Both decimal signs are read. */
-export function measureOf({ value, unit }: FileProperty): { readonly value: number | null; readonly unit?: LengthUnit } {
+export function measureOf({ value, unit }: FileProperty): {
+  readonly value: number | null;
+  readonly unit?: LengthUnit;
+} {
   const found = typeof value === "number" ? ["", String(value), ""] : MEASURE.exec(String(value).slice(0, 64));
   const number = found ? Number((found[1] ?? "").replace(",", ".")) : NaN;
   const own = unitOf(found?.[2] ?? "") ?? unit;
@@ -189,12 +191,15 @@ export class PropertyReader {
 
   /** A length in mm. */
   length(names: readonly string[], mayBeZero = false): Fact<number> | undefined {
-    return this.first(names, (property) => {
+    let isInch = false;
+    const found = this.first(names, (property) => {
       const { value, unit } = measureOf(property);
       if (value === null || !(value > 0 || (mayBeZero && value === 0))) return null;
       if (unit === undefined) this.unitAsked = true;
+      isInch = unit === undefined && this.unit === "inch" && value !== 0;
       return onGrid(value * IN_MM[unit ?? this.unit]);
     });
+    return found && isInch ? { ...found, from: `${found.from} in` } : found;
   }
 
   /** An angle in degrees, or any other plain number. */

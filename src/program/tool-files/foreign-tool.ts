@@ -113,7 +113,12 @@ function putHolder(row: Row, facts: Facts): readonly string[] {
 }
 
 /** Near corner of the shank beside the head, along Z for a shank and along X for a bar; null where it is unknown. */
-function placeOf(to: number, shank: number, reach: number, hand?: Hand): readonly [number | null, number | null] | null {
+function placeOf(
+  to: number,
+  shank: number,
+  reach: number,
+  hand?: Hand,
+): readonly [number | null, number | null] | null {
   const near = onGrid(reach - shank);
   if (to === 1) return [near, null];
   if (to === 3) return [-near, null];
@@ -157,7 +162,11 @@ function putTurning(row: Row, tool: FileTool, kind: Fact<FileToolKind>): readonl
 
 const AXIAL: Partial<Record<FileToolKind, string>> = { drill: "DRILL", center: "CENTER", tap: "TAP", mill: MILL };
 
-function putAxial(row: Row, { cutter, drillPoint, flute, pitch, lengthZ, pointLength }: Facts, kind: Fact<FileToolKind>): void {
+function putAxial(
+  row: Row,
+  { cutter, drillPoint, flute, pitch, lengthZ, pointLength }: Facts,
+  kind: Fact<FileToolKind>,
+): void {
   row.set("TYPE", AXIAL[kind.value] ?? MILL, joined([kind]));
   if (cutter) row.set("R", onGrid(radiusOf(cutter.value)), joined([cutter]));
   if (lengthZ) row.put("L", lengthZ);

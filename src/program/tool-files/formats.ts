@@ -5,7 +5,7 @@ import { readFusion } from "./fusion.ts";
 import { readLinuxCnc } from "./linuxcnc.ts";
 import { readPart21Tools } from "./part21-tools.ts";
 import { readPropertyList } from "./property-lists.ts";
-import { readToolXml } from "./xml-tools.ts";
+import { readHsmLibrary, readPropertyXml } from "./xml-tools.ts";
 
 /** How a file of tools is recognised and read: by the formats of this app and of the control, or of another system. */
 type ToolFileFormat =
@@ -20,7 +20,8 @@ export const TOOL_FILE_FORMATS = {
   fusion: { endings: [".tools", ".json"], foreign: readFusion },
   freecad: { endings: [".fctl", ".fctb"], foreign: readFreeCad },
   part21: { endings: [".p21", ".zip"], foreign: readPart21Tools },
-  xml: { endings: [".xml", ".hsmlib"], foreign: readToolXml },
+  hsm: { endings: [".hsmlib"], foreign: readHsmLibrary },
+  propertyXml: { endings: [".xml"], foreign: readPropertyXml },
   linuxcnc: { endings: [".tbl"], foreign: readLinuxCnc },
   properties: { endings: [".csv", ".txt"], foreign: readPropertyList },
   own: { endings: [".trn", ".t", ".tab", ".json", ".csv", ".tsv", ".txt"], own: readToolFile },

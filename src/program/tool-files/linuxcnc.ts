@@ -72,14 +72,17 @@ const OTHERS = ["Y", "A", "B", "C", "U", "V", "W"];
 function toolOf({ words, comment }: Line, isMill: boolean, scale: number): FileTool {
   const number = words.get("T") ?? 0;
   const size = (letter: string) => (words.get(letter) ?? 0) * scale;
-  const unused = OTHERS.filter((letter) => (words.get(letter) ?? 0) !== 0).map((letter) => `${letter}${words.get(letter)}`);
+  const unused = OTHERS.filter((letter) => (words.get(letter) ?? 0) !== 0).map(
+    (letter) => `${letter}${words.get(letter)}`,
+  );
   const numbered = { number: known(number, `T${number}`) };
   const texts = comment === "" ? [] : [comment];
   const label = comment === "" ? `T${number}` : comment;
   const [d, worded] = [size("D"), kindOfWords(comment)];
   const length = size("Z") === 0 ? {} : { lengthZ: known(size("Z"), `Z${words.get("Z")}`) };
   const across = d > 0 ? { cutter: known(d, `D${words.get("D")}`) } : {};
-  const named = texts.length > 0 ? { name: { value: comment, from: `;${comment}` } } : { name: { value: "", from: "" } };
+  const named =
+    texts.length > 0 ? { name: { value: comment, from: `;${comment}` } } : { name: { value: "", from: "" } };
   const isDrill = worded === "drill" || worded === "center" || worded === "tap";
   const to = ORIENTATIONS[words.get("Q") ?? 0];
   if (isDrill || (isMill && d > 0)) {

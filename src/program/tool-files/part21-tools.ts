@@ -121,4 +121,3 @@ export function readPart21Tools(text: string, { unit }: ReadingContext): Foreign
   }
   return { tools, refused, unitAsked, cutShort: faultCount > 0 && faults.some(({ code }) => code === "cut") };
 }
-

@@ -36,6 +36,9 @@ const symbolOf = (cell: string) =>
 const countSymbols = (names: readonly string[]) => new Set(names.filter((name) => ISO13399_SYMBOLS.has(name))).size;
 const NAMES = ["NAME", "DESCRIPTION", "PRODUCT", "ORDERCODE", "ORDER CODE", "ITEMNUMBER", "ID"];
 
+/** A line of titles is no property. */
+const TITLES = /^(?:value|wert|valeur|值)?$/i;
+
 /** A sheet with one tool on each line. */
 function wide(rows: readonly (readonly string[])[], unit: ReadingContext["unit"]): readonly Read[] | null {
   const names = (rows[0] ?? []).map(symbolOf);
@@ -63,7 +66,7 @@ function tall(rows: readonly (readonly string[])[], { unit, name }: ReadingConte
   const names = [...properties.keys()];
   if (!isDin4000(properties) && (countSymbols(names) < LEAST_SYMBOLS || countSymbols(names) * 4 < names.length))
     return null;
-  const label = NAMES.map((each) => String(properties.get(each)?.value ?? "")).find((each) => each !== "");
+  const label = NAMES.map((each) => String(properties.get(each)?.value ?? "")).find((each) => !TITLES.test(each));
   for (const each of NAMES) properties.delete(each);
   return toolOfProperties(properties, unit, label ?? name.replace(/\.\w+$/, ""));
 }
@@ -72,7 +75,16 @@ function tall(rows: readonly (readonly string[])[], { unit, name }: ReadingConte
 export function readPropertyList(text: string, context: ReadingContext): ForeignContent | null {
   const whole = text.replace(/^\uFEFF/, "").trimStart();
   if (/^[<{[]|^ISO-10303-21|^BEGIN\s/i.test(whole)) return null;
-  const rows = cellsOfSheet(whole, separatorOf(whole.slice(0, HEAD).split(/[\r\n]+/).slice(0, 20).join(" ")));
+  const rows = cellsOfSheet(
+    whole,
+    separatorOf(
+      whole
+        .slice(0, HEAD)
+        .split(/[\r\n]+/)
+        .slice(0, 20)
+        .join(" "),
+    ),
+  );
   const sheet = fusionSheet(rows, context);
   if (sheet) return sheet;
   const single = wide(rows, context.unit) ? null : tall(rows, context);

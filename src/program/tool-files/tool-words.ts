@@ -6,13 +6,19 @@ import type { FileToolKind, WorkSide } from "./facts.ts";
 
 const KINDS: readonly (readonly [FileToolKind, RegExp])[] = [
   ["tap", /\btaps?\b|gewindebohr|taraud|丝锥/i],
-  ["center", /\bcent(?:er|re)[\s-]?drill|\bspot(?:ting)?[\s-]?drill|zentrier|anbohr|foret (?:à|a) (?:centrer|pointer)|中心钻/i],
+  [
+    "center",
+    /\bcent(?:er|re)[\s-]?drill|\bspot(?:ting)?[\s-]?drill|zentrier|anbohr|foret (?:à|a) (?:centrer|pointer)|中心钻/i,
+  ],
   ["drill", /drill|bohrer|\bforet\b|钻/i],
   ["parting", /\bpart(?:ing)?[\s-]?off|\bparting\b|\bcut[\s-]?off|abstech|tron[cç]on|切断/i],
   ["grooving", /groov|recess|einstech|stechdreh|\bstech|\bgorges?\b|切槽/i],
   ["threading", /thread|gewinde|filet|螺纹/i],
   ["mill", /\b(?:end)?mills?\b|fr[äa]s(?:er|e)|fraise|铣/i],
-  ["turning", /turn|\bboring\b|rough|finish|\bfacing\b|dreh|schrupp|schlicht|chariot|[ée]bauche|finition|al[ée]sage|车|镗/i],
+  [
+    "turning",
+    /turn|\bboring\b|rough|finish|\bfacing\b|dreh|schrupp|schlicht|chariot|[ée]bauche|finition|al[ée]sage|车|镗/i,
+  ],
 ];
 const SIDES: readonly (readonly [WorkSide, RegExp])[] = [
   ["face", /\b(?:face|axial)[\s-]*groov|axialstech|stirn(?:ein)?stech|gorge frontale|端面切槽/i],

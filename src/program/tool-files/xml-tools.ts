@@ -62,18 +62,29 @@ function propertyTools(root: XmlElement, unit: ReadingContext["unit"]): ForeignC
     .flatMap((tool) => {
       const data = [...within(tool, "category-data"), ...within(tool, "property-data")];
       const properties = new Map(data.map(propertyOf).filter((each) => each !== null));
-      const [id] = ["primaryid", "id21002"].flatMap((name) => within(tool, name).map(said)).filter((each) => each !== "");
+      const [id] = ["primaryid", "id21002"]
+        .flatMap((name) => within(tool, name).map(said))
+        .filter((each) => each !== "");
       return properties.size === 0 ? [] : [toolOfProperties(properties, unit, id ?? "")];
     });
   if (read.length === 0) return null;
   return { ...sorted(read.map(({ item }) => item)), unitAsked: read.some((each) => each.unitAsked) };
 }
 
-/** Reads tools from XML; null when the text is none, or has none of these forms. */
-export function readToolXml(text: string, { unit }: ReadingContext): ForeignContent | null {
+/** What is read from the outermost element of an XML file; null when the text is none. */
+function fromXml(text: string, read: (root: XmlElement) => ForeignContent | null): ForeignContent | null {
   if (!isXml(text)) return null;
   const { root, faults } = readXml(text);
-  if (!root) return null;
-  const content = root.local === "tool-library" ? hsmTools(root, unit) : propertyTools(root, unit);
+  const content = root && read(root);
   return content && { ...content, cutShort: faults.some(({ code }) => code === "cut") };
 }
+
+/** Reads a tool library of HSMWorks or Inventor CAM; null when the text is none. */
+export const readHsmLibrary = (text: string, { unit }: ReadingContext): ForeignContent | null =>
+  text.includes("<tool-library")
+    ? fromXml(text, (root) => (root.local === "tool-library" ? hsmTools(root, unit) : null))
+    : null;
+
+/** Reads property data of tools (DIN 4000, ISO 13399) in XML; null when the text is none. */
+export const readPropertyXml = (text: string, { unit }: ReadingContext): ForeignContent | null =>
+  fromXml(text, (root) => propertyTools(root, unit));

@@ -74,7 +74,8 @@ export function readTableJson(text: string): TableFile {
   if (!Array.isArray(tools) || !tools.every(isRecord)) return { problem: "notATable" };
   if (tools.length === 0) return { problem: "noRows" };
   const unknown = unknownToolKeys(json).map(
-    ({ at, key, nearest }) => `${at.endsWith(".holder") ? "holder." : ""}${key}${nearest === null ? "" : ` (${nearest}?)`}`,
+    ({ at, key, nearest }) =>
+      `${at.endsWith(".holder") ? "holder." : ""}${key}${nearest === null ? "" : ` (${nearest}?)`}`,
   );
   return { rows: tools.map(cellsOf), leftOut: [...new Set(unknown)], cutShort: false };
 }
