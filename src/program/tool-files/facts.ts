@@ -158,7 +158,8 @@ export function measureOf({ value, unit }: FileProperty): {
   return { value: Math.abs(number) <= LARGEST ? number : null, ...(own && { unit: own }) };
 }
 
-const onGrid = (n: number) => Math.round(n * 10_000) / 10_000;
+/** A length or angle on the grid of the table, 0.0001. */
+export const onGrid = (n: number) => Math.round(n * 10_000) / 10_000 + 0;
 
 /** Reads properties and remembers which were used. */
 export class PropertyReader {

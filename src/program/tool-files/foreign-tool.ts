@@ -5,7 +5,15 @@ import { edgeOf, INSERT_SHAPES } from "../iso-codes/insert-facts.ts";
 import { readToolCodes, type ToolCodes } from "../iso-codes/tool-code.ts";
 import { HOLDER_CELLS, MILL, type CellName } from "../tools/tool-columns.ts";
 import type { ToolEntry } from "../tools/tool-entry.ts";
-import type { Fact, Facts, FileTool, FileToolKind, ProposalReason, WorkSide } from "./facts.ts";
+import {
+  onGrid,
+  type Fact,
+  type Facts,
+  type FileTool,
+  type FileToolKind,
+  type ProposalReason,
+  type WorkSide,
+} from "./facts.ts";
 import { controlName, kindOfWords, saysFinishing, sideOfWords } from "./tool-words.ts";
 
 /** Where the text of a cell comes from; a proposal names its reasons. */
@@ -78,7 +86,7 @@ class Row {
   readonly origins: Partial<Record<CellName, CellOrigin>> = {};
 
   set(cell: CellName, text: string | number, origin: CellOrigin): void {
-    this.cells[cell] = String(text);
+    this.cells[cell] = typeof text === "number" ? String(onGrid(text)) : text;
     this.origins[cell] = origin;
   }
 
@@ -86,8 +94,6 @@ class Row {
     if (fact) this.set(cell, fact.value, joined([fact]));
   }
 }
-
-const onGrid = (n: number) => Math.round(n * 10_000) / 10_000 + 0;
 
 const sizesOfHolder = ({ shank, reach, head, overall }: Facts): readonly string[] =>
   [shank, reach, head, overall].flatMap((fact) => (fact ? [fact.from] : []));
@@ -105,7 +111,7 @@ function putHolder(row: Row, facts: Facts): readonly string[] {
   if (!place) return left;
   const origin = joined([shank, reach, head, overall]);
   row.set("width", shank.value, origin);
-  row.set("length", onGrid(overall.value - head.value), origin);
+  row.set("length", overall.value - head.value, origin);
   const [z, x] = place;
   row.set("offsetZ", z ?? head.value, origin);
   row.set("offsetX", x ?? head.value, origin);
@@ -119,11 +125,11 @@ function placeOf(
   reach: number,
   hand?: Hand,
 ): readonly [number | null, number | null] | null {
-  const near = onGrid(reach - shank);
+  const near = reach - shank;
   if (to === 1) return [near, null];
   if (to === 3) return [-near, null];
-  if (to === 2 && hand === "N") return [onGrid(-radiusOf(shank)), null];
-  return to === 7 ? [null, onGrid(radiusOf(shank) - reach)] : null;
+  if (to === 2 && hand === "N") return [-radiusOf(shank), null];
+  return to === 7 ? [null, radiusOf(shank) - reach] : null;
 }
 
 function putTurning(row: Row, tool: FileTool, kind: Fact<FileToolKind>): readonly string[] {
@@ -140,7 +146,7 @@ function putTurning(row: Row, tool: FileTool, kind: Fact<FileToolKind>): readonl
   row.put("RS", nose);
   if (round) {
     const across = circle ?? edge;
-    if (!nose && across) row.set("RS", onGrid(radiusOf(across.value)), joined([across]));
+    if (!nose && across) row.set("RS", radiusOf(across.value), joined([across]));
     return putHolder(row, facts);
   }
   if (kind.value === "threading") row.put("P-ANGLE", profile);
@@ -168,7 +174,7 @@ function putAxial(
   kind: Fact<FileToolKind>,
 ): void {
   row.set("TYPE", AXIAL[kind.value] ?? MILL, joined([kind]));
-  if (cutter) row.set("R", onGrid(radiusOf(cutter.value)), joined([cutter]));
+  if (cutter) row.set("R", radiusOf(cutter.value), joined([cutter]));
   if (lengthZ) row.put("L", lengthZ);
   if (kind.value === "drill" || kind.value === "center") row.put("T-ANGLE", drillPoint);
   if (kind.value !== "mill") row.put("LCUTS", flute);

@@ -1,4 +1,4 @@
-import { IN_MM } from "../../kernel/units.ts";
+import { IN_MM, radiusOf } from "../../kernel/units.ts";
 import type { Fact, Facts, FileTool } from "./facts.ts";
 import { MOST_ITEMS, type ForeignContent, type ReadingContext } from "./foreign-file.ts";
 import { kindOfWords } from "./tool-words.ts";
@@ -104,7 +104,7 @@ function toolOf({ words, comment }: Line, isMill: boolean, scale: number): FileT
   const groove = worded === "grooving" || worded === "parting";
   const sized = groove
     ? d > 0 && { width: { value: d, from: `D${words.get("D")}`, why: "widthFromDiameter" } as const }
-    : { nose: known(d / 2, `D${words.get("D") ?? 0}`) };
+    : { nose: known(radiusOf(d), `D${words.get("D") ?? 0}`) };
   return { label, texts, unused, facts: { kind: turning, ...facts, ...sized } };
 }
 const turning: NonNullable<Facts["kind"]> = { value: "turning", from: "Q", why: "kindFromProperties" };
