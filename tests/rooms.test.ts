@@ -80,6 +80,7 @@ const FOLDERS: Readonly<Record<string, readonly string[]>> = {
     "tools",
     "iso-codes",
     "tool-files",
+    "tool-sheets",
     "state",
     "clamping",
     "motion",

@@ -40,6 +40,7 @@ interface English {
   readonly "tool-codes": typeof import("./en/tool-codes.ts");
   readonly "tool-files": typeof import("./en/tool-files.ts");
   readonly "tool-foreign": typeof import("./en/tool-foreign.ts");
+  readonly "tool-sheets": typeof import("./en/tool-sheets.ts");
   readonly which: typeof import("./en/which.ts");
   readonly workplace: typeof import("./en/workplace.ts");
 }

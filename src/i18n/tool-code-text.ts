@@ -33,6 +33,8 @@ export interface ToolCodeTexts {
   readonly clampings: Named<InsertClamping>;
   readonly makes: Named<BarMake>;
   readonly cuts: Named<Cuts>;
+  readonly sides: Named<"outside" | "inside" | "both">;
+  readonly perInch: (n: string) => string;
   readonly special: string;
   readonly angle: (n: string) => string;
   readonly mm: (n: string) => string;
@@ -50,7 +52,12 @@ export interface ToolCodeTexts {
       | "leftBar"
       | "headDrawn"
       | "special"
+      | "fullRadius"
+      | "unverified"
+      | "flanksDiffer"
+      | "holderUnplaced"
     > & {
+      readonly frontAngle: (angle: string) => string;
       readonly unsure: (letter: string, angle: string) => string;
       readonly noShank: Named<"seat" | "reach" | "round">;
     };

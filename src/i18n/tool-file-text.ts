@@ -12,6 +12,7 @@ export interface ToolFileTexts {
   readonly newOutline: string;
   readonly takeAll: (n: number) => string;
   readonly takeNew: (n: number) => string;
+  readonly changeColumns: string;
   readonly cancel: string;
   /** Columns that the table does not show and the file preserves. */
   readonly keptInFile: (names: string) => string;

@@ -126,7 +126,10 @@ const exams = {
     ended: { by: "time" as const, result: { ...result, name: "Ada" } },
   },
 };
-const whole = { tools, own, settings, course, taught: [taught], sets: [set], exams, forms, worked, results };
+const column = { cell: "RS", inch: true, diameter: false } as const;
+const words = { TYPE: { Schruppen: "ROUGH" }, TO: {} };
+const columns = [{ signature: '["nr","radius"]', day: "2026-11-21", columns: [null, column], words }];
+const whole = { tools, own, settings, course, taught: [taught], sets: [set], exams, forms, worked, results, columns };
 const nothing = {
   tools: null,
   own: null,
@@ -138,6 +141,7 @@ const nothing = {
   forms: null,
   worked: null,
   results: null,
+  columns: null,
 };
 const read = (bytes: Uint8Array): ReadArchive => {
   const found = readArchive(bytes);
@@ -164,13 +168,14 @@ test("everything packed is read back, including invalid text and drafts of other
 
 test("a file of an earlier edition is read as before; a damaged part is named and stops no other", () => {
   const manifest = manifestOf(writeArchive({ works: [], ...whole })) as unknown as Record<string, unknown>;
-  const { forms: _, worked: __, results: ___, ...before } = manifest;
+  const { forms: _, worked: __, results: ___, columns: ____, ...before } = manifest;
   expect(read(packed(before))).toMatchObject({
     taught: [taught],
     course,
     forms: null,
     worked: null,
     results: null,
+    columns: null,
     unreadParts: [],
   });
   const form = { ...forms["work a"].form, material: undefined };

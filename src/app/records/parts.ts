@@ -10,6 +10,7 @@ import { readSettings, useSettings, type Settings } from "../base/settings/setti
 import { editRecord } from "../document/edit-record.ts";
 import { editSettings } from "../document/edit-settings.ts";
 import { ownRecord } from "../document/own-store.ts";
+import { mergedSheets, sheetRecord } from "../document/sheet-columns.ts";
 import { toolRecord, toolsOnDevice } from "../document/tool-store.ts";
 import { mergedResults, resultRecord } from "./course/collected-results.ts";
 import { examRecord } from "./course/exams.ts";
@@ -125,6 +126,8 @@ const parts = {
   }),
   results: ofRecord(resultRecord, { group: "course", merge: mergedResults }),
   settings: settingsPart,
+  // Columns that were assigned on this device stay as they are.
+  columns: ofRecord(sheetRecord, { group: "settings", merge: (mine, brought) => mergedSheets(brought, mine) }),
 } as const;
 
 export type PartName = keyof typeof parts;

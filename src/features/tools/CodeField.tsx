@@ -70,7 +70,9 @@ export function CodeField({ entry }: { readonly entry: ToolEntry }) {
           {w.readName(name)}
         </button>
       )}
-      {[codes.holder, codes.insert].map((code) => code && <CodeParts key={code.kind} parts={code.parts} words={w} />)}
+      {[codes.holder, codes.insert, codes.maker].map(
+        (code) => code && <CodeParts key={code.kind} parts={code.parts} words={w} />,
+      )}
       <div role="status" className="field-messages">
         {codes.notCovered && <Message tone="warning">{w.notCovered[codes.notCovered]}</Message>}
         <CodeNotes notes={notes} words={w} />

@@ -40,6 +40,15 @@ function meaningOf(meaning: CodeMeaning, w: ToolCodeTexts, number: Number): stri
       return `${w.angle(number(meaning.angle))}, ${w.cuts[meaning.cuts]}`;
     case "bar":
       return w.makes[meaning.make];
+    case "side":
+      return w.sides[meaning.side];
+    case "pitches": {
+      const range =
+        meaning.from === meaning.to ? number(meaning.from) : `${number(meaning.from)}–${number(meaning.to)}`;
+      return meaning.inch ? w.perInch(range) : w.mm(range);
+    }
+    case "named":
+      return meaning.angle === null ? meaning.name : `${meaning.name}, ${w.angle(number(meaning.angle))}`;
     case "special":
       return w.special;
     case "nothing":
@@ -59,6 +68,8 @@ function noteOf(note: CodeNote, w: ToolCodeTexts, number: Number): string {
       return w.notes[note.is](number(note.row), number(note.code));
     case "unsure":
       return w.notes.unsure(note.letter, number(note.angle));
+    case "frontAngle":
+      return w.notes.frontAngle(number(note.angle));
     case "noShank":
       return w.notes.noShank[note.why];
     default:

@@ -56,6 +56,7 @@ export function ImportDialog({
   words: w,
   take,
   reread,
+  change,
   done,
 }: {
   readonly brought: ToolImport;
@@ -63,6 +64,8 @@ export function ImportDialog({
   readonly take: (choice: "all" | "new") => void;
   /** Shows the same files read with another unit. */
   readonly reread: (again: ToolImport) => void;
+  /** Assigns the columns of its sheet again. */
+  readonly change: (brought: ToolImport) => void;
   readonly done: () => void;
 }) {
   const t = useTexts("tables").tools;
@@ -87,6 +90,9 @@ export function ImportDialog({
             choose={(unit) => brought.withUnit && reread(brought.withUnit(unit))}
           />
         )}
+        {brought.notes?.map((note) => (
+          <p key={note}>{note}</p>
+        ))}
         {told === 0 && <p>{w.nothing}</p>}
         {fresh.length > 0 && !onlyForeign && (
           <>
@@ -122,6 +128,11 @@ export function ImportDialog({
         {fresh.length > 0 && told + same > fresh.length && (
           <button type="button" className="button" onClick={() => take("new")}>
             {w.takeNew(fresh.length)}
+          </button>
+        )}
+        {brought.sheet && (
+          <button type="button" className="button" onClick={() => change(brought)}>
+            {w.changeColumns}
           </button>
         )}
         <button type="button" className="button" onClick={done}>

@@ -246,7 +246,7 @@ test("a code is parsed at each keystroke, and Enter fills its columns as one ste
   render(<ToolPage />);
   const user = userEvent.setup();
   await user.click(screen.getByRole("button", { name: "New tool" }));
-  const code = await screen.findByRole<HTMLInputElement>("textbox", { name: "ISO code of insert or holder" });
+  const code = await screen.findByRole<HTMLInputElement>("textbox", { name: "Code of insert or holder" });
   const before = steps();
   await user.type(code, "dnmg 15 06 08");
   const said = within(screen.getByRole("list", { name: "Meaning of the code" }))
@@ -277,9 +277,9 @@ test("a code is parsed at each keystroke, and Enter fills its columns as one ste
 test("an unsupported code says so, one that contradicts the row too, and a name that is a code can be parsed", async () => {
   render(<ToolPage />);
   const user = userEvent.setup();
-  const code = await screen.findByRole<HTMLInputElement>("textbox", { name: "ISO code of insert or holder" });
-  await user.type(code, "16ER AG60");
-  expect(screen.getByText(/Codes of thread tools/)).toBeTruthy();
+  const code = await screen.findByRole<HTMLInputElement>("textbox", { name: "Code of insert or holder" });
+  await user.type(code, "GTN-3");
+  expect(screen.getByText(/of this family is not known/)).toBeTruthy();
   await user.type(code, "{Escape}PDJNR 2525M15");
   expect(screen.getByText("P-ANGLE is 80°; the holder takes inserts of 55°. P-ANGLE unchanged.")).toBeTruthy();
   await user.type(code, "{Escape}");

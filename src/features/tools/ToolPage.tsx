@@ -6,7 +6,7 @@ import { openToolRow, showOwn, showToolKind, type ToolKind, uncover, usePlace } 
 import { useTexts, useTextsOrNull } from "../../app/base/settings/use-texts.ts";
 import { addTool, duplicateTool, removeTool, restoreShippedTools } from "./tool-edits.ts";
 import { isMillEntry } from "../../program/tools/tool-entry.ts";
-import { exportToOrigin, exportTools, applyImport, type ToolImport } from "./tool-files.ts";
+import { exportToOrigin, exportTools, applyImport, type ImportSource, type ToolImport } from "./tool-files.ts";
 import { toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
 import { useToolName } from "../../app/document/tool-name.ts";
 import { TableStatus, type TableMessage } from "../../app/fields/table/TableStatus.tsx";
@@ -14,6 +14,8 @@ import { ExportDialog } from "./ExportDialog.tsx";
 import { ImportDialog } from "./ImportDialog.tsx";
 import { TableTabs } from "../../app/fields/table/TableTabs.tsx";
 import { RestoreToolsDialog } from "./RestoreToolsDialog.tsx";
+import { PasteButton } from "./PasteButton.tsx";
+import { useSheetColumns } from "./use-sheet-columns.tsx";
 import { ToolForm } from "./ToolForm.tsx";
 import { ToolGrid } from "./ToolGrid.tsx";
 import "../../app/fields/table/tools.css";
@@ -32,6 +34,7 @@ export function ToolPage() {
   const [said, setSaid] = useState<TableMessage | null>(null);
   const [asking, ask] = useState<ToolImport | "export" | "restore" | null>(null);
   const w = useTextsOrNull("tool-files");
+  const { dialog, assign } = useSheetColumns();
   const language = useSettings((s) => s.language);
   const page = useRef<HTMLElement>(null);
   const file = useRef<HTMLInputElement>(null);
@@ -64,10 +67,17 @@ export function ToolPage() {
     openToolRow(row);
     focusField();
   };
-  const receive = (brought: ToolImport | TableMessage) => {
+  const receive = (brought: ToolImport | TableMessage | null) => {
+    if (!brought) return;
     if ("failed" in brought) return setSaid(brought);
     setSaid(null);
     ask(brought);
+  };
+  const bring = (sources: readonly ImportSource[]) => {
+    if (sources.length > 0 && w)
+      void fetchImport()
+        .then(({ readImportFiles }) => readImportFiles(sources, { t, w, assign }))
+        .then(receive);
   };
   const remove = (id: string, name: string) => {
     showToolKind(kind);
@@ -104,6 +114,10 @@ export function ToolPage() {
               <button type="button" className="button" aria-label={w.importLong} onClick={() => file.current?.click()}>
                 <Icon name="add" /> {t.import}
               </button>
+              <PasteButton
+                take={(source) => bring([source])}
+                fail={(sentence) => setSaid({ sentences: [sentence], failed: true, changed: false })}
+              />
               <button type="button" className="button" aria-label={w.exportLong} onClick={() => ask("export")}>
                 <Icon name="download" /> {w.export}
               </button>
@@ -121,10 +135,7 @@ export function ToolPage() {
             onChange={(e) => {
               const chosen = [...(e.currentTarget.files ?? [])];
               e.currentTarget.value = "";
-              if (chosen.length > 0 && w)
-                void fetchImport()
-                  .then(({ readImportFiles }) => readImportFiles(chosen, t, w))
-                  .then(receive);
+              bring(chosen);
             }}
           />
         </div>
@@ -165,6 +176,10 @@ export function ToolPage() {
         <ImportDialog
           brought={asking}
           words={w}
+          change={({ sheet }) => {
+            ask(null);
+            if (sheet) void assign(sheet, true).then(receive);
+          }}
           done={() => ask(null)}
           reread={ask}
           take={(choice) => {
@@ -173,6 +188,7 @@ export function ToolPage() {
           }}
         />
       )}
+      {dialog}
       <div className="tool-list">
         <TableTabs open={kind} onTools={showToolKind} onOwn={() => showOwn()} />
         {rows.length === 0 ? (

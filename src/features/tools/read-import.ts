@@ -9,7 +9,8 @@ import { textsOfFile, type FileText } from "../../app/document/file-texts.ts";
 import { useTools } from "../../app/document/tool-store.ts";
 import type { Encoding } from "../../app/document/work.ts";
 import type { TableMessage } from "../../app/fields/table/TableStatus.tsx";
-import { failure, type ForeignImport, type ToolImport } from "./tool-files.ts";
+import { isWorkbook, sheetInFile, type NamedSheet } from "./sheet-files.ts";
+import { failure, type ForeignImport, type ImportSource, type ToolImport } from "./tool-files.ts";
 
 /** Joins what the files of other systems contain, with a number for each tool; null when there are none. */
 function foreignImport(read: readonly ReadToolFile[], list: ToolList): ForeignImport | null {
@@ -98,50 +99,86 @@ const joined = (all: readonly ToolImport[], name: string): ToolImport => ({
   kept: [...new Set(all.flatMap((each) => each.kept))],
   leftOut: [...new Set(all.flatMap((each) => each.leftOut))],
   cutShort: all.some((each) => each.cutShort),
+  notes: all.flatMap((each) => each.notes ?? []),
+  ...(all.length === 1 && all[0]?.sheet && { sheet: all[0].sheet }),
 });
 
-/** Reads texts with a unit for the lengths that have none; reading again with another unit needs no file. */
-function readTexts(texts: readonly FileText[], unit: LengthUnit, { t, w, name }: Reading): ToolImport | TableMessage {
+interface Reading {
+  readonly t: ToolsTexts;
+  readonly w: ToolFileTexts;
+  /** Assigns the columns of a sheet with titles of its own; null when that was given up. */
+  readonly assign: (sheet: NamedSheet) => Promise<ToolImport | null>;
+}
+
+/** What the texts of the chosen files contain; `sheets` were assigned and stay as they are with another unit. */
+function importOf(
+  texts: readonly FileText[],
+  unit: LengthUnit,
+  name: string,
+  sheets: readonly ToolImport[],
+): ToolImport {
   const read = toldFiles(readToolFiles(texts, unit), texts);
-  const problem = read.find(({ content }) => "problem" in content);
-  if (problem && "problem" in problem.content) return problemOf({ name: problem.name, content: problem.content }, t, w);
   const foreign = foreignImport(read, useTools.getState().list);
   const cutShort = read.some(({ content }) => "foreign" in content && content.foreign.cutShort);
   const tables = read.flatMap(({ name: file, content }) => {
     const encoding = texts.find((each) => each.name === file)?.encoding ?? "utf-8";
     return "table" in content ? [tableImport(file, content, encoding)] : [];
   });
-  const all = joined([...tables, ...(foreign ? [foreignRows(name, foreign, cutShort)] : [])], name);
-  if (!foreign) return all;
-  const withUnit = (other: LengthUnit) => readTexts(texts, other, { t, w, name }) as ToolImport;
-  return { ...all, foreign, withUnit };
+  const all = joined([...tables, ...(foreign ? [foreignRows(name, foreign, cutShort)] : []), ...sheets], name);
+  return foreign ? { ...all, foreign, withUnit: (other) => importOf(texts, other, name, sheets) } : all;
 }
 
-interface Reading {
-  readonly t: ToolsTexts;
-  readonly w: ToolFileTexts;
-  /** Names of the chosen files. */
-  readonly name: string;
+/** The chosen files: texts, also of archives, and workbooks. */
+interface Opened {
+  readonly texts: FileText[];
+  readonly sheets: NamedSheet[];
+  readonly bytes: Map<string, Uint8Array>;
 }
 
-/** Reads all chosen files, or returns the fault of the first one that cannot be read. */
-export async function readImportFiles(
-  files: readonly File[],
-  t: ToolsTexts,
-  w: ToolFileTexts,
-): Promise<ToolImport | TableMessage> {
-  const texts: FileText[] = [];
+async function opened(files: readonly ImportSource[], { t }: Reading): Promise<Opened | TableMessage> {
+  const all: Opened = { texts: [], sheets: [], bytes: new Map() };
   for (const file of files) {
     if (file.size > LARGEST) return failure(t.problems.tooLarge(file.name));
     try {
-      const found = textsOfFile(file.name, new Uint8Array(await file.arrayBuffer()), TOOL_FILE_ENDINGS);
+      const bytes = new Uint8Array(await file.arrayBuffer());
+      const workbook = isWorkbook(bytes) ? await sheetInFile(bytes) : null;
+      const found = workbook ? [] : textsOfFile(file.name, bytes, TOOL_FILE_ENDINGS);
       if (found === "tooLarge") return failure(t.problems.tooLarge(file.name));
-      if (found.length === 0) return failure(t.problems.noRows(file.name));
-      texts.push(...found);
+      if (workbook) all.sheets.push({ name: file.name, sheet: workbook });
+      else if (found.length === 0) return failure(t.problems.noRows(file.name));
+      all.texts.push(...found);
+      all.bytes.set(file.name, bytes);
     } catch {
       return failure(t.problems.unreadable(file.name));
     }
   }
-  const name = files.map((each) => each.name).join(", ");
-  return readTexts(texts, "mm", { t, w, name });
+  return all;
+}
+
+/** Reads all chosen files, or returns the fault of the first one that cannot be read; null when it was given up. */
+export async function readImportFiles(
+  files: readonly ImportSource[],
+  reading: Reading,
+): Promise<ToolImport | TableMessage | null> {
+  const { t, w, assign } = reading;
+  const found = await opened(files, reading);
+  if ("failed" in found) return found;
+  const { texts, sheets, bytes } = found;
+  const unknown = new Set<string>();
+  for (const { name, content } of toldFiles(readToolFiles(texts, "mm"), texts)) {
+    if (!("problem" in content)) continue;
+    const own = content.problem === "notATable" ? bytes.get(name) : undefined;
+    const sheet = own && (await sheetInFile(own));
+    if (!sheet) return problemOf({ name, content }, t, w);
+    sheets.push({ name, sheet });
+    unknown.add(name);
+  }
+  const assigned: ToolImport[] = [];
+  for (const sheet of sheets) {
+    const brought = await assign(sheet);
+    if (!brought) return null;
+    assigned.push(brought);
+  }
+  const known = texts.filter(({ name }) => !unknown.has(name));
+  return importOf(known, "mm", files.map((each) => each.name).join(", "), assigned);
 }

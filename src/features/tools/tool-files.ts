@@ -17,6 +17,7 @@ import { downloadBytes, downloadText } from "../../app/base/download.ts";
 import { closeStep } from "../../app/document/steps.ts";
 import { openToolRow } from "../../app/place/place.ts";
 import { editTools, toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
+import type { NamedSheet } from "./sheet-files.ts";
 import type { TableMessage } from "../../app/fields/table/TableStatus.tsx";
 
 /** A message about a file that could not be used. */
@@ -46,6 +47,17 @@ export interface ToolImport {
   readonly foreign?: ForeignImport;
   /** The same files read again, with another unit for lengths without one. */
   readonly withUnit?: (unit: LengthUnit) => ToolImport;
+  /** Sentences about how it was read, shown before it is applied. */
+  readonly notes?: readonly string[];
+  /** The sheet whose columns were assigned, so that they can be assigned again. */
+  readonly sheet?: NamedSheet;
+}
+
+/** A file or what was pasted. */
+export interface ImportSource {
+  readonly name: string;
+  readonly size: number;
+  readonly arrayBuffer: () => Promise<ArrayBuffer>;
 }
 
 /** Applies an import: one step of undo. */

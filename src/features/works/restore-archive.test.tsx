@@ -54,6 +54,7 @@ const archive: ReadArchive = {
   forms: null,
   worked: null,
   results: null,
+  columns: null,
   unread: [],
   unreadParts: [],
 };

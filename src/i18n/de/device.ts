@@ -79,6 +79,7 @@ export const device = {
       forms: "Die Aufgabenformulare in der Sicherung sind nicht lesbar.",
       worked: "Die Bearbeitungszeiten der Aufgaben in der Sicherung sind nicht lesbar.",
       results: "Die Ergebnisse der Lernenden in der Sicherung sind nicht lesbar.",
+      columns: "Die zugeordneten Spalten der Werkzeuglisten in der Sicherung sind nicht lesbar.",
     },
     take: "Einlesen",
     nothing: "Nichts gewählt",

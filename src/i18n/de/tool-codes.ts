@@ -1,9 +1,9 @@
 import type { ToolCodeTexts } from "../tool-code-text.ts";
 
 export const toolCodes: ToolCodeTexts = {
-  label: "ISO-Code von Platte oder Halter",
+  label: "Bezeichnung von Platte oder Halter",
   hint:
-    "Etwa DNMG 15 06 08, PDJNL 2525M15 oder A25R-SCLCR 09; auch Schneidplatte und Halter in einer Zeile. Enter " +
+    "Etwa DNMG 15 06 08, PDJNL 2525M15, A25R-SCLCR 09, 16ER AG60 oder DGN 3102; auch Schneidplatte und Halter in einer Zeile. Enter " +
     "übernimmt den Code.",
   says: "Bedeutung des Codes",
   fills: "Wird eingetragen",
@@ -15,9 +15,10 @@ export const toolCodes: ToolCodeTexts = {
   outline: "Umriss",
   newOutline: "neuer Umriss",
   notCovered: {
-    thread: "Codes von Gewindewerkzeugen sind herstellerspezifisch: nicht unterstützt.",
-    groove: "Codes von Stechwerkzeugen sind herstellerspezifisch: nicht unterstützt.",
-    unknown: "Kein Code nach ISO 1832, ISO 5608 oder ISO 6261.",
+    thread: "Diese Gewindeplatte ist nicht bekannt: TYPE, TO und P-ANGLE selbst eingeben.",
+    groove: "Die Bezeichnung dieser Familie ist nicht bekannt: CUTWIDTH und RS selbst eingeben.",
+    unknown:
+      "Weder eine Bezeichnung nach ISO 1832, ISO 5608 oder ISO 6261 noch eine bekannte Gewinde- oder Stechplatte.",
   },
   unknownPart: "nicht unterstützt",
   unsure: "Quellen widersprechen sich",
@@ -42,6 +43,14 @@ export const toolCodes: ToolCodeTexts = {
     length: "Länge",
     bar: "Bohrstange",
     diameter: "Stangendurchmesser",
+    side: "Einsatz",
+    circle: "Inkreis",
+    pitch: "Steigung",
+    profile: "Profil",
+    family: "Familie",
+    cutWidth: "Schneidenbreite",
+    frontAngle: "Frontwinkel",
+    source: "Bezeichnung nach",
   },
   forms: {
     rhombic: "rhombisch",
@@ -89,6 +98,8 @@ export const toolCodes: ToolCodeTexts = {
     heavyCoolant: "Schwermetall, Innenkühlung",
   },
   cuts: { side: "schneidet mit der Seite", end: "schneidet mit der Stirn", both: "schneidet mit Seite und Stirn" },
+  sides: { outside: "außen", inside: "innen", both: "außen und innen" },
+  perInch: (n) => `${n} Gang je Zoll`,
   special: "Sonderform",
   angle: (n) => `${n}°`,
   mm: (n) => `${n} mm`,
@@ -111,6 +122,12 @@ export const toolCodes: ToolCodeTexts = {
     headDrawn: "Schaft nach Code; Lage und Kopfumriss wie bei Standardhaltern. Mit dem Katalog vergleichen.",
     special: "X ist eine Sonderform: siehe Katalog.",
     unsure: (letter, angle) => `Buchstabe ${letter}: ${angle}° ist nicht geprüft. Mit dem Katalog vergleichen.`,
+    fullRadius: "Vollradius: als BUTTON mit der halben Breite als RS eingetragen.",
+    unverified:
+      "Nach der üblichen Regel dieser Familie gelesen, nicht an einer Liste des Herstellers geprüft: mit dem Katalog vergleichen.",
+    flanksDiffer: "Die Flanken haben verschiedene Winkel: P-ANGLE bleibt.",
+    holderUnplaced: "Schaftmaße gelesen; die Lage des Schafts steht nicht in der Bezeichnung: Halter bleibt.",
+    frontAngle: (angle) => `Die Stirnschneide ist um ${angle}° geneigt; sie wird gerade gezeichnet.`,
     noShank: {
       seat: "Die Lage des Schafts folgt nicht aus dieser Bauform: Halter unverändert.",
       reach: "Die Lage des Schafts ist für diese Größe nicht bekannt: Halter unverändert.",

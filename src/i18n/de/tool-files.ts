@@ -13,6 +13,7 @@ export const toolFiles: ToolFileTexts = {
   newOutline: "neuer Umriss",
   takeAll: (n) => `Alle importieren (${n})`,
   takeNew: (n) => `Nur die neuen (${n})`,
+  changeColumns: "Spalten ändern",
   cancel: "Abbrechen",
   keptInFile: (names) =>
     `Hier nicht gezeigte Spalten: ${names}. Sie bleiben bei der Datei und werden wieder exportiert.`,

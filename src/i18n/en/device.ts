@@ -80,6 +80,7 @@ export const device = {
       forms: "The exercise forms in the backup cannot be read.",
       worked: "The working times of exercises in the backup cannot be read.",
       results: "The learners’ results in the backup cannot be read.",
+      columns: "The assigned columns of tool sheets in the backup cannot be read.",
     },
     take: "Restore",
     nothing: "Nothing selected",

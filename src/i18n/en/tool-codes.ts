@@ -1,9 +1,9 @@
 import type { ToolCodeTexts } from "../tool-code-text.ts";
 
 export const toolCodes: ToolCodeTexts = {
-  label: "ISO code of insert or holder",
+  label: "Code of insert or holder",
   hint:
-    "Such as DNMG 15 06 08, PDJNL 2525M15 or A25R-SCLCR 09; insert and holder in one line also work. Enter applies " +
+    "Such as DNMG 15 06 08, PDJNL 2525M15, A25R-SCLCR 09, 16ER AG60 or DGN 3102; insert and holder in one line also work. Enter applies " +
     "the code.",
   says: "Meaning of the code",
   fills: "Fields to be set",
@@ -15,9 +15,9 @@ export const toolCodes: ToolCodeTexts = {
   outline: "outline",
   newOutline: "new outline",
   notCovered: {
-    thread: "Codes of thread tools are manufacturer-specific: not supported.",
-    groove: "Codes of recessing tools are manufacturer-specific: not supported.",
-    unknown: "Not a code of ISO 1832, ISO 5608 or ISO 6261.",
+    thread: "This thread code is not known: enter TYPE, TO and P-ANGLE yourself.",
+    groove: "The code of this family is not known: enter CUTWIDTH and RS yourself.",
+    unknown: "Neither a code of ISO 1832, ISO 5608 or ISO 6261 nor a known thread or groove insert.",
   },
   unknownPart: "not supported",
   unsure: "sources differ",
@@ -42,6 +42,14 @@ export const toolCodes: ToolCodeTexts = {
     length: "Length",
     bar: "Bar",
     diameter: "Bar diameter",
+    side: "Use",
+    circle: "Inscribed circle",
+    pitch: "Pitch",
+    profile: "Profile",
+    family: "Family",
+    cutWidth: "Cutting width",
+    frontAngle: "Front angle",
+    source: "Designation by",
   },
   forms: {
     rhombic: "rhombic",
@@ -89,6 +97,8 @@ export const toolCodes: ToolCodeTexts = {
     heavyCoolant: "heavy metal, internal coolant",
   },
   cuts: { side: "cuts with the side", end: "cuts with the end", both: "cuts with side and end" },
+  sides: { outside: "outside", inside: "inside", both: "outside and inside" },
+  perInch: (n) => `${n} threads per inch`,
   special: "special",
   angle: (n) => `${n}°`,
   mm: (n) => `${n} mm`,
@@ -110,6 +120,12 @@ export const toolCodes: ToolCodeTexts = {
     headDrawn: "Shank from the code; position and head outline of standard holders. Compare with the catalogue.",
     special: "X is a special form: see the catalogue.",
     unsure: (letter, angle) => `Letter ${letter}: ${angle}° is unverified. Compare with the catalogue.`,
+    fullRadius: "Full radius: entered as BUTTON with half the width as RS.",
+    unverified:
+      "Read by the common rule of this family, not checked against a list of its maker: compare with the catalogue.",
+    flanksDiffer: "The flanks have different angles: P-ANGLE unchanged.",
+    holderUnplaced: "Shank sizes are read; its position is not in the code: holder unchanged.",
+    frontAngle: (angle) => `The front edge is inclined by ${angle}°; it is drawn straight.`,
     noShank: {
       seat: "The shank position does not follow from this style: holder unchanged.",
       reach: "The shank position is unknown for this size: holder unchanged.",

@@ -13,6 +13,7 @@ export const toolFiles: ToolFileTexts = {
   newOutline: "new outline",
   takeAll: (n) => `Import all (${n})`,
   takeNew: (n) => `Only the new ones (${n})`,
+  changeColumns: "Change columns",
   cancel: "Cancel",
   keptInFile: (names) => `Columns not shown here: ${names}. They are kept with the file and exported again.`,
   leftOut: (names) => `Unknown columns: ${names}.`,

@@ -84,6 +84,7 @@ export const device = typeset<DeviceTexts>({
       forms: "Les formulaires d’exercices de la sauvegarde sont illisibles.",
       worked: "Les temps de travail des exercices de la sauvegarde sont illisibles.",
       results: "Les résultats des apprenants de la sauvegarde sont illisibles.",
+      columns: "Les colonnes attribuées des listes d’outils de la sauvegarde sont illisibles.",
     },
     take: "Restaurer",
     nothing: "Aucune sélection",

@@ -2,9 +2,9 @@ import type { ToolCodeTexts } from "../tool-code-text.ts";
 import { typeset } from "./typography/typeset.ts";
 
 export const toolCodes = typeset<ToolCodeTexts>({
-  label: "Code ISO de plaquette ou de porte-outil",
+  label: "Désignation de plaquette ou de porte-outil",
   hint:
-    "Par exemple DNMG 15 06 08, PDJNL 2525M15 ou A25R-SCLCR 09 ; les deux sur une ligne également. Entrée applique " +
+    "Par exemple DNMG 15 06 08, PDJNL 2525M15, A25R-SCLCR 09, 16ER AG60 ou DGN 3102 ; les deux sur une ligne également. Entrée applique " +
     "le code.",
   says: "Signification du code",
   fills: "Champs à renseigner",
@@ -16,9 +16,9 @@ export const toolCodes = typeset<ToolCodeTexts>({
   outline: "contour",
   newOutline: "nouveau contour",
   notCovered: {
-    thread: "Les codes d’outils à fileter dépendent du fabricant : non pris en charge.",
-    groove: "Les codes d’outils à gorges dépendent du fabricant : non pris en charge.",
-    unknown: "Pas un code ISO 1832, ISO 5608 ou ISO 6261.",
+    thread: "Cette plaquette de filetage n’est pas connue : saisir TYPE, TO et P-ANGLE.",
+    groove: "La désignation de cette famille n’est pas connue : saisir CUTWIDTH et RS.",
+    unknown: "Ni désignation ISO 1832, ISO 5608 ou ISO 6261, ni plaquette de filetage ou de gorge connue.",
   },
   unknownPart: "non pris en charge",
   unsure: "les sources divergent",
@@ -43,6 +43,14 @@ export const toolCodes = typeset<ToolCodeTexts>({
     length: "Longueur",
     bar: "Barre",
     diameter: "Diamètre de la barre",
+    side: "Emploi",
+    circle: "Cercle inscrit",
+    pitch: "Pas",
+    profile: "Profil",
+    family: "Famille",
+    cutWidth: "Largeur de coupe",
+    frontAngle: "Angle frontal",
+    source: "Désignation selon",
   },
   forms: {
     rhombic: "rhombique",
@@ -90,6 +98,8 @@ export const toolCodes = typeset<ToolCodeTexts>({
     heavyCoolant: "métal lourd, arrosage interne",
   },
   cuts: { side: "coupe par le côté", end: "coupe par le bout", both: "coupe par le côté et le bout" },
+  sides: { outside: "extérieur", inside: "intérieur", both: "extérieur et intérieur" },
+  perInch: (n) => `${n} filets par pouce`,
   special: "spécial",
   angle: (n) => `${n}°`,
   mm: (n) => `${n} mm`,
@@ -116,6 +126,12 @@ export const toolCodes = typeset<ToolCodeTexts>({
       "catalogue.",
     special: "X est une forme spéciale : voir le catalogue.",
     unsure: (letter, angle) => `Lettre ${letter} : ${angle}° n’est pas vérifié. À comparer au catalogue.`,
+    fullRadius: "Rayon complet : saisie comme BUTTON avec la demi-largeur comme RS.",
+    unverified:
+      "Lu selon la règle usuelle de cette famille, non vérifié sur une liste du fabricant : comparer au catalogue.",
+    flanksDiffer: "Les flancs ont des angles différents : P-ANGLE inchangé.",
+    holderUnplaced: "Les cotes du corps sont lues ; sa position n’est pas dans la désignation : porte-outil inchangé.",
+    frontAngle: (angle) => `L’arête frontale est inclinée de ${angle}° ; elle est dessinée droite.`,
     noShank: {
       seat: "La position du corps ne découle pas de ce type : porte-outil inchangé.",
       reach: "La position du corps n’est pas connue pour cette taille : porte-outil inchangé.",

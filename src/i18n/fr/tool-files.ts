@@ -14,6 +14,7 @@ export const toolFiles = typeset<ToolFileTexts>({
   newOutline: "nouveau contour",
   takeAll: (n) => `Tout importer (${n})`,
   takeNew: (n) => `Seulement les nouveaux (${n})`,
+  changeColumns: "Modifier les colonnes",
   cancel: "Annuler",
   keptInFile: (names) => `Colonnes non affichées ici : ${names}. Elles restent avec le fichier et sont réexportées.`,
   leftOut: (names) => `Colonnes inconnues : ${names}.`,

@@ -74,6 +74,7 @@ export const device = {
       forms: "备份中的练习表单无法读取。",
       worked: "备份中的练习用时无法读取。",
       results: "备份中的学员结果无法读取。",
+      columns: "备份中刀具表格的列指定无法读取。",
     },
     take: "恢复",
     nothing: "未选择任何内容",

@@ -13,6 +13,7 @@ export const toolFiles: ToolFileTexts = {
   newOutline: "新轮廓",
   takeAll: (n) => `全部导入（${n}）`,
   takeNew: (n) => `只导入新增（${n}）`,
+  changeColumns: "更改列",
   cancel: "取消",
   keptInFile: (names) => `此处不显示的列：${names}。它们随文件保留，并随文件导出。`,
   leftOut: (names) => `未知的列：${names}。`,

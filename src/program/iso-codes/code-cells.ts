@@ -4,6 +4,7 @@ import { anyNumber, readText } from "../values/field.ts";
 import type { HolderCode } from "./holder-code.ts";
 import { holderCellsOf, type HeldInsert, type NoShank } from "./holder-shape.ts";
 import type { InsertCode } from "./insert-code.ts";
+import type { MakerCode, MakerNote } from "./maker-code-shape.ts";
 import { circleOf, edgeOf, INSERT_SHAPES } from "./insert-facts.ts";
 import { readToolCodes, type ToolCodes } from "./tool-code.ts";
 
@@ -24,16 +25,9 @@ export type CodeNote =
   | { readonly is: "rowAngle" | "rowEdge"; readonly row: number; readonly code: number }
   | {
       readonly is:
-        | "inch"
-        | "inchHolder"
-        | "cornerMissing"
-        | "sizeUnsure"
-        | "onlyCorner"
-        | "endCutting"
-        | "leftBar"
-        | "headDrawn"
-        | "special";
+        "inch" | "inchHolder" | "sizeUnsure" | "onlyCorner" | "endCutting" | "leftBar" | "headDrawn" | "special";
     }
+  | MakerNote
   | { readonly is: "unsure"; readonly letter: string; readonly angle: number }
   | { readonly is: "noShank"; readonly why: Exclude<NoShank, "incomplete"> };
 
@@ -64,6 +58,11 @@ function insertCells(insert: InsertCode, entry: ToolEntry): Cells {
     ...(insert.edge !== null && { CUTLENGTH: upToThousandth(insert.edge) }),
     ...corner,
   };
+}
+
+/** Cells given by the code of a maker: a row of a fitting type keeps it. */
+function makerCells({ cells: { TYPE, ...others }, types }: MakerCode, entry: ToolEntry): Cells {
+  return types.includes(cellOf(entry, "TYPE")) || TYPE === undefined ? others : { TYPE, ...others };
 }
 
 /** Edge length from the size of a holder, mm. */
@@ -159,7 +158,8 @@ function insertNotes(insert: InsertCode): CodeNote[] {
 }
 
 /** Code used as tool name: of its insert, else of its holder. */
-export const nameOfCodes = ({ insert, holder }: ToolCodes): string => insert?.code ?? holder?.code ?? "";
+export const nameOfCodes = ({ insert, holder, maker }: ToolCodes): string =>
+  insert?.code ?? holder?.code ?? maker?.code ?? "";
 
 /** Whether codes rename a row: one without a name, or one that has its name from an earlier code. */
 function renames(codes: ToolCodes, entry: ToolEntry): boolean {
@@ -168,7 +168,7 @@ function renames(codes: ToolCodes, entry: ToolEntry): boolean {
   const earlier = readToolCodes(name);
   // The insert names a tool rather than its holder.
   const isOther = isWholeCode(earlier) && nameOfCodes(earlier) !== nameOfCodes(codes);
-  return isOther && (codes.insert !== null || earlier.insert === null);
+  return isOther && (codes.insert !== null || codes.maker !== undefined || earlier.insert === null);
 }
 
 /**
@@ -176,11 +176,17 @@ function renames(codes: ToolCodes, entry: ToolEntry): boolean {
  * one.
  */
 export function fillingOf(codes: ToolCodes, entry: ToolEntry): CodeFilling {
-  const { insert, holder } = codes;
+  const { insert, holder, maker } = codes;
   const ofHolder = holder ? holderFacts(codes, holder, entry) : null;
   const asked = holder && !insert ? holderInsert(holder, entry) : null;
   const name: Cells = renames(codes, entry) ? { NAME: nameOfCodes(codes) } : {};
-  const wanted: Cells = { ...name, ...(insert && insertCells(insert, entry)), ...asked?.found, ...ofHolder?.found };
+  const wanted: Cells = {
+    ...name,
+    ...(insert && insertCells(insert, entry)),
+    ...asked?.found,
+    ...ofHolder?.found,
+    ...(maker && makerCells(maker, entry)),
+  };
   const isSpecial = [...(insert?.parts ?? []), ...(holder?.parts ?? [])].some((each) => each.meaning?.is === "special");
   const cells = Object.entries(wanted)
     .map(([cell, to]) => ({ cell: cell as CellName, from: cellOf(entry, cell as CellName), to }))
@@ -192,14 +198,16 @@ export function fillingOf(codes: ToolCodes, entry: ToolEntry): CodeFilling {
       ...(asked?.notes ?? []),
       ...(insert ? insertNotes(insert) : []),
       ...(ofHolder?.notes ?? []),
+      ...(maker?.notes ?? []),
       ...(isSpecial ? [{ is: "special" } as const] : []),
     ],
   };
 }
 
 /** Whether a text is a complete code with known letters only. */
-export function isWholeCode({ insert, holder, notCovered }: ToolCodes): boolean {
+export function isWholeCode({ insert, holder, maker, notCovered }: ToolCodes): boolean {
   if (notCovered !== null) return false;
+  if (maker) return true;
   const parts = [...(insert?.parts ?? []), ...(holder?.parts ?? [])];
   const whole = insert
     ? parts.some((each) => each.name === "corner")

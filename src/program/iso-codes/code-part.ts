@@ -21,6 +21,14 @@ export const PART_NAMES = [
   "length",
   "bar",
   "diameter",
+  "side",
+  "circle",
+  "pitch",
+  "profile",
+  "family",
+  "cutWidth",
+  "frontAngle",
+  "source",
 ] as const;
 export type PartName = (typeof PART_NAMES)[number];
 
@@ -57,6 +65,10 @@ export type CodeMeaning =
   | { readonly is: "clamping"; readonly clamping: InsertClamping }
   | { readonly is: "style"; readonly angle: number; readonly cuts: Cuts }
   | { readonly is: "bar"; readonly make: BarMake }
+  | { readonly is: "side"; readonly side: "outside" | "inside" | "both" }
+  /** Pitches in mm, or in threads per inch. */
+  | { readonly is: "pitches"; readonly from: number; readonly to: number; readonly inch: boolean }
+  | { readonly is: "named"; readonly name: string; readonly angle: number | null }
   | { readonly is: "special" }
   | { readonly is: "nothing" };
 

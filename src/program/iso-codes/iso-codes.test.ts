@@ -188,13 +188,13 @@ describe("holders", () => {
 });
 
 test.each([
-  ["16ER AG60", "thread"],
-  ["22 IR 5.0 ISO", "thread"],
-  ["SER 2525M16", "thread"],
-  ["SIR 0020P16", "thread"],
-  ["MGMN300-M", "groove"],
-  ["MGEHR 2525-3", "groove"],
-  ["N123H2-0400", "groove"],
+  ["16ER 99XYZ", "thread"],
+  ["44ER AG60", "thread"],
+  ["LTER 2525 16", "thread"],
+  ["GTN-3", "groove"],
+  ["SP300", "groove"],
+  ["N151.2-300-30-4G", "groove"],
+  ["GX 24-3", "groove"],
   ["hello world", "unknown"],
   ["4711", "unknown"],
 ])("%s is not covered: %s", (text, why) => {

@@ -1,7 +1,9 @@
 import { readBarCode, readHolderCode, type HolderCode } from "./holder-code.ts";
 import { readInsertCode, type InsertCode } from "./insert-code.ts";
+import { readMakerCode } from "./maker-code.ts";
+import type { MakerCode } from "./maker-code-shape.ts";
 
-/** Why a code is not read: thread and grooving tools have manufacturer designations. */
+/** Why a code is not read: a family of thread or grooving tools whose makers number their inserts. */
 export type NotCovered = "thread" | "groove" | "unknown";
 
 /** A typed tool code: an insert, a holder, both, or an unsupported code. */
@@ -9,6 +11,8 @@ export interface ToolCodes {
   readonly insert: InsertCode | null;
   readonly holder: HolderCode | null;
   readonly notCovered: NotCovered | null;
+  /** A thread, groove or part-off tool by the designation of its makers. */
+  readonly maker?: MakerCode;
 }
 
 const GAP = String.raw`[\s\-_/·]*`;
@@ -16,7 +20,7 @@ const THREAD = new RegExp(
   String.raw`^(?:\d{2}${GAP}[EI][RLN]|S[EI][RLN]${GAP}\d|[SACE]\d{2}[A-Z]${GAP}S?[EI][RLN]|[TL]T[EI]?[RLN]${GAP}\d)`,
 );
 const GROOVE = new RegExp(
-  String.raw`^(?:M[GR][GM]N|MG[EI]?[HV][RLN]|MG[EI][HV]|[NRL]\d{3}|T?D[CGN]${GAP}\d|GX|LCG|GTN|[A-Z]?QD)`,
+  String.raw`^(?:M[GR][GM]N|MG[EI]?[HV][RLN]|MG[EI][HV]|[NRL]\d{3}|T?D[CGN]${GAP}\d|GX|LC[GM]|GTN|GFN|SP\d{3}|N151|[A-Z]?QD)`,
 );
 const BAR = /^[A-J S]\s*\d{2}\s*[A-Z]?(?:[\s\-_/·]*[A-Z]{0,5})/;
 /** Five letters of a holder and four of an insert, followed by digits or nothing. */
@@ -29,6 +33,8 @@ const isInsert = (text: string) => INSERT.test(text);
 
 function readOne(text: string): ToolCodes {
   const none = { insert: null, holder: null, notCovered: null };
+  const maker = readMakerCode(text);
+  if (maker) return { ...none, maker };
   if (THREAD.test(text)) return { ...none, notCovered: "thread" };
   if (GROOVE.test(text)) return { ...none, notCovered: "groove" };
   if (isBar(text)) return { ...none, holder: readBarCode(text) };
