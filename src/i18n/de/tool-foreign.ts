@@ -27,7 +27,7 @@ export const toolForeign: ToolForeignTexts = {
     kindFromProperties: "nach den vorhandenen Merkmalen",
     recessAssumed: "Längsdrehen nicht angegeben: nur Stechen",
     sideFromName: "Seite nach dem Namen",
-    fromCode: "ISO-Bezeichnung im Namen",
+    fromCode: "Bezeichnung im Namen",
     circleAssumed: "Größe als Inkreis gelesen",
     unsureStyle: "Quellen nennen verschiedene Winkel",
     edgeTurned: "Winkel zeigt aus der Platte heraus: um 180° gedreht",

@@ -27,7 +27,7 @@ export const toolForeign: ToolForeignTexts = {
     kindFromProperties: "by the properties it has",
     recessAssumed: "turning sideways is not stated: recessing only",
     sideFromName: "side by its name",
-    fromCode: "ISO code in its name",
+    fromCode: "code in its name",
     circleAssumed: "size read as inscribed circle",
     unsureStyle: "sources differ on the angle of this style",
     edgeTurned: "the angle points out of the insert: turned by 180°",

@@ -27,7 +27,7 @@ export const toolForeign: ToolForeignTexts = {
     kindFromProperties: "d’après les caractéristiques présentes",
     recessAssumed: "chariotage non indiqué : gorge seulement",
     sideFromName: "côté d’après le nom",
-    fromCode: "désignation ISO dans le nom",
+    fromCode: "désignation dans le nom",
     circleAssumed: "taille lue comme cercle inscrit",
     unsureStyle: "les sources diffèrent sur cet angle",
     edgeTurned: "l’angle sort de la plaquette : tourné de 180°",

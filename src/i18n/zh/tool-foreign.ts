@@ -27,7 +27,7 @@ export const toolForeign: ToolForeignTexts = {
     kindFromProperties: "按已有特性判断",
     recessAssumed: "未注明可横向车削：仅切槽",
     sideFromName: "内外按名称判断",
-    fromCode: "名称中的 ISO 代号",
+    fromCode: "名称中的代号",
     circleAssumed: "尺寸按内切圆读取",
     unsureStyle: "各资料中的角度不一致",
     edgeTurned: "角度指向刀片之外：转 180°",

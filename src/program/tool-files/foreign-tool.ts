@@ -1,5 +1,5 @@
 import { radiusOf } from "../../kernel/units.ts";
-import { fillingOf, isWholeCode } from "../iso-codes/code-cells.ts";
+import { fillingOf, isWholeCode, nameOfCodes } from "../iso-codes/code-cells.ts";
 import type { Hand } from "../iso-codes/code-part.ts";
 import { edgeOf, INSERT_SHAPES } from "../iso-codes/insert-facts.ts";
 import { readToolCodes, type ToolCodes } from "../iso-codes/tool-code.ts";
@@ -185,30 +185,31 @@ function putAxial(
 /** Most words at which a code may begin. */
 const MOST_WORDS = 12;
 
-/** The first complete code of an insert, a holder or both within a text. */
+/** The first complete code of an insert, a holder or both within a text, or that of a maker. */
 function codesIn(text: string): ToolCodes | null {
-  const starts = [...text.slice(0, 200).matchAll(/(?:^|[\s,;:(+])(?=[A-Za-z])/g)].slice(0, MOST_WORDS);
+  const starts = [...text.slice(0, 200).matchAll(/(?:^|[\s,;:(+])(?=[A-Za-z\d])/g)].slice(0, MOST_WORDS);
   for (const { index, 0: gap } of starts) {
     const codes = readToolCodes(text.slice(index + gap.length, 200));
-    if (isWholeCode(codes)) return codes;
+    if (isWholeCode(codes) || codes.maker) return codes;
   }
   return null;
 }
 
 const ASSUMED: readonly ProposalReason[] = ["outsideAssumed", "handAssumed", "kindFromProperties"];
 
-/** Cells that ISO codes in the texts of a tool state, where the file itself does not. */
-function putCodes(row: Row, texts: readonly string[]): void {
+/** Cells that codes in the texts of a tool state, where the file itself does not. */
+function putCodes(row: Row, texts: readonly string[], kind: FileToolKind | undefined): void {
   for (const text of texts) {
     const codes = codesIn(text);
-    if (!codes) continue;
+    // Codes of makers are those of blades and thread inserts, codes of ISO those of turning inserts and holders.
+    if (!codes || (kind !== undefined && (kind === "turning") === (codes.maker !== undefined))) continue;
     const held = row.cells.width !== undefined;
     const filled = fillingOf(codes, { id: "", cells: { ...row.cells } }).cells;
     for (const { cell, to } of filled) {
       const isOpen = row.cells[cell] === undefined || row.origins[cell]?.why.some((why) => ASSUMED.includes(why));
       const ofHolder = HOLDER_CELLS.some((each) => each === cell);
       if (cell === "NAME" || to === "" || !isOpen || (held && ofHolder)) continue;
-      row.set(cell, to, { from: codes.insert?.code ?? codes.holder?.code ?? text, why: ["fromCode"] });
+      row.set(cell, to, { from: nameOfCodes(codes) || text, why: ["fromCode"] });
     }
   }
 }
@@ -226,6 +227,6 @@ export function foreignTool(tool: FileTool): ForeignTool {
   else if (kind) left = putTurning(row, tool, kind);
   row.put("ZL", kind && AXIAL[kind.value] ? undefined : facts.lengthZ);
   row.put("XL", facts.lengthX);
-  if (!kind || kind.value === "turning") putCodes(row, texts);
+  if (!kind || !AXIAL[kind.value]) putCodes(row, texts, kind?.value);
   return { label, cells: row.cells, origins: row.origins, unused: [...tool.unused, ...left] };
 }

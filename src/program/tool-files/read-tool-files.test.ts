@@ -210,6 +210,8 @@ describe("proposals", () => {
     [fusion({ type: "turning parting", unit: "millimeters", geometry: { CW: 2 } }), "TYPE", 0, []],
     [HSM, "CUTLENGTH", 0, ["circleAssumed"]],
     [HOLDER, "P-ANGLE", 0, ["fromCode"]],
+    [fusion({ type: "turning threading", unit: "millimeters", description: "16ER AG60" }), "P-ANGLE", 0, ["fromCode"]],
+    [fusion({ type: "turning grooving", unit: "millimeters", description: "MGMN300" }), "CUTWIDTH", 0, ["fromCode"]],
     [din({ NSM: "DIN4000-81", BLD: "7", A11: "4", A11_2: "10", E4_2: "60" }), "R", 0, ["bodyAsCentre"]],
   ])("%#", (text, cell, at, reasons) => {
     expect(why(text, cell, at)).toEqual(reasons);
