@@ -9,6 +9,11 @@ test("the states of the tool table pass axe, and fit", async ({ page }) => {
   await tools.cell("RS").fill("x");
   await tools.cell("P-ANGLE").fill("99");
   await expectFineInBothThemes(page, "a tool that is wrong");
+  await tools.choose({ name: "list.csv", content: "Nr;Art;Radius\n1;Spezial;0,8\n" });
+  await expect(tools.sheet).toContainText("Spezial");
+  await expectFineInBothThemes(page, "the columns of a sheet");
+  await page.keyboard.press("Escape");
+  await expect(tools.sheet).toHaveCount(0);
   await tools.add.click();
   await expectFineInBothThemes(page, "a new tool");
   await tools.show("milling");

@@ -17,6 +17,7 @@ const NAMES = [
   "sheet",
   "tables",
   "tool-codes",
+  "tool-sheets",
   "tool-files",
   "workplace",
 ] as const satisfies readonly PartName[];

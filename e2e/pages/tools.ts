@@ -132,6 +132,12 @@ export class ToolTable {
     });
   }
 
+  /** The dialog that assigns the columns of a sheet. */
+  get sheet(): Locator {
+    const { title } = words(this.context.language, "tool-sheets");
+    return this.context.page.getByRole("dialog", { name: new RegExp(plainText(title("§")).replace("§", ".*")) });
+  }
+
   /** Imports the files: all tools, or those with new numbers only. */
   async take(choice: "all" | "new" = "all"): Promise<void> {
     const { takeAll, takeNew } = this.words.files;

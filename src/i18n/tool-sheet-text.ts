@@ -25,6 +25,7 @@ export interface SheetTexts {
   readonly tools: (n: number) => string;
   readonly withErrors: (n: number) => string;
   readonly line: (line: number) => string;
+  readonly twiceNumbered: (numbers: string) => string;
   readonly proposedNumber: string;
   readonly empty: string;
   readonly again: string;

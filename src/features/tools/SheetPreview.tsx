@@ -11,7 +11,7 @@ const NAMED = ["T", "NAME"];
 
 /** The tools that a sheet makes, with the errors of each line. */
 export function SheetPreview({
-  tools: { rows, unused },
+  tools: { rows, twice, unused },
   words: w,
 }: {
   readonly tools: SheetTools;
@@ -29,15 +29,18 @@ export function SheetPreview({
   const wrong = read.filter(({ errors }) => errors.length > 0).length;
   return (
     <section className="sheet-preview">
-      <h3 role="status">
-        {rows.length === 0 ? w.empty : w.tools(rows.length)}
-        {wrong > 0 && (
-          <>
-            {" · "}
-            <span className="tool-errors">{w.withErrors(wrong)}</span>
-          </>
-        )}
+      <h3>
+        <span role="status">
+          {rows.length === 0 ? w.empty : w.tools(rows.length)}
+          {wrong > 0 && (
+            <>
+              {" · "}
+              <span className="tool-errors">{w.withErrors(wrong)}</span>
+            </>
+          )}
+        </span>
       </h3>
+      {twice.length > 0 && <Message tone="warning">{w.twiceNumbered(twice.join(", "))}</Message>}
       {unused.length > 0 && <p className="soft">{w.notUsed(unused.join(", "))}</p>}
       <ul className="import-changes">
         {read.slice(0, MOST).map(({ cells, line, isNumbered, errors }) => (

@@ -332,3 +332,26 @@ test("tools of another system show what is proposed and why, ask for their unit,
   undo("tools");
   expect(toolTable().tools).toEqual(shippedTools);
 });
+
+test("the columns of a sheet are assigned once: proposals, words, and the same sheet again", async () => {
+  render(<ToolPage />);
+  const user = userEvent.setup({ applyAccept: false });
+  const file = () => new File(["Nr;Name;Art;Wert;Lage\n61;X;Spezial;0,4;1\n"], "list.csv");
+  const input = document.querySelector<HTMLInputElement>("input[type=file]");
+  if (!input) throw new Error("no input");
+  await screen.findByRole("button", { name: "Paste tools copied from a spreadsheet" });
+  await user.upload(input, file());
+  const meaning = await screen.findByRole<HTMLSelectElement>("combobox", { name: "Meaning of Wert" });
+  expect(meaning.value).toBe("");
+  expect(screen.getByRole<HTMLSelectElement>("combobox", { name: "Meaning of Art" }).value).toBe("TYPE");
+  await user.selectOptions(meaning, "RS");
+  await user.selectOptions(screen.getByRole("combobox", { name: "“Spezial” means" }), "BUTTON");
+  await user.selectOptions(screen.getByRole("combobox", { name: "Unit of Wert" }), "diameter, mm");
+  await user.click(screen.getByRole("button", { name: "Continue" }));
+  await user.click(await screen.findByRole("button", { name: "Import all (1)" }));
+  expect(useTools.getState().list.at(-1)?.cells).toEqual({ T: "61", NAME: "X", TYPE: "BUTTON", RS: "0.2", TO: "1" });
+  await user.upload(input, file());
+  expect(await screen.findByText(/Columns assigned as on \d{4}-/)).toBeTruthy();
+  await user.click(screen.getByRole("button", { name: "Change columns" }));
+  expect((await screen.findByRole<HTMLSelectElement>("combobox", { name: "Meaning of Wert" })).value).toBe("RS");
+});

@@ -98,7 +98,8 @@ export function ToolPage() {
             {t.count(list.length)}
             {wrong > 0 && (
               <>
-                · <span className="tool-errors">{t.wrongCount(wrong)}</span>
+                {" · "}
+                <span className="tool-errors">{t.wrongCount(wrong)}</span>
               </>
             )}
           </p>

@@ -5,6 +5,7 @@ import { TOOL_FILE_ENDINGS } from "../../program/tool-files/formats.ts";
 import { numbered, readToolFiles, type ReadToolFile } from "../../program/tool-files/read-tool-files.ts";
 import { readEntry, tableOrigin, type TableLine } from "../../program/tools/tool-entry.ts";
 import type { ToolList } from "../../program/tools/tool-list.ts";
+import { readSheet } from "../../program/tool-sheets/sheet.ts";
 import { textsOfFile, type FileText } from "../../app/document/file-texts.ts";
 import { useTools } from "../../app/document/tool-store.ts";
 import type { Encoding } from "../../app/document/work.ts";
@@ -71,7 +72,16 @@ function tableImport(name: string, { table: read, text }: TableContent, encoding
     columns: rows.map(() => columns),
     names: table?.turning ?? new Map<number, string>(),
   };
-  return { name, incoming, kept: table ? leftOut : [], leftOut: table ? [] : leftOut, cutShort };
+  // A sheet with further columns can have them assigned.
+  const sheet = !table && leftOut.length > 0 && !/^\s*[{[]/.test(text) ? readSheet(text) : null;
+  return {
+    name,
+    incoming,
+    kept: table ? leftOut : [],
+    leftOut: table ? [] : leftOut,
+    cutShort,
+    ...(sheet && { sheet: { name, sheet } }),
+  };
 }
 
 /** The rows of another system's tools: each replaces all cells of its number. */

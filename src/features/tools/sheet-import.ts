@@ -36,7 +36,7 @@ export function importOfSheet(
   w: SheetTexts,
 ): ToolImport {
   const { name, sheet } = named;
-  const { rows, unused, given } = toolsOfSheet(sheet, assignment, numbersTaken());
+  const { rows, twice, unused, given } = toolsOfSheet(sheet, assignment, numbersTaken());
   if (day === null) rememberSheet({ ...assignment, signature: signatureOf(sheet), day: dayText(new Date(time())) });
   const numbered = rows.flatMap(({ cells, isNumbered }) => (isNumbered ? [] : (cells.T ?? [])));
   const more = numbered.length > MOST ? " …" : "";
@@ -53,6 +53,7 @@ export function importOfSheet(
     cutShort: false,
     notes: [
       ...(day === null ? [] : [w.asOn(day)]),
+      ...(twice.length > 0 ? [w.twiceNumbered(twice.join(", "))] : []),
       ...(numbered.length > 0 ? [w.numbered(numbered.slice(0, MOST).join(", ") + more)] : []),
     ],
     sheet: named,

@@ -26,6 +26,8 @@ export const toolSheets: SheetTexts = {
   tools: (n) => (n === 1 ? "1 Werkzeug" : `${n} Werkzeuge`),
   withErrors: (n) => `${n} mit Fehlern`,
   line: (line) => `Zeile ${line}`,
+  twiceNumbered: (numbers) =>
+    `Mehrere Zeilen haben dieselbe Nummer, nur die jeweils letzte wird importiert: ${numbers}.`,
   proposedNumber: "Nummer vorgeschlagen",
   empty: "Mit diesen Spalten ergeben sich keine Werkzeuge.",
   again: "Vorgeschlagene Spalten",

@@ -26,6 +26,7 @@ export const toolSheets: SheetTexts = {
   tools: (n) => (n === 1 ? "1 tool" : `${n} tools`),
   withErrors: (n) => (n === 1 ? "1 with an error" : `${n} with errors`),
   line: (line) => `Line ${line}`,
+  twiceNumbered: (numbers) => `Several lines have the same number, only the last of each is imported: ${numbers}.`,
   proposedNumber: "number proposed",
   empty: "No tools with these columns.",
   again: "Proposed columns",

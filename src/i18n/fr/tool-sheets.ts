@@ -26,6 +26,7 @@ export const toolSheets: SheetTexts = {
   tools: (n) => (n === 1 ? "1 outil" : `${n} outils`),
   withErrors: (n) => (n === 1 ? "1 avec une erreur" : `${n} avec des erreurs`),
   line: (line) => `Ligne ${line}`,
+  twiceNumbered: (numbers) => `Plusieurs lignes ont le même numéro, seule la dernière est importée : ${numbers}.`,
   proposedNumber: "numéro proposé",
   empty: "Aucun outil avec ces colonnes.",
   again: "Colonnes proposées",

@@ -26,6 +26,7 @@ export const toolSheets: SheetTexts = {
   tools: (n) => `${n} 把刀具`,
   withErrors: (n) => `${n} 把有错误`,
   line: (line) => `第 ${line} 行`,
+  twiceNumbered: (numbers) => `多行使用相同的刀具号，只导入最后一行：${numbers}。`,
   proposedNumber: "建议的刀具号",
   empty: "按这些列没有刀具。",
   again: "建议的列",

@@ -176,7 +176,7 @@ export function readGrooveCode(text: string): MakerCode | null {
         ...(corner === null ? [] : [mm("corner", radius ?? "", corner)]),
         ...(front > 0 ? [codePart("frontAngle", angle ?? "", { is: "angle", angle: front })] : []),
         ...(rest ? [codePart("maker", rest, { is: "nothing" })] : []),
-        codePart("source", maker, { is: "nothing" }),
+        codePart("source", "", { is: "named", name: maker, angle: null }),
       ],
       cells: isRound
         ? { TYPE: "BUTTON", RS: rounded(width / 2) }

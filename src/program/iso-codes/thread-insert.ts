@@ -133,7 +133,7 @@ function readInsert(text: string): MakerCode | null {
     ...(make ? [codePart("maker", make, { is: "nothing" })] : []),
     ...shape.parts,
     ...(rest ? [codePart("maker", rest, { is: "nothing" })] : []),
-    codePart("source", MAKERS, { is: "nothing" }),
+    codePart("source", "", { is: "named", name: MAKERS, angle: null }),
   ];
   return {
     kind: "maker",
@@ -171,7 +171,7 @@ function readHolder(text: string): MakerCode | null {
           ]),
       codePart("length", long, { is: "mm", mm }),
       codePart("circle", size, { is: "mm", mm: circle }),
-      codePart("source", MAKERS, { is: "nothing" }),
+      codePart("source", "", { is: "named", name: MAKERS, angle: null }),
     ],
     cells: { TYPE: "THREAD", ...orientation(at) },
     types: ["THREAD"],

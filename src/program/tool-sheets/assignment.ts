@@ -180,6 +180,8 @@ function cellsOf(line: readonly string[], { columns, words }: Assignment): Cells
 /** The tools of a sheet, each with its line from 1, and whether its number is only proposed. */
 export interface SheetTools {
   readonly rows: readonly { readonly cells: Cells; readonly line: number; readonly isNumbered: boolean }[];
+  /** Numbers that more than one line has: only the last one is imported. */
+  readonly twice: readonly string[];
   /** Titles of the columns that are not used. */
   readonly unused: readonly string[];
   /** Cells that the sheet gives. */
@@ -201,7 +203,9 @@ export function toolsOfSheet(sheet: Sheet, assignment: Assignment, taken: Readon
     while (numbers.has(next)) next++;
     return { cells: { ...cells, T: String(next++) }, line, isNumbered: false };
   });
+  const all = rows.map(({ cells }) => cells.T ?? "");
+  const twice = [...new Set(all.filter((number, i) => all.indexOf(number) !== i))];
   const unused = sheet.titles.filter((title, at) => title !== "" && !assignment.columns[at]);
   const given = [...new Set(read.flatMap(({ cells }) => Object.keys(cells) as CellName[]))];
-  return { rows, unused, given };
+  return { rows, twice, unused, given };
 }

@@ -78,6 +78,9 @@ describe("titles and tools of sheets", () => {
     expect(made?.rows.map(({ isNumbered }) => isNumbered)).toEqual([true, false]);
   });
 
+  test("lines with the same number are named", () =>
+    expect(proposed("Nr;Typ;Radius\n1;Schlichten;0,4\n1;Schruppen;0,8\n2;Schruppen;0,8\n")?.twice).toEqual(["1"]));
+
   test("a proposed number is free in the table, too", () => {
     const sheet = readSheet("Typ;Radius\nSchruppen;0,8\nSchlichten;0,4\n");
     const tools = sheet && toolsOfSheet(sheet, proposedAssignment(sheet), new Set([1, 3]));

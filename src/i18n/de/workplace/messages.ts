@@ -91,7 +91,9 @@ export const messages = {
     toolColumn: (d, w) => {
       const what =
         d.value === null
-          ? `${d.column} fehlt oder ist keine Zahl.`
+          ? d.column === "TYPE"
+            ? "TYPE fehlt oder ist kein Werkzeugtyp."
+            : `${d.column} fehlt oder ist keine Zahl.`
           : `${d.column} ${w.value(d.value)} ist nicht möglich.`;
       if (d.min !== undefined && d.max !== undefined)
         return `${what} Erlaubt: ${w.value(d.min)} bis ${w.value(d.max)}.`;

@@ -85,7 +85,9 @@ export const messages = {
     toolColumn: (d, w) => {
       const what =
         d.value === null
-          ? `${d.column} is missing or not a number.`
+          ? d.column === "TYPE"
+            ? "TYPE is missing or not a type of tool."
+            : `${d.column} is missing or not a number.`
           : `${d.column} ${w.value(d.value)} is not possible.`;
       if (d.min !== undefined && d.max !== undefined) return `${what} Allowed: ${w.value(d.min)} to ${w.value(d.max)}.`;
       if (d.min !== undefined)

@@ -86,7 +86,9 @@ export const messages = {
     toolColumn: (d, w) => {
       const what =
         d.value === null
-          ? `${d.column} manque ou n’est pas un nombre.`
+          ? d.column === "TYPE"
+            ? "TYPE manque ou n’est pas un type d’outil."
+            : `${d.column} manque ou n’est pas un nombre.`
           : `${d.column} ${w.value(d.value)} n’est pas possible.`;
       if (d.min !== undefined && d.max !== undefined)
         return `${what} Autorisé : ${w.value(d.min)} à ${w.value(d.max)}.`;

@@ -72,7 +72,12 @@ export const messages = {
     toolCannotCutSideways: (d) => `${d.type}刀具只能切入，本循环还需横向切削。请使用RECTURN刀具。`,
     flanksNotChecked: () => "T-ANGLE或P-ANGLE为空：不检查刀片侧刃。",
     toolColumn: (d, w) => {
-      const what = d.value === null ? `${d.column}缺失或不是数字。` : `${d.column} ${w.value(d.value)}不可用。`;
+      const what =
+        d.value === null
+          ? d.column === "TYPE"
+            ? "TYPE缺失或不是刀具类型。"
+            : `${d.column}缺失或不是数字。`
+          : `${d.column} ${w.value(d.value)}不可用。`;
       if (d.min !== undefined && d.max !== undefined) return `${what}允许范围：${w.value(d.min)}至${w.value(d.max)}。`;
       if (d.min !== undefined) return `${what}必须${d.column === "CUTWIDTH" ? "大于" : "不小于"}${w.value(d.min)}。`;
       return d.max === undefined ? what : `${what}必须小于${w.value(d.max)}。`;
