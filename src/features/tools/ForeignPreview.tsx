@@ -97,7 +97,7 @@ function Tool({ tool, words: w }: { readonly tool: ForeignTool; readonly words: 
       ))}
       {flanks.length > 0 && <p className="soft small">{w.flanks(flanks.join(", "))}</p>}
       <details>
-        <summary>{w.taken(taken.length)}</summary>
+        <summary aria-label={`${w.taken(taken.length)} – ${nameOf(entry)}`}>{w.taken(taken.length)}</summary>
         <table>
           <thead>
             <tr>
