@@ -16,13 +16,15 @@ import type { MachineData } from "../src/program/machine/machine-data.ts";
 import { readMachine } from "../src/program/machine/machine-file.ts";
 import type { Control } from "../src/program/tools/plane-types.ts";
 import { fileKey, type ProgramFile, type ProgramFiles } from "../src/program/state/program-files.ts";
-import { over, readTools, type ShopTools } from "../src/program/tools/read-tools.ts";
+import type { LengthUnit } from "../src/kernel/units.ts";
+import { over, type ShopTools } from "../src/program/tools/read-tools.ts";
 import { run } from "../src/program/run/run.ts";
 import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 import { hasErrors, report, type Report } from "../src/report/report.ts";
 import { summary } from "../src/report/summary.ts";
 import { simulate } from "../src/sim/simulate.ts";
 import { traceStock } from "../src/sim/tracing.ts";
+import { readShopTools, toolFormatNames } from "./shop-tools.ts";
 import { LOADING_CONTROLS, refusalLines, type RefusedPlace, refusedPlaces } from "./refusal-words.ts";
 
 /** Rapid rate for times without a machine file, mm/min. */
@@ -35,7 +37,7 @@ class Refusal extends Error {}
 const STDIN = "-";
 
 const usage = (called: string): string =>
-  `usage: ${called} FILE.h [FILE.h …] [--tools TOOLS.json] [--machine MACHINE.json] [--control tnc640|tnc7] [--as tnc640|tnc7|iso] ` +
+  `usage: ${called} FILE.h [FILE.h …] [--tools TOOLS] [--tools-unit mm|inch] [--machine MACHINE.json] [--control tnc640|tnc7] [--as tnc640|tnc7|iso] ` +
   "[--skip] [--json | --print]";
 
 const help = (called: string): string =>
@@ -45,7 +47,9 @@ Runs turning programs in Klartext or DIN/ISO, cuts the stock along their paths a
 
   FILE.h                   a program; ${STDIN} reads one from standard input. Programs that it calls are looked for in its folder
                            and among the other files.
-  --tools TOOLS.json       tools of the shop; each replaces the built-in tool of the same number
+  --tools TOOLS            tools of the shop; each replaces the built-in tool of the same number. TOOLS.json of this app, or a file
+                           of ${toolFormatNames}; what is proposed or not understood is named on standard error
+  --tools-unit mm|inch     unit of lengths of a tools file that does not state it, mm if not said
   --machine MACHINE.json   what the machine can do (format turnwise-machine/1): rapids, accelerations, tool change and spindle go
                            into the times
   --control tnc640|tnc7    the control whose rules hold, tnc640 if not said
@@ -62,6 +66,8 @@ Exit status: 0 no error, 1 an error in a program or a file that --as refuses, 2 
 interface Command {
   readonly files: readonly string[];
   readonly tools: string | null;
+  /** Unit of lengths of a tools file that does not state it. */
+  readonly toolsUnit: LengthUnit;
   readonly machine: string | null;
   readonly json: boolean;
   readonly print: boolean;
@@ -89,6 +95,7 @@ function command(args: readonly string[], called: string): Command {
     false,
   ];
   let control: Control = "TNC 640";
+  let toolsUnit: LengthUnit = "mm";
   let as: LoadingControl | null = null;
   for (let i = 0; i < args.length; i += 1) {
     const arg = args[i] ?? "";
@@ -100,6 +107,11 @@ function command(args: readonly string[], called: string): Command {
       if (path === undefined) throw new Refusal(`${arg} needs a file`);
       if (arg === "--tools") tools = path;
       else machine = path;
+    } else if (arg === "--tools-unit") {
+      const named = (["mm", "inch"] as const).find((unit) => unit === args[i + 1]?.toLowerCase());
+      if (!named) throw new Refusal("--tools-unit needs one of mm, inch");
+      toolsUnit = named;
+      i += 1;
     } else if (arg === "--control") {
       const named = CONTROLS[args[(i += 1)]?.toLowerCase() ?? ""];
       if (!named) throw new Refusal(`--control needs one of ${Object.keys(CONTROLS).join(", ")}`);
@@ -111,7 +123,7 @@ function command(args: readonly string[], called: string): Command {
   }
   if (files.length === 0) throw new Refusal(usage(called));
   if (files.filter((file) => file === STDIN).length > 1) throw new Refusal(`${STDIN} can be read once`);
-  return { files, tools, machine, json, print: printing, control, as, skip };
+  return { files, tools, toolsUnit, machine, json, print: printing, control, as, skip };
 }
 
 function loadingControl(typed: string | undefined): LoadingControl {
@@ -156,11 +168,13 @@ function decoded(data: Buffer): Decoded {
   }
 }
 
-function toolsOf(path: string | null): ShopTools {
+/** Tools of the shop over the built-in ones; what is doubtful about them goes to standard error. */
+function toolsOf(path: string | null, unit: LengthUnit): ShopTools {
   if (path === null) return { tools: shippedTools, refused: new Map() };
-  const read = readTools(decoded(bytes(path)).text);
+  const read = readShopTools(basename(path), bytes(path), unit);
   if ("problem" in read) throw new Refusal(`tools file ${path}: ${read.problem}`);
-  return over(shippedTools, read);
+  for (const note of read.notes) process.stderr.write(`verify: tools file ${path}: ${note}\n`);
+  return over(shippedTools, read.tools);
 }
 
 function machineIn(path: string | null): MachineData | null {
@@ -304,8 +318,8 @@ export function main(args: readonly string[], called = "npm run --silent verify 
       return 0;
     }
     const asked = command(args, called);
-    const { files, tools, machine: machinePath, print: printing, control, skip } = asked;
-    const [shop, machine] = [toolsOf(tools), machineIn(machinePath)];
+    const { files, tools, toolsUnit, machine: machinePath, print: printing, control, skip } = asked;
+    const [shop, machine] = [toolsOf(tools, toolsUnit), machineIn(machinePath)];
     for (const file of files) readable(file);
     const given = new Map(
       files

@@ -79,6 +79,7 @@ const FOLDERS: Readonly<Record<string, readonly string[]>> = {
     "machine",
     "tools",
     "iso-codes",
+    "tool-files",
     "tool-sheets",
     "state",
     "clamping",

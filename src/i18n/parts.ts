@@ -41,6 +41,7 @@ interface English {
   readonly tables: typeof import("./en/tables.ts");
   readonly "tool-codes": typeof import("./en/tool-codes.ts");
   readonly "tool-files": typeof import("./en/tool-files.ts");
+  readonly "tool-foreign": typeof import("./en/tool-foreign.ts");
   readonly "tool-sheets": typeof import("./en/tool-sheets.ts");
   readonly undercuts: typeof import("./en/undercuts.ts");
   readonly which: typeof import("./en/which.ts");

@@ -7,6 +7,7 @@ import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
+import { ForeignPreview } from "./ForeignPreview.tsx";
 import type { ToolImport } from "./tool-files.ts";
 import { useToolName } from "../../app/document/tool-name.ts";
 import { useTools } from "../../app/document/tool-store.ts";
@@ -54,12 +55,15 @@ export function ImportDialog({
   brought,
   words: w,
   take,
+  reread,
   change,
   done,
 }: {
   readonly brought: ToolImport;
   readonly words: ToolFileTexts;
   readonly take: (choice: "all" | "new") => void;
+  /** Shows the same files read with another unit. */
+  readonly reread: (again: ToolImport) => void;
   /** Assigns the columns of its sheet again. */
   readonly change: (brought: ToolImport) => void;
   readonly done: () => void;
@@ -70,21 +74,33 @@ export function ImportDialog({
   const { fresh, changed, same, wrong } = plan;
   const title = w.title(brought.name);
   const told = fresh.length + changed.length;
+  const { foreign } = brought;
+  // Their tools are listed with their values already.
+  const onlyForeign = foreign?.tools.length === brought.incoming.rows.length;
   return (
     <ModalDialog isBare className="tool-dialog" first=".primary" title={title} done={done}>
       <h2>{title}</h2>
       <div className="tool-dialog-body" tabIndex={0} role="group" aria-label={title}>
+        {foreign && (
+          <ForeignPreview
+            foreign={foreign}
+            most={MOST}
+            more={w.more}
+            replaced={onlyForeign ? list.filter(({ id }) => changed.some(({ tool }) => tool.id === id)) : []}
+            choose={(unit) => brought.withUnit && reread(brought.withUnit(unit))}
+          />
+        )}
         {brought.notes?.map((note) => (
           <p key={note}>{note}</p>
         ))}
         {told === 0 && <p>{w.nothing}</p>}
-        {fresh.length > 0 && (
+        {fresh.length > 0 && !onlyForeign && (
           <>
             <h3>{w.fresh(fresh.length)}</h3>
             <Names tools={fresh} words={w} />
           </>
         )}
-        {changed.length > 0 && (
+        {changed.length > 0 && !onlyForeign && (
           <>
             <h3>{w.changed(changed.length)}</h3>
             <Changes changed={changed} words={w} />
@@ -104,9 +120,11 @@ export function ImportDialog({
         {brought.cutShort && <p>{t.cutShort}</p>}
       </div>
       <div className="tool-dialog-ways">
-        <button type="button" className="button primary" onClick={() => take("all")}>
-          {w.takeAll(told + same)}
-        </button>
+        {told + same > 0 && (
+          <button type="button" className="button primary" onClick={() => take("all")}>
+            {w.takeAll(told + same)}
+          </button>
+        )}
         {fresh.length > 0 && told + same > fresh.length && (
           <button type="button" className="button" onClick={() => take("new")}>
             {w.takeNew(fresh.length)}

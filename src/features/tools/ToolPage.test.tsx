@@ -307,6 +307,32 @@ test("the source file of tools is stored on the device once, with the line of ea
   expect(toolRecord.read(toolRecord.write(apart))).toEqual(apart.map(({ id, cells }) => ({ id, cells })));
 });
 
+test("tools of another system show what is proposed and why, ask for their unit, and undo takes them out", async () => {
+  render(<ToolPage />);
+  const user = userEvent.setup({ applyAccept: false });
+  await screen.findByRole("button", { name: /^Import tools/ });
+  const input = document.querySelector<HTMLInputElement>("input[type=file]") as HTMLInputElement;
+  await user.upload(input, new File(["T20 P1 D0.03 I85 J25 Q2 ;rough\nT21 P2 D0.1 Q6 ;groove\n"], "tool.tbl"));
+  const dialog = await screen.findByRole("dialog", { name: "Import from tool.tbl" });
+  expect(await within(dialog).findByText("2 tools from LinuxCNC")).toBeTruthy();
+  expect(within(dialog).getByText(/CUTWIDTH 0.1:/).textContent).toContain("D is the nose ⌀ in LinuxCNC");
+  expect(within(dialog).getByText("Missing: RS")).toBeTruthy();
+  await user.click(within(dialog).getByRole("radio", { name: "inch" }));
+  expect(within(dialog).getByText(/CUTWIDTH 2.54:/)).toBeTruthy();
+  await user.click(within(dialog).getByRole("button", { name: "Import all (2)" }));
+  expect(toolTable().tools.at(-1)).toMatchObject({
+    T: 20,
+    TYPE: "ROUGH",
+    TO: 1,
+    RS: 0.381,
+    "T-ANGLE": 95,
+    "P-ANGLE": 60,
+  });
+  expect(list().at(-1)?.cells).toMatchObject({ T: "21", TYPE: "RECESS", CUTWIDTH: "2.54" });
+  undo("tools");
+  expect(toolTable().tools).toEqual(shippedTools);
+});
+
 test("the columns of a sheet are assigned once: proposals, words, and the same sheet again", async () => {
   render(<ToolPage />);
   const user = userEvent.setup({ applyAccept: false });

@@ -1,18 +1,12 @@
 import { useEffect, useRef, useState } from "react";
 import { Icon } from "../../app/base/Icon.tsx";
+import { retryImport } from "../../app/base/parts.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { openToolRow, showOwn, showToolKind, type ToolKind, uncover, usePlace } from "../../app/place/place.ts";
 import { useTexts, useTextsOrNull } from "../../app/base/settings/use-texts.ts";
 import { addTool, duplicateTool, removeTool, restoreShippedTools } from "./tool-edits.ts";
 import { isMillEntry } from "../../program/tools/tool-entry.ts";
-import {
-  readImportFiles,
-  exportToOrigin,
-  exportTools,
-  applyImport,
-  type ImportSource,
-  type ToolImport,
-} from "./tool-files.ts";
+import { exportToOrigin, exportTools, applyImport, type ImportSource, type ToolImport } from "./tool-files.ts";
 import { toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
 import { useToolName } from "../../app/document/tool-name.ts";
 import { TableStatus, type TableMessage } from "../../app/fields/table/TableStatus.tsx";
@@ -25,6 +19,11 @@ import { useSheetColumns } from "./use-sheet-columns.tsx";
 import { ToolForm } from "./ToolForm.tsx";
 import { ToolGrid } from "./ToolGrid.tsx";
 import "../../app/fields/table/tools.css";
+
+/** Types for file pickers that do not know the endings. */
+const PLAIN_TYPES = ["application/json", "text/plain", "text/csv", "text/xml", "application/zip"];
+const fetchFormats = () => retryImport(() => import("../../program/tool-files/formats.ts"));
+const fetchImport = () => retryImport(() => import("./read-import.ts"));
 
 /** The tool table of this device: the whole table, and the columns of the open tool. */
 export function ToolPage() {
@@ -39,6 +38,7 @@ export function ToolPage() {
   const language = useSettings((s) => s.language);
   const page = useRef<HTMLElement>(null);
   const file = useRef<HTMLInputElement>(null);
+  const [endings, setEndings] = useState<string>();
   const read = toolsOnDevice(list);
   const opened = list.find((each) => each.id === asked);
   const kind: ToolKind = opened ? (isMillEntry(opened) ? "milling" : "turning") : lastKind;
@@ -47,6 +47,9 @@ export function ToolPage() {
   const reading = entry && read.rows.get(entry.id);
   const wrong = list.length - read.table.tools.length - read.mills.length;
 
+  useEffect(() => {
+    void fetchFormats().then(({ TOOL_FILE_ENDINGS }) => setEndings([...TOOL_FILE_ENDINGS, ...PLAIN_TYPES].join(",")));
+  }, []);
   const focusRow = () =>
     requestAnimationFrame(() => page.current?.querySelector<HTMLElement>("tr.open button")?.focus());
   const focusField = () =>
@@ -71,7 +74,10 @@ export function ToolPage() {
     ask(brought);
   };
   const bring = (sources: readonly ImportSource[]) => {
-    if (sources.length > 0 && w) void readImportFiles(sources, t, w, assign).then(receive);
+    if (sources.length > 0 && w)
+      void fetchImport()
+        .then(({ readImportFiles }) => readImportFiles(sources, { t, w, assign }))
+        .then(receive);
   };
   const remove = (id: string, name: string) => {
     showToolKind(kind);
@@ -126,7 +132,7 @@ export function ToolPage() {
             type="file"
             hidden
             multiple
-            accept=".json,.trn,.t,.tab,.txt,.csv,.tsv,.xlsx,application/json,text/plain,text/csv"
+            accept={endings}
             onChange={(e) => {
               const chosen = [...(e.currentTarget.files ?? [])];
               e.currentTarget.value = "";
@@ -176,6 +182,7 @@ export function ToolPage() {
             if (sheet) void assign(sheet, true).then(receive);
           }}
           done={() => ask(null)}
+          reread={ask}
           take={(choice) => {
             ask(null);
             setSaid(applyImport(asking, choice, t, w));

@@ -3,30 +3,36 @@ import type { Language } from "../../i18n/languages.ts";
 import { decimalSign } from "../../i18n/number.ts";
 import type { ToolFileTexts } from "../../i18n/tool-file-text.ts";
 import { writeBackTable } from "../../program/tools/table-write-back.ts";
-import {
-  cellOf,
-  isMillEntry,
-  tableOrigin,
-  type EntryReading,
-  type TableLine,
-  type TableOrigin,
-} from "../../program/tools/tool-entry.ts";
+import { cellOf, isMillEntry, type EntryReading, type TableOrigin } from "../../program/tools/tool-entry.ts";
 import { planImport, type IncomingTools } from "../../program/tools/tool-import.ts";
-import { readSheet } from "../../program/tool-sheets/sheet.ts";
 import { writeTableCsv } from "../../program/tools/tool-table-csv.ts";
-import { readToolFile, writeTableJson } from "../../program/tools/tool-table-json.ts";
+import { writeTableJson } from "../../program/tools/tool-table-json.ts";
 import { writeMillText, writeTableText } from "../../program/tools/tool-table-text.ts";
+import type { RefusedItem } from "../../program/tool-files/facts.ts";
+import type { ForeignTool } from "../../program/tool-files/foreign-tool.ts";
+import type { ForeignFormat } from "../../program/tool-files/formats.ts";
+import type { LengthUnit } from "../../kernel/units.ts";
 import { decode, encode } from "../../app/document/encoding.ts";
 import { downloadBytes, downloadText } from "../../app/base/download.ts";
 import { closeStep } from "../../app/document/steps.ts";
 import { openToolRow } from "../../app/place/place.ts";
 import { editTools, toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
-import { isWorkbook, sheetInFile, type NamedSheet } from "./sheet-files.ts";
+import type { NamedSheet } from "./sheet-files.ts";
 import type { TableMessage } from "../../app/fields/table/TableStatus.tsx";
 
-const failure = (sentence: string): TableMessage => ({ sentences: [sentence], failed: true, changed: false });
+/** A message about a file that could not be used. */
+export const failure = (sentence: string): TableMessage => ({ sentences: [sentence], failed: true, changed: false });
 
 const isSound = (reading: EntryReading | undefined) => Boolean(reading?.tool ?? reading?.mill);
+
+/** Tools of other systems among the imported files. */
+export interface ForeignImport {
+  readonly formats: readonly ForeignFormat[];
+  readonly tools: readonly ForeignTool[];
+  readonly refused: readonly RefusedItem[];
+  /** The unit that was assumed for lengths without one; null where all have theirs. */
+  readonly assumedUnit: LengthUnit | null;
+}
 
 /** Contents of the import files, before they are applied to the table. */
 export interface ToolImport {
@@ -37,103 +43,21 @@ export interface ToolImport {
   readonly kept: readonly string[];
   readonly leftOut: readonly string[];
   readonly cutShort: boolean;
+  /** Tools of other systems, with the origin of each cell. */
+  readonly foreign?: ForeignImport;
+  /** The same files read again, with another unit for lengths without one. */
+  readonly withUnit?: (unit: LengthUnit) => ToolImport;
   /** Sentences about how it was read, shown before it is applied. */
   readonly notes?: readonly string[];
   /** The sheet whose columns were assigned, so that they can be assigned again. */
   readonly sheet?: NamedSheet;
 }
 
-/** Larger files are no tool table, bytes. */
-const LARGEST = 20_000_000;
-
-/** Reads a file whose columns are known; null when it is none. */
-function readImport(bytes: Uint8Array, name: string, t: ToolsTexts): ToolImport | TableMessage | null {
-  const { text, encoding } = decode(bytes);
-  const read = readToolFile(text);
-  if ("problem" in read) {
-    switch (read.problem) {
-      case "columnsMissing":
-        return failure(t.problems.columnsMissing(name, read.columns.join(", ")));
-      case "tooMany":
-        return failure(t.problems.tooMany(name, read.most));
-      case "noRows":
-        return failure(t.problems.noRows(name));
-      case "notATable":
-        return null;
-    }
-  }
-  const { rows, table, columns, leftOut, cutShort } = read;
-  const origin = tableOrigin(name, text, encoding);
-  const lines = rows.map((_, i): TableLine | undefined => {
-    const at = table?.lines[i];
-    return at === undefined ? undefined : { origin, at };
-  });
-  const incoming = {
-    rows,
-    lines,
-    columns: rows.map(() => columns),
-    names: table?.turning ?? new Map<number, string>(),
-  };
-  // A sheet with further columns can have them assigned.
-  const sheet = !table && leftOut.length > 0 ? readSheet(text) : null;
-  return {
-    name,
-    incoming,
-    kept: table ? leftOut : [],
-    leftOut: table ? [] : leftOut,
-    cutShort,
-    ...(sheet && { sheet: { name, sheet } }),
-  };
-}
-
-const joined = (all: readonly ToolImport[]): ToolImport => ({
-  name: all.map((each) => each.name).join(", "),
-  incoming: {
-    rows: all.flatMap((each) => each.incoming.rows),
-    lines: all.flatMap((each) => each.incoming.lines),
-    columns: all.flatMap((each) => each.incoming.columns),
-    names: new Map(all.flatMap((each) => [...each.incoming.names])),
-  },
-  kept: [...new Set(all.flatMap((each) => each.kept))],
-  leftOut: [...new Set(all.flatMap((each) => each.leftOut))],
-  cutShort: all.some((each) => each.cutShort),
-  notes: all.flatMap((each) => each.notes ?? []),
-  ...(all.length === 1 && all[0]?.sheet && { sheet: all[0].sheet }),
-});
-
 /** A file or what was pasted. */
 export interface ImportSource {
   readonly name: string;
   readonly size: number;
   readonly arrayBuffer: () => Promise<ArrayBuffer>;
-}
-
-/**
- * Reads all chosen files, or returns the fault of the first one that cannot be read. The columns of a sheet with other
- * titles are assigned by `assign`; null when that was given up.
- */
-export async function readImportFiles(
-  files: readonly ImportSource[],
-  t: ToolsTexts,
-  w: ToolFileTexts,
-  assign: (sheet: NamedSheet) => Promise<ToolImport | null>,
-): Promise<ToolImport | TableMessage | null> {
-  const all: ToolImport[] = [];
-  for (const file of files) {
-    if (file.size > LARGEST) return failure(t.problems.tooLarge(file.name));
-    try {
-      const bytes = new Uint8Array(await file.arrayBuffer());
-      const known = isWorkbook(bytes) ? null : readImport(bytes, file.name, t);
-      const sheet = known ? null : await sheetInFile(bytes);
-      if (!known && !sheet) return failure(w.notATable(file.name));
-      const brought = known ?? (sheet && (await assign({ name: file.name, sheet })));
-      if (!brought || "failed" in brought) return brought;
-      all.push(brought);
-    } catch {
-      return failure(t.problems.unreadable(file.name));
-    }
-  }
-  return joined(all);
 }
 
 /** Applies an import: one step of undo. */

@@ -44,5 +44,5 @@ export const toolFiles: ToolFileTexts = {
   noTools: "keine Werkzeuge",
   importLong: "Werkzeuge aus Dateien importieren: Tabellen der Steuerung, CSV oder JSON",
   notATable: (file) =>
-    `${file} ist keine Werkzeugtabelle: weder JSON noch eine Tabelle mit BEGIN am Anfang noch eine Liste mit Spalte T.`,
+    `${file} enthält keine Werkzeuge in bekannter Form: Tabelle der Steuerung, JSON, Liste mit Spalte T, LinuxCNC, Fusion, HSMWorks, FreeCAD, DIN 4000 oder ISO 13399.`,
 };

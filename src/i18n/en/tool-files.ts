@@ -40,5 +40,5 @@ export const toolFiles: ToolFileTexts = {
   noTools: "no tools",
   importLong: "Import tools from files: tables of the control, CSV or JSON",
   notATable: (file) =>
-    `${file} is not a tool table: neither JSON, nor a table that begins with BEGIN, nor a sheet with a column T.`,
+    `${file} has no tools in a known form: a table of the control, JSON, a sheet with a column T, LinuxCNC, Fusion, HSMWorks, FreeCAD, DIN 4000 or ISO 13399.`,
 };

@@ -44,5 +44,5 @@ export const toolFiles = typeset<ToolFileTexts>({
   noTools: "aucun outil",
   importLong: "Importer des outils de fichiers : tables de la commande, CSV ou JSON",
   notATable: (file) =>
-    `${file} n’est pas un tableau d’outils : ni JSON, ni tableau commençant par BEGIN, ni feuille avec une colonne T.`,
+    `${file} ne contient pas d’outils sous une forme connue : tableau de la commande, JSON, liste avec une colonne T, LinuxCNC, Fusion, HSMWorks, FreeCAD, DIN 4000 ou ISO 13399.`,
 });

@@ -38,5 +38,6 @@ export const toolFiles: ToolFileTexts = {
   jsonHint: "所有列和刀杆，不取整；verify 命令可读取。",
   noTools: "没有刀具",
   importLong: "从文件导入刀具：数控系统的表、CSV 或 JSON",
-  notATable: (file) => `${file} 不是刀具表：既不是 JSON，也不是以 BEGIN 开头的表，也不是有 T 列的表格。`,
+  notATable: (file) =>
+    `${file} 中没有已知格式的刀具：数控系统刀具表、JSON、含 T 列的表格、LinuxCNC、Fusion、HSMWorks、FreeCAD、DIN 4000 或 ISO 13399。`,
 };

@@ -5,6 +5,7 @@ import { checkTool } from "./check-tool.ts";
 import { soundHead } from "./holder-cells.ts";
 import { isLimit } from "./tool-columns.ts";
 import type { Mill } from "./plane-types.ts";
+import { isMillRow } from "./tool-keys.ts";
 
 /** An optional cell, which may be null. */
 const cell = z.number().nullish();
@@ -66,10 +67,11 @@ const mill = z.object({
     .refine((type) => !TOOL_TYPES.some((t) => t === type))
     .nullish(),
 });
+const isRecord = (value: unknown): value is Readonly<Record<string, unknown>> =>
+  typeof value === "object" && value !== null;
 const file = z.object({ tools: z.array(z.unknown()) }).transform(({ tools }, context) => ({
   tools: tools.flatMap((cells, i) => {
-    const asMill = mill.safeParse(cells);
-    const read = asMill.success ? asMill : row.safeParse(cells);
+    const read = isRecord(cells) && isMillRow(cells) ? mill.safeParse(cells) : row.safeParse(cells);
     if (read.success) return [read.data];
     for (const found of read.error.issues)
       context.addIssue({ code: "custom", message: found.message, path: ["tools", i, ...found.path] });

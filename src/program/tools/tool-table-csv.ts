@@ -58,7 +58,7 @@ export function cellsOfSheet(text: string, separator: string): string[][] {
 }
 
 /** Separator of the cells: the most frequent one in the first line outside of quotes. */
-function separatorOf(line: string): string {
+export function separatorOf(line: string): string {
   const bare = line.replaceAll(/"[^"]*"/g, "");
   const [first = ","] = [";", "\t", ","].sort((a, b) => bare.split(b).length - bare.split(a).length);
   return first;

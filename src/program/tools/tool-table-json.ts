@@ -5,7 +5,6 @@ import {
   LIMIT_CELLS,
   POINT_LENGTH,
   isDrillType,
-  isToolType,
   MILL,
   MILL_TABLE,
   TOOL_COLUMNS,
@@ -14,6 +13,7 @@ import {
 import type { MillTool, ToolEntry } from "./tool-entry.ts";
 import { readTableCsv } from "./tool-table-csv.ts";
 import { readTableText, type TableFile } from "./tool-table-text.ts";
+import { isMillRow, unknownToolKeys } from "./tool-keys.ts";
 
 /**
  * Writes tools as the tools file of the `verify` command, one tool per line, milling tools last. Nothing is rounded.
@@ -40,12 +40,12 @@ const isPair = (c: unknown) => Array.isArray(c) && c.length === 2 && c.every((n)
 const isHead = (value: unknown): value is NonNullable<Holder["head"]> =>
   Array.isArray(value) && value.every((part) => Array.isArray(part) && part.every(isPair));
 
-function cellsOf(row: Readonly<Record<string, unknown>>, leftOut: Set<string>): ToolEntry["cells"] {
+function cellsOf(row: Readonly<Record<string, unknown>>): ToolEntry["cells"] {
   const cells: Partial<Record<CellName, string>> = {};
   const take = (name: CellName, value: unknown) => {
     if (value !== null && value !== undefined && value !== "") cells[name] = asText(value);
   };
-  const isMill = "R" in row && !isToolType(String(row["TYPE"]));
+  const isMill = isMillRow(row);
   const drill = String(row["TYPE"]).toUpperCase();
   if (isMill) cells.TYPE = isDrillType(drill) ? drill : MILL;
   const columns: readonly CellName[] = isMill
@@ -57,7 +57,7 @@ function cellsOf(row: Readonly<Record<string, unknown>>, leftOut: Set<string>): 
     else if (name === "holder" && isRecord(value) && !isMill) {
       for (const cell of HOLDER_CELLS)
         take(cell, cell === "head" && isHead(value[cell]) ? writeHead(value[cell]) : value[cell]);
-    } else if (!(name === "holder" && value === null) && !(isMill && name === "TYPE")) leftOut.add(name);
+    }
   }
   return cells;
 }
@@ -73,9 +73,11 @@ export function readTableJson(text: string): TableFile {
   const tools = isRecord(json) ? json["tools"] : null;
   if (!Array.isArray(tools) || !tools.every(isRecord)) return { problem: "notATable" };
   if (tools.length === 0) return { problem: "noRows" };
-  const leftOut = new Set<string>();
-  const rows = tools.map((row) => cellsOf(row, leftOut));
-  return { rows, leftOut: [...leftOut], cutShort: false };
+  const unknown = unknownToolKeys(json).map(
+    ({ at, key, nearest }) =>
+      `${at.endsWith(".holder") ? "holder." : ""}${key}${nearest === null ? "" : ` (${nearest}?)`}`,
+  );
+  return { rows: tools.map(cellsOf), leftOut: [...new Set(unknown)], cutShort: false };
 }
 
 /** Most rows that a file may bring. */

@@ -1,0 +1,79 @@
+import { textsOfFile } from "../src/app/document/file-texts.ts";
+import { toolForeign } from "../src/i18n/en/tool-foreign.ts";
+import type { LengthUnit } from "../src/kernel/units.ts";
+import type { ForeignTool } from "../src/program/tool-files/foreign-tool.ts";
+import { jsonOf } from "../src/program/tool-files/foreign-file.ts";
+import { TOOL_FILE_ENDINGS } from "../src/program/tool-files/formats.ts";
+import { numbered, readToolFiles, type ForeignTools } from "../src/program/tool-files/read-tool-files.ts";
+import { readTools, type ShopTools } from "../src/program/tools/read-tools.ts";
+import { shippedTools } from "../src/program/tools/shipped-tools.ts";
+import type { CellName } from "../src/program/tools/tool-columns.ts";
+import { readEntry } from "../src/program/tools/tool-entry.ts";
+import { unknownToolKeys } from "../src/program/tools/tool-keys.ts";
+import { readList } from "../src/program/tools/tool-list.ts";
+
+/** Tools of a shop's file, and a line for each thing that is doubtful about them; or why the file cannot be used. */
+export type ReadShopTools =
+  { readonly tools: ShopTools; readonly notes: readonly string[] } | { readonly problem: string };
+
+/** The formats of other systems, for the help. */
+export const toolFormatNames = Object.values(toolForeign.formats).join(", ");
+
+/** The tools file of this command, strictly: a value of a wrong type refuses it, an unknown key is named. */
+function ownTools(text: string): ReadShopTools {
+  const tools = readTools(text);
+  if ("problem" in tools) return tools;
+  const notes = unknownToolKeys(jsonOf(text)).map(({ at, key, nearest }) => {
+    const hint = nearest === null ? "" : `; did you mean ${nearest}?`;
+    return `unknown key ${at === "" ? "" : `${at}.`}${key}${hint}`;
+  });
+  return { tools, notes };
+}
+
+function notesOfTool({ cells, origins, label }: ForeignTool): readonly string[] {
+  const name = `T${cells.T ?? ""} ${label}`.trim();
+  const proposed = Object.entries(origins)
+    .filter(([, { why }]) => why.length > 0)
+    .map(([cell, { why }]) => {
+      const reasons = why.map((each) => toolForeign.why[each]).join("; ");
+      return `${name}: proposed ${cell} ${cells[cell as CellName] ?? ""} (${reasons})`;
+    });
+  const missing = readEntry({ id: "", cells })
+    .issues.filter(({ severity, at }) => severity === "error" && !cells[at as CellName])
+    .map(({ at }) => at);
+  return [...proposed, ...(missing.length > 0 ? [`${name}: ${toolForeign.missing(missing.join(", "))}`] : [])];
+}
+
+const notesOf = ({ tools, refused, assumedUnit }: ForeignTools): readonly string[] => [
+  ...(assumedUnit === null ? [] : [`the file does not state its unit: read in ${assumedUnit} (--tools-unit)`]),
+  ...tools.flatMap(notesOfTool),
+  ...refused.map(({ label, why, kind }) => `not read: ${label}: ${toolForeign.refusals[why](kind)}`),
+];
+
+/** Reads the file of `--tools`: the JSON of this app, a table of the control, a sheet, or a file of another system. */
+export function readShopTools(name: string, data: Uint8Array, unit: LengthUnit): ReadShopTools {
+  let texts: ReturnType<typeof textsOfFile>;
+  try {
+    texts = textsOfFile(name, data, TOOL_FILE_ENDINGS);
+  } catch {
+    return { problem: "the archive is damaged" };
+  }
+  if (texts === "tooLarge") return { problem: "the archive is too large" };
+  const all = readToolFiles(texts, unit);
+  const [only] = texts;
+  const isForeign = all.some(({ content }) => "foreign" in content);
+  if (only && !isForeign && /^\s*[{[]/.test(only.text)) return ownTools(only.text);
+  const read = all.filter(({ content }) => !("problem" in content));
+  if (read.length === 0) return { problem: "not a table of tools in a known format" };
+  const foreign = read.flatMap(({ content }) => ("foreign" in content ? [content.foreign] : []));
+  const rows = read.flatMap(({ content }) => ("table" in content ? content.table.rows : []));
+  const taken = new Set([...shippedTools.map(({ T }) => T as number), ...rows.map(({ T }) => Number(T))]);
+  const tools = numbered(
+    foreign.flatMap((each) => each.tools),
+    taken,
+  );
+  const { table } = readList([...rows, ...tools.map(({ cells }) => cells)].map((cells, i) => ({ id: `r${i}`, cells })));
+  const first = foreign[0];
+  const notes = first ? notesOf({ ...first, tools, refused: foreign.flatMap((each) => each.refused) }) : [];
+  return { tools: table, notes };
+}
