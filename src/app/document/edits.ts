@@ -18,9 +18,13 @@ export function setPrompt(q: string, text: string): void {
   }, `prompt ${q}`);
 }
 
-/** The typed texts of several prompts of the job, in one step. */
-export const setPrompts = (texts: Draft): void =>
-  edit((job) => ({ ...job, drafts: { ...job.drafts, [job.cycle]: { ...draftOf(job), ...texts } } }));
+/** The typed texts of several prompts of the job, and sizes of its blank, in one step. */
+export const setPrompts = (texts: Draft, blank: Partial<Job["blank"]> | null = null): void =>
+  edit((job) => ({
+    ...job,
+    drafts: { ...job.drafts, [job.cycle]: { ...draftOf(job), ...texts } },
+    ...(blank && { blank: { ...job.blank, ...blank } }),
+  }));
 
 /** The typed value of a Q parameter that prompts use. */
 export const setParameter = (name: string, text: string): void =>

@@ -48,7 +48,7 @@ export interface NamedThread {
   /** Angle between the flanks, and both flank angles where they differ. */
   readonly angle: number;
   readonly flanks?: readonly [leading: number, clearing: number];
-  /** Greatest nose radius of an insert for the root: outside and inside; a full-profile insert has it. */
+  /** Nose radius of an insert that reaches the root with its flanks in place, as one of the full profile does. */
   readonly noseRadius?: { readonly outside: number; readonly inside: number };
   /** Change of the diameter per length; 0 for a cylinder. */
   readonly taper: number;

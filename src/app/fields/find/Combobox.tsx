@@ -39,6 +39,7 @@ export function ComboboxInput({
   take,
   className,
   input,
+  placeholder = label,
 }: {
   readonly box: Combobox;
   readonly count: number;
@@ -46,6 +47,8 @@ export function ComboboxInput({
   readonly take: (index: number) => void;
   readonly className: string;
   readonly input?: RefObject<HTMLInputElement | null>;
+  /** By default the label, where nothing else shows it. */
+  readonly placeholder?: string;
 }) {
   const at = chosenOf(box, count);
   const option = at < 0 ? undefined : optionId(box, at);
@@ -73,7 +76,7 @@ export function ComboboxInput({
       className={className}
       role="combobox"
       aria-label={label}
-      placeholder={label}
+      placeholder={placeholder}
       aria-expanded={count > 0}
       aria-controls={box.id}
       aria-autocomplete="list"
