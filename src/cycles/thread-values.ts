@@ -1,12 +1,12 @@
 import {
   cutThread,
+  noseOfRoot,
   type Aim,
   type CutThread,
   type NamedThread,
   type ThreadSide,
 } from "../kernel/thread/named-thread.ts";
-import { THREAD_STANDARDS } from "../kernel/thread/threads.ts";
-import { readThread } from "../kernel/thread/threads.ts";
+import { readThread, THREAD_STANDARDS } from "../kernel/thread/threads.ts";
 import { INCH_ROUNDED } from "../kernel/tolerance.ts";
 import { radians, rounded } from "../kernel/units.ts";
 import type { ThreadRoles } from "./define.ts";
@@ -24,6 +24,8 @@ export interface ThreadAim {
 export interface ThreadFill {
   readonly inside: boolean;
   readonly cut: CutThread;
+  /** Cylinder before the thread, ⌀ mm; the one around a taper. */
+  readonly before: number;
   /** By Q, mm and degrees. */
   readonly values: Readonly<Record<string, number>>;
 }
@@ -36,13 +38,11 @@ const numberAt = (typed: TypedValues, q: string | undefined): number | null => {
   return typeof value === "number" ? value : null;
 };
 
-const noseOf = (thread: NamedThread, inside: boolean): number | undefined =>
-  thread.noseRadius?.[inside ? "inside" : "outside"];
-
 /** Further depth that puts the flanks of an insert with another nose radius in the same place, mm. */
 export function depthForNose(thread: NamedThread, inside: boolean, nose: number): number {
-  const own = noseOf(thread, inside);
-  return own === undefined ? 0 : (own - nose) * (1 / Math.sin(radians(thread.angle) / 2) - 1);
+  const side = thread[inside ? "inside" : "outside"];
+  if (!side || thread.flatRoot) return 0;
+  return (noseOfRoot(thread, side) - nose) * (1 / Math.sin(radians(thread.angle) / 2) - 1);
 }
 
 /** The thread with the root that a nose radius leaves. */
@@ -101,6 +101,11 @@ export function valuesOfThread(
   return {
     inside,
     cut,
+    before: !ends
+      ? cut.crest
+      : inside
+        ? rounded(Math.min(ends.from, ends.to) - cut.root + cut.crest)
+        : rounded(Math.max(ends.from, ends.to)),
     values: {
       ...(numberAt(typed, roles.position) !== Number(inside) && { [roles.position]: Number(inside) }),
       [roles.pitch]: rounded(thread.pitch * thread.starts),

@@ -27,7 +27,7 @@ export const threadNames = {
   flanks: (angle, leading, clearing) => `${angle}° (${leading}°/${clearing}°)`,
   noInsert: (tool, is, should) => `T${tool} hat ${is}°; dieses Gewinde braucht ${should}°.`,
   otherTools: (tools) => `Geeignet: ${tools}.`,
-  noTool: "Kein Gewindewerkzeug der Tabelle hat diesen Winkel.",
+  addTool: (angle) => `Gewindewerkzeug mit ${angle}° anlegen`,
   asymmetric: "Die Simulation rechnet mit zwei gleichen Flanken.",
   unlisted: (documents) =>
     `Durchmesser und Steigung stehen nicht zusammen in ${documents}: nach deren Formeln berechnet.`,

@@ -28,7 +28,7 @@ export const threadNames = {
   flanks: (angle: string, leading: string, clearing: string) => `${angle}° (${leading}°/${clearing}°)`,
   noInsert: (tool: string, is: string, should: string) => `T${tool} has ${is}°; this thread requires ${should}°.`,
   otherTools: (tools: string) => `Suitable: ${tools}.`,
-  noTool: "No thread tool of the table has this angle.",
+  addTool: (angle: string) => `Add a thread tool with ${angle}°`,
   asymmetric: "The simulation uses an insert with two equal flanks.",
   unlisted: (documents: string) => `Diameter and pitch are not combined in ${documents}: calculated by its formulas.`,
   noTolerance: "Without tolerance: basic sizes.",

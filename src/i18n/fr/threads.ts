@@ -27,7 +27,7 @@ export const threadNames = {
   flanks: (angle, leading, clearing) => `${angle}° (${leading}°/${clearing}°)`,
   noInsert: (tool, is, should) => `T${tool} a ${is}° ; ce filetage demande ${should}°.`,
   otherTools: (tools) => `Outils adaptés : ${tools}.`,
-  noTool: "Aucun outil de filetage du tableau n’a cet angle.",
+  addTool: (angle) => `Ajouter un outil à fileter de ${angle}°`,
   asymmetric: "La simulation utilise une plaquette à deux flancs égaux.",
   unlisted: (documents) => `Diamètre et pas ne sont pas associés dans ${documents} : calculés selon ses formules.`,
   noTolerance: "Sans tolérance : cotes nominales.",

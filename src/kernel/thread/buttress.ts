@@ -25,6 +25,7 @@ export const buttress: ThreadStandard = {
       listed: false,
       angle: FLANKS[0] + FLANKS[1],
       flanks: FLANKS,
+      flatRoot: true,
       outside: { crest: nominal, pitch: flank, root: rounded(nominal - 2 * OUTSIDE * pitch) },
       inside: { crest: rounded(nominal - 2 * INSIDE * pitch), pitch: flank, root: nominal },
     };

@@ -14,8 +14,6 @@ export const TRIANGLE = Math.sqrt(3) / 2;
 const PITCH = (3 / 4) * TRIANGLE;
 const MINOR = (5 / 4) * TRIANGLE;
 const ROUND_ROOT = (17 / 12) * TRIANGLE;
-/** Radius of a nose that reaches these roots with its flanks in place: H/6 outside, H/8 inside. */
-const NOSE = { outside: TRIANGLE / 6, inside: TRIANGLE / 8 };
 
 /** M 20 x 1.5; M 16 x Ph3 P1.5; 20 x 1.5. */
 const NAME = /^(m[fk]?)? ?(\d+(?:\.\d+)?)(?:(?:x|-)(?:ph)?(\d+(?:\.\d+)?)(?: ?\(?p(\d+(?:\.\d+)?)\)?)?)?$/;
@@ -52,7 +50,6 @@ export function metricThread(
     starts,
     leftHand: typed.leftHand,
     angle: METRIC_ANGLE,
-    noseRadius: { outside: rounded(NOSE.outside * pitch), inside: rounded(NOSE.inside * pitch) },
     taper: 0,
     outside,
     inside,

@@ -1,4 +1,4 @@
-import { rounded } from "../units.ts";
+import { radians, rounded } from "../units.ts";
 
 /** The standards that name threads, one file each. */
 export type StandardId =
@@ -48,8 +48,8 @@ export interface NamedThread {
   /** Angle between the flanks, and both flank angles where they differ. */
   readonly angle: number;
   readonly flanks?: readonly [leading: number, clearing: number];
-  /** Nose radius of an insert that reaches the root with its flanks in place, as one of the full profile does. */
-  readonly noseRadius?: { readonly outside: number; readonly inside: number };
+  /** Its root is flat: an insert of the profile, which no nose radius replaces. */
+  readonly flatRoot?: true;
   /** Change of the diameter per length; 0 for a cylinder. */
   readonly taper: number;
   readonly gauge?: Gauge;
@@ -68,6 +68,18 @@ export interface CutThread {
   readonly pitch: number;
   readonly root: number;
   readonly depth: number;
+}
+
+/**
+ * Nose radius (mm) of an insert that reaches the root with its flanks in place: the radius of a round root, or the one
+ * that stands for a flat root.
+ */
+export function noseOfRoot({ angle, pitch }: Pick<NamedThread, "angle" | "pitch">, side: ThreadSide): number {
+  const half = radians(angle) / 2;
+  // A groove is half a pitch wide at the pitch diameter.
+  const apex = pitch / 4 / Math.tan(half);
+  const root = Math.abs(side.pitch - side.root) / 2;
+  return Math.max(0, (apex - root) / (1 / Math.sin(half) - 1));
 }
 
 const middleOf = ([least, greatest]: Limits): number => (least + greatest) / 2;

@@ -77,7 +77,6 @@ function basicOf([, diameter, perInch]: (typeof SIZES)[number]) {
 
 const factsOf = (size: (typeof SIZES)[number], typed: TypedName) => {
   const { pitch } = BY_PITCH[size[2]];
-  const nose = rounded(WHITWORTH.nose * pitch);
   return {
     listed: true,
     nominal: size[1],
@@ -86,7 +85,6 @@ const factsOf = (size: (typeof SIZES)[number], typed: TypedName) => {
     starts: 1,
     leftHand: typed.leftHand,
     angle: WHITWORTH.angle,
-    noseRadius: { outside: nose, inside: nose },
   } satisfies Partial<NamedThread>;
 };
 
@@ -191,8 +189,8 @@ const NPT: readonly (readonly [inches: string, D: number, perInch: number, L1: n
   ["5", 5.563, 8, 0.937],
   ["6", 6.625, 8, 0.958],
 ];
-/** Height of the truncated profile, and minimum truncation of crest and root, in pitches. */
-const [NPT_HEIGHT, TRUNCATED] = [0.8, 0.033];
+/** Height of the truncated profile in pitches. */
+const NPT_HEIGHT = 0.8;
 /** Threads of wrench make-up behind the hand-tight engagement of an internal thread. */
 const MAKE_UP = 3;
 const NPT_NAME =
@@ -217,7 +215,6 @@ export const npt: ThreadStandard = {
     const gauge = small + L1 * TAPER_1_16;
     const h = NPT_HEIGHT * p;
     const side = (crest: number, root: number): ThreadSide => ({ crest: mm(crest), pitch: mm(gauge), root: mm(root) });
-    const nose = mm(TRUNCATED * p);
     return {
       standard: "npt",
       name: `${inches}-${perInch} NPT`,
@@ -228,7 +225,6 @@ export const npt: ThreadStandard = {
       starts: 1,
       leftHand: typed.leftHand,
       angle: 60,
-      noseRadius: { outside: nose, inside: nose },
       taper: TAPER_1_16,
       gauge: { length: mm(L1), useful: mm((0.8 * D + 6.8) * p), usefulInside: mm(L1 + MAKE_UP * p) },
       outside: side(gauge + h, gauge - h),

@@ -2,10 +2,10 @@ import { METRIC, METRIC_ANGLE } from "../contour/metric-thread.ts";
 import { rounded } from "../units.ts";
 
 /**
- * Whitworth profile of ISO 228, ISO 7 and BS 84: depth and radius of crest and root in pitches. The depth is printed for
- * HEIDENHAIN lathes (tag L: MANUALplus 620 p. 572).
+ * Whitworth profile of ISO 228, ISO 7 and BS 84: depth in pitches, printed for HEIDENHAIN lathes (tag
+ * L: MANUALplus 620 p. 572).
  */
-export const WHITWORTH = { angle: 55, depth: 0.640327, nose: 0.137329 } as const;
+export const WHITWORTH = { angle: 55, depth: 0.640327 } as const;
 /** Angle of the trapezoidal profile of ISO 2901, and of the round one of DIN 405. */
 export const TRAPEZOIDAL_ANGLE = 30;
 

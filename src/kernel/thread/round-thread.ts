@@ -46,7 +46,6 @@ export const round: ThreadStandard = {
       starts: 1,
       leftHand: typed.leftHand,
       angle: TRAPEZOIDAL_ANGLE,
-      noseRadius: { outside: rounded(0.23851 * pitch), inside: rounded(0.22105 * pitch) },
       taper: 0,
       outside: { crest: nominal, pitch: nominal - depth, root: nominal - depth - depth },
       inside: { crest: major - depth - depth, pitch: nominal - depth, root: major },

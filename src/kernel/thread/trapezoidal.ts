@@ -132,6 +132,7 @@ export const trapezoidal: ThreadStandard = {
       ...leadFacts("trapezoidal", "Tr", size, typed),
       listed: SIZES.some(([d, ...pitches]) => d === nominal && pitches.includes(pitch)),
       angle: TRAPEZOIDAL_ANGLE,
+      flatRoot: true,
       outside: { crest: nominal, pitch: flank, root: minor, ...(outside && { tolerance: outside }) },
       inside: { crest: core, pitch: flank, root: major, ...(inside && { tolerance: inside }) },
     };

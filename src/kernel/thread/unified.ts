@@ -140,7 +140,6 @@ function unifiedThread(
     starts: 1,
     leftHand: typed.leftHand,
     angle: 60,
-    noseRadius: { outside: mm((3 / 16) * TRIANGLE * p), inside: mm((TRIANGLE / 8) * p) },
     taper: 0,
     outside: sideOf(isClass(typed.outside) ? typed.outside : "2A", d, p, engagement),
     inside: sideOf(isClass(typed.inside) ? typed.inside : "2B", d, p, engagement),

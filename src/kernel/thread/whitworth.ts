@@ -67,7 +67,6 @@ export const whitworth: ThreadStandard = {
     const depth = WHITWORTH.depth * pitch;
     const [flank, minor] = [nominal - depth, nominal - depth - depth];
     const outside: ThreadSide = { crest: nominal, pitch: flank, root: minor };
-    const nose = rounded(WHITWORTH.nose * pitch);
     return {
       standard: "whitworth",
       name: isCoarse ? `W${label}` : isListedFine ? `BSF ${label}` : `W${label}-${perInch}`,
@@ -78,7 +77,6 @@ export const whitworth: ThreadStandard = {
       starts: 1,
       leftHand: typed.leftHand,
       angle: WHITWORTH.angle,
-      noseRadius: { outside: nose, inside: nose },
       taper: 0,
       outside,
       inside: { crest: minor, pitch: flank, root: nominal },

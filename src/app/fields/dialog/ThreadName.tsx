@@ -49,10 +49,10 @@ export function ThreadName({
   const [byNose, setByNose] = useState(false);
   const [filled, setFilled] = useState<Filled | null>(null);
   const [said, say] = useState("");
-  const tool =
-    useThreadOperation(line)?.tool ?? read.tools.find(({ T }) => line === null && T === read.job.tool) ?? null;
-  const isThreadTool = tool?.TYPE === "THREAD";
-  const nose = isThreadTool ? noseRadius(tool) : null;
+  const operation = useThreadOperation(line);
+  // The last calculated operation may have an older tool than the job.
+  const tool = line === null ? read.tools.find(({ T }) => T === read.job.tool) : operation?.tool;
+  const nose = tool?.TYPE === "THREAD" ? noseRadius(tool) : null;
   const found = threadsNamed(box.typed, SHOWN);
   const chosen = found[Math.min(box.chosen, found.length - 1)];
   const values = read.reading.partial;
@@ -61,7 +61,7 @@ export function ThreadName({
     const fill = valuesOfThread(thread, roles, values, how);
     if (typeof fill === "string") return;
     const texts = Object.entries(fill.values).map(([q, value]) => [q, numbers.typed(q, value)]);
-    const blank = line === null ? blankOfThread(thread, fill) : null;
+    const blank = line === null ? blankOfThread(fill) : null;
     setAll(Object.fromEntries(texts), blank && { ...blank, text: numbers.typed("", blank.size) });
     setFilled({ thread, ...how });
     say(t.filled(numbers.name(designationOf(thread, fill.inside ? "inside" : "outside"))));
@@ -108,18 +108,28 @@ export function ThreadName({
           thread={chosen}
           read={read}
           roles={roles}
-          tool={tool}
+          tool={tool ?? null}
           how={how}
           onAim={setAim}
           onNose={setByNose}
-          blank={line === null ? read.job.blank : null}
+          isJob={line === null}
           onFill={() => put(chosen, how)}
         />
       )}
       <p className={found.length === 0 && box.typed !== "" ? "small soft" : "unseen"} role="status">
         {box.typed !== "" && found.length === 0 ? t.none : said}
       </p>
-      {!chosen && <FoundName read={read} roles={roles} tool={tool} nose={nose} filled={filled} onCorrect={put} />}
+      {!chosen && (
+        <FoundName
+          read={read}
+          roles={roles}
+          tool={tool ?? null}
+          nose={nose}
+          filled={filled}
+          isJob={line === null}
+          onCorrect={put}
+        />
+      )}
     </section>
   );
 }
@@ -131,8 +141,10 @@ function FoundName({
   tool,
   nose,
   filled,
+  isJob,
   onCorrect,
 }: {
+  readonly isJob: boolean;
   readonly read: JobReading;
   readonly roles: ThreadRoles;
   readonly tool: Tool | null;
@@ -178,7 +190,7 @@ function FoundName({
           {t.correct}
         </button>
       )}
-      <ThreadFacts thread={thread} read={read} roles={roles} tool={tool} how={shown} short />
+      <ThreadFacts thread={thread} read={read} roles={roles} tool={tool} how={shown} isJob={isJob} short />
     </div>
   );
 }

@@ -4,12 +4,11 @@ import { depthForNose, sideOf, valuesOfThread, type ThreadAim } from "../../../c
 import { noseRadius, pointAngle } from "../../../kernel/cutter/insert.ts";
 import type { Tool } from "../../../kernel/plan/tool.ts";
 import { designationOf, type Aim, type NamedThread } from "../../../kernel/thread/named-thread.ts";
-import type { BlankDraft } from "../../../program/job/job.ts";
 import { standardOf } from "../../../kernel/thread/threads.ts";
 import { Message } from "../../base/Message.tsx";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import type { JobReading } from "../../document/reading.ts";
-import { blankOfThread } from "./thread-blank.ts";
+import { addThreadTool, blankOfThread } from "./thread-blank.ts";
 import { useThreadNumbers } from "./thread-numbers.ts";
 
 interface Props {
@@ -18,12 +17,16 @@ interface Props {
   readonly roles: ThreadRoles;
   readonly tool: Tool | null;
   readonly how: ThreadAim;
+  /** A job has a blank, which gets the diameter before the thread, and calls one tool. */
+  readonly isJob: boolean;
 }
 
 /** Angles of inserts this near are the same, degrees. */
 const SAME_ANGLE = 0.5;
 /** Smaller errors of the pitch diameter are not worth a correction, mm. */
 const LEAST_ERROR = 0.01;
+/** Tip orientations that cut outside, and inside. */
+const SIDES: Readonly<Record<"outside" | "inside", readonly number[]>> = { outside: [1, 2, 3], inside: [5, 6, 7] };
 /** Most tools that are named. */
 const MOST_TOOLS = 3;
 
@@ -42,11 +45,8 @@ export function ThreadProposal({
   onAim,
   onNose,
   onFill,
-  blank,
   ...props
 }: Props & {
-  /** The blank of a job, which gets the diameter before the thread; null in a program. */
-  readonly blank: BlankDraft | null;
   readonly onAim: (aim: Aim) => void;
   readonly onNose: (byNose: boolean) => void;
   readonly onFill: () => void;
@@ -64,7 +64,8 @@ export function ThreadProposal({
       <Message tone="warning">{fill === "taper" ? t.taper : t.side[thread.outside ? "outside" : "inside"]}</Message>
     );
   const tolerance = thread[side]?.tolerance;
-  const ofBlank = blank && blankOfThread(thread, fill);
+  const blank = props.isJob ? read.job.blank : null;
+  const ofBlank = blankOfThread(fill);
   const off = errorByNose(thread, fill.inside, tool);
   return (
     <div className="thread-proposal" role="group" aria-label={t.proposal(name)}>
@@ -96,7 +97,7 @@ export function ThreadProposal({
             </li>
           );
         })}
-        {ofBlank && blank && (
+        {blank && (
           <li>
             <span className="soft">{t.blank[ofBlank.place]}</span>{" "}
             <span className="number">{numbers.length(ofBlank.size)}</span>
@@ -126,7 +127,7 @@ export function ThreadProposal({
 }
 
 /** Shaft or bore before the thread, its pitch diameter, the insert it needs, and where the figures are from. */
-export function ThreadFacts({ thread, read, roles, tool, how, short }: Props & { readonly short?: boolean }) {
+export function ThreadFacts({ thread, read, roles, tool, how, isJob, short }: Props & { readonly short?: boolean }) {
   const t = useTexts("threads");
   const numbers = useThreadNumbers(read);
   const fill = valuesOfThread(thread, roles, read.reading.partial, how);
@@ -137,7 +138,9 @@ export function ThreadFacts({ thread, read, roles, tool, how, short }: Props & {
   const limits = tolerance && ` (${t.limits(numbers.length(tolerance.crest[0]), numbers.length(tolerance.crest[1]))})`;
   const onPitch = tolerance && ` (${t.limits(numbers.length(tolerance.pitch[0]), numbers.length(tolerance.pitch[1]))})`;
   const isUnfit = tool !== null && !fitsAngle(tool, thread.angle);
-  const others = read.tools.filter((other) => fitsAngle(other, thread.angle)).map(({ T }) => `T${T}`);
+  const others = read.tools
+    .filter((other) => fitsAngle(other, thread.angle) && SIDES[side].includes(other.TO))
+    .map(({ T }) => `T${T}`);
   return (
     <div className="thread-facts small">
       <p>
@@ -165,7 +168,13 @@ export function ThreadFacts({ thread, read, roles, tool, how, short }: Props & {
       {isUnfit && (
         <Message tone="warning">
           {t.noInsert(numbers.plain(tool.T), numbers.plain(pointAngle(tool)), numbers.plain(thread.angle))}{" "}
-          {others.length > 0 ? t.otherTools(others.slice(0, MOST_TOOLS).join(", ")) : t.noTool}
+          {others.length > 0 ? (
+            t.otherTools(others.slice(0, MOST_TOOLS).join(", "))
+          ) : (
+            <button type="button" className="button small" onClick={() => addThreadTool(thread, fill, isJob)}>
+              {t.addTool(numbers.plain(thread.angle))}
+            </button>
+          )}
         </Message>
       )}
       <p className="soft">
