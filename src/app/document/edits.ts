@@ -18,12 +18,19 @@ export function setPrompt(q: string, text: string): void {
   }, `prompt ${q}`);
 }
 
-/** The typed texts of several prompts of the job, and sizes of its blank, in one step. */
-export const setPrompts = (texts: Draft, blank: Partial<Job["blank"]> | null = null): void =>
+/** Sizes of the set-up that belong to prompts; an empty text restores the proposal. */
+export interface SetupSizes {
+  readonly blank?: Partial<Job["blank"]>;
+  readonly start?: Partial<Job["start"]>;
+}
+
+/** The typed texts of several prompts of the job, and sizes of its set-up, in one step. */
+export const setPrompts = (texts: Draft, { blank, start }: SetupSizes = {}): void =>
   edit((job) => ({
     ...job,
     drafts: { ...job.drafts, [job.cycle]: { ...draftOf(job), ...texts } },
     ...(blank && { blank: { ...job.blank, ...blank } }),
+    ...(start && { start: { ...job.start, ...start } }),
   }));
 
 /** The typed value of a Q parameter that prompts use. */

@@ -1,5 +1,5 @@
 import { Suspense, useEffect } from "react";
-import { setPrompts } from "../../document/edits.ts";
+import { setPrompts, type SetupSizes } from "../../document/edits.ts";
 import { useOpenCall } from "../../place/open-call.ts";
 import { CycleInWork } from "../../calculation/issue-text.ts";
 import { lazyPart } from "../../base/parts.ts";
@@ -10,7 +10,6 @@ import { useEditor } from "../../document/store.ts";
 import { DialogDone } from "./DialogDone.tsx";
 import { PromptDialog } from "./PromptDialog.tsx";
 import { useCycleSession, type PromptedBlock } from "./use-cycle-session.tsx";
-import type { SetBlank } from "./thread-blank.ts";
 import { Unverified } from "./Unverified.tsx";
 
 const ThreadName = lazyPart(async () => ({ default: (await import("./ThreadName.tsx")).ThreadName }));
@@ -31,10 +30,10 @@ export function CycleDialog({
   useEffect(() => {
     if (line !== null) useOpenCall.setState({ call: { work, cycle, line } });
   }, [work, cycle, line]);
-  const fill = (texts: Readonly<Record<string, string>>, blank: SetBlank | null) => {
+  const fill = (texts: Readonly<Record<string, string>>, setup: SetupSizes) => {
     closeStep();
     if (block) block.setAll(texts);
-    else setPrompts(texts, blank && { [blank.place]: blank.text });
+    else setPrompts(texts, setup);
     closeStep();
   };
   const head = (

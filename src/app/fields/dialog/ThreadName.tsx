@@ -12,10 +12,11 @@ import { threadsNamed } from "../../../kernel/thread/threads.ts";
 import { noseRadius } from "../../../kernel/cutter/insert.ts";
 import type { Tool } from "../../../kernel/plan/tool.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
+import type { SetupSizes } from "../../document/edits.ts";
 import type { JobReading } from "../../document/reading.ts";
 import { ComboboxInput, optionOf, useCombobox } from "../find/Combobox.tsx";
 import { ThreadFacts, ThreadProposal } from "./ThreadProposal.tsx";
-import { blankOfThread, type SetBlank } from "./thread-blank.ts";
+import { setupOfThread } from "./thread-blank.ts";
 import { ThreadPicture } from "./ThreadPicture.tsx";
 import { useThreadNumbers } from "./thread-numbers.ts";
 import { useThreadOperation } from "./thread-operation.ts";
@@ -38,8 +39,8 @@ export function ThreadName({
   readonly read: JobReading;
   readonly roles: ThreadRoles;
   readonly line: number | null;
-  /** Writes typed texts, and for a job the diameter of its blank, in one step of undo. */
-  readonly setAll: (texts: Readonly<Record<string, string>>, blank: SetBlank | null) => void;
+  /** Writes typed texts, and for a job sizes of its set-up, in one step of undo. */
+  readonly setAll: (texts: Readonly<Record<string, string>>, setup: SetupSizes) => void;
 }) {
   const t = useTexts("threads");
   const numbers = useThreadNumbers(read);
@@ -61,8 +62,7 @@ export function ThreadName({
     const fill = valuesOfThread(thread, roles, values, how);
     if (typeof fill === "string") return;
     const texts = Object.entries(fill.values).map(([q, value]) => [q, numbers.typed(q, value)]);
-    const blank = line === null ? blankOfThread(fill) : null;
-    setAll(Object.fromEntries(texts), blank && { ...blank, text: numbers.typed("", blank.size) });
+    setAll(Object.fromEntries(texts), line === null ? setupOfThread(read.job, fill) : {});
     setFilled({ thread, ...how });
     say(t.filled(numbers.name(designationOf(thread, fill.inside ? "inside" : "outside"))));
     box.change({ typed: "", chosen: 0 });
