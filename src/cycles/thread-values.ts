@@ -205,6 +205,7 @@ export function threadOfValues(roles: ThreadRoles, typed: TypedValues, nose: num
     const side = inside ? "inside" : "outside";
     if (!thread[side] || (thread.side && thread.side !== side)) return;
     const aims: readonly Aim[] = thread[side].tolerance ? ["middle", "basic"] : ["basic"];
+    if (typeof valuesOfThread(thread, roles, typed, { aim: "basic", nose: null }) === "string") return;
     for (const aim of aims)
       for (const radius of [null, nose]) {
         const differences = differencesFrom(thread, roles, typed, { aim, nose: radius });

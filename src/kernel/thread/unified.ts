@@ -86,32 +86,37 @@ function minorTolerance(d: number, p: number): number {
 const tenths = (inches: number) => Math.round(inches * 1e4) / 1e4;
 const mm = (inches: number) => rounded(inches * INCH);
 
+/** Sizes from number 6 on state the minor diameter of internal threads to a thousandth. */
+const THOUSANDTHS = 0.138;
+
+/** Basic sizes and limits; outside, the standard rounds allowance and tolerance before it subtracts them. */
 function sideOf(name: UnifiedClass, d: number, p: number, engagement: number): ThreadSide {
   const tolerance = pitch2A(d, p, engagement);
-  const pitch = d - 0.75 * TRIANGLE * p;
+  const [flank, minor] = [d - 0.75 * TRIANGLE * p, d - 1.25 * TRIANGLE * p];
+  const [major, pitch] = [tenths(d), tenths(flank)];
   const onPitch = tolerance * OF_2A[name];
-  const limits = (from: number, to: number): Limits => [mm(tenths(from)), mm(tenths(to))];
   if (name.endsWith("B")) {
-    const minor = d - 1.25 * TRIANGLE * p;
+    const places = d >= THOUSANDTHS ? (n: number) => Math.round(n * 1e3) / 1e3 : tenths;
     return {
       crest: mm(minor),
       pitch: mm(pitch),
       root: mm(d),
-      tolerance: { name, crest: limits(minor, minor + minorTolerance(d, p)), pitch: limits(pitch, pitch + onPitch) },
+      tolerance: {
+        name,
+        crest: [mm(places(minor)), mm(places(minor + minorTolerance(d, p)))],
+        pitch: [mm(pitch), mm(tenths(flank + onPitch))],
+      },
     };
   }
-  const allowance = name === "3A" ? 0 : 0.3 * tolerance;
-  const major = (name === "1A" ? 0.09 : 0.06) * p ** (2 / 3);
+  const allowance = name === "3A" ? 0 : tenths(0.3 * tolerance);
+  const onMajor = tenths((name === "1A" ? 0.09 : 0.06) * p ** (2 / 3));
+  const limits = (size: number, by: number): Limits => [mm(size - allowance - by), mm(size - allowance)];
   return {
     crest: mm(d),
     pitch: mm(pitch),
     // Rounded root of the UNR profile, 11/16 H below the crest.
     root: mm(d - 1.375 * TRIANGLE * p),
-    tolerance: {
-      name,
-      crest: limits(d - allowance - major, d - allowance),
-      pitch: limits(pitch - allowance - onPitch, pitch - allowance),
-    },
+    tolerance: { name, crest: limits(major, onMajor), pitch: limits(pitch, tenths(onPitch)) },
   };
 }
 

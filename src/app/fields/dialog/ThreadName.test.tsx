@@ -4,7 +4,8 @@ import userEvent from "@testing-library/user-event";
 import { afterEach, beforeEach, expect, test } from "vitest";
 import { catalogue } from "../../../cycles/index.ts";
 import { exampleJob } from "../../../program/job/job.ts";
-import { draftOf } from "../../document/edits.ts";
+import { draftOf, setPrompt } from "../../document/edits.ts";
+import { toolTable } from "../../document/work-tools.ts";
 import { openPrompt } from "../../place/place.ts";
 import { useReading } from "../../document/reading.ts";
 import { changeSettings } from "../../base/settings/settings.ts";
@@ -28,6 +29,8 @@ function Page() {
 const draft = () => draftOf(useEditor.getState().job ?? exampleJob(cycle));
 
 beforeEach(() => {
+  // The test browser does not scroll.
+  Element.prototype.scrollIntoView = () => undefined;
   changeSettings({ language: "en" });
   openFirstWork(exampleJob(cycle), "work");
   openPrompt(pitch, "2");
@@ -35,25 +38,45 @@ beforeEach(() => {
 });
 afterEach(cleanup);
 
-test("a size by its name fills pitch, depth, diameter and one start, in one step of undo", async () => {
+const field = () => screen.findByRole("combobox", { name: "Thread" });
+
+test("a name fills pitch, depth, diameter and one start, in one step of undo, and stays recognized", async () => {
   const user = userEvent.setup();
   const before = draft();
-  await user.type(await screen.findByRole("searchbox", { name: "Nominal size" }), "m20x1,5{Enter}");
-  await screen.findByText(/M20×1.5: pitch/);
-  expect(draft()).toEqual({ ...before, [pitch]: "1.5", [depth]: "0.92", [starts]: "1", [diameter]: "20" });
+  await user.type(await field(), "m20x1,5");
+  // Nothing changes before it is pressed.
+  await screen.findByRole("group", { name: "Values for M20×1.5 6g" });
+  expect(draft()).toEqual(before);
+  await user.keyboard("{Enter}");
+  await screen.findByText("This is M20×1.5 6g");
+  const filled = { ...before, [pitch]: "1.5", [depth]: "0.896", [starts]: "1", [diameter]: "19.85" };
+  expect(draft()).toEqual(filled);
   expect(draft()[position]).toBe(before[position]);
+  expect(useEditor.getState().job?.blank.outside).toBe("19.85");
+  setPrompt(depth, "0.8");
+  await screen.findByText(/^Not M20×1.5 6g .* 0.8, correct 0.896/);
+  await user.click(screen.getByRole("button", { name: "Correct" }));
+  expect(draft()).toEqual(filled);
+  undoStep();
+  undoStep();
   undoStep();
   expect(draft()).toEqual(before);
 });
 
-test("a tap sets the size, and a name that no standard has gives a message", async () => {
+test("the basic size is a choice, and an insert of another angle is named with a tool to add", async () => {
   const user = userEvent.setup();
-  const field = await screen.findByRole("searchbox", { name: "Nominal size" });
-  await user.type(field, "G½");
-  await user.click(await screen.findByRole("button", { name: /^G1\/2/ }));
-  expect(draft()[diameter]).toBe("20.955");
-  expect(document.activeElement).toBe(field);
-  await screen.findByText(/point angle of 55°/);
-  await user.type(field, "W7");
+  await user.type(await field(), "G½");
+  await user.selectOptions(await screen.findByRole("combobox", { name: "Thread size" }), "Basic size");
+  await user.click(screen.getByRole("button", { name: "Fill in" }));
+  expect([draft()[diameter], draft()[depth]]).toEqual(["20.955", "1.162"]);
+  expect(document.activeElement).toBe(await field());
+  await user.click(await screen.findByRole("button", { name: "Add a thread tool with 55°" }));
+  const called = useEditor.getState().job?.tool;
+  expect(toolTable().tools.find(({ T }) => T === called)).toMatchObject({ TYPE: "THREAD", TO: 2, "P-ANGLE": 55 });
+});
+
+test("a name that no standard has gives a message", async () => {
+  const user = userEvent.setup();
+  await user.type(await field(), "W7");
   await screen.findByText(/^No thread of this name/);
 });
