@@ -77,6 +77,6 @@ test("the basic size is a choice, and an insert of another angle is named with a
 
 test("a name that no standard has gives a message", async () => {
   const user = userEvent.setup();
-  await user.type(await field(), "W7");
+  await user.type(await field(), "X7");
   await screen.findByText(/^No thread of this name/);
 });
