@@ -1,39 +1,40 @@
+import { SAME_STEP } from "../tolerance.ts";
 import { rounded } from "../units.ts";
-import type { Limits } from "./named-thread.ts";
+import type { SizeLimits } from "./named-thread.ts";
 import { preferred } from "./preferred-numbers.ts";
 
 /*
- * Tolerances of ISO 965-1 in µm. Other grades follow in steps of R 40 from grade 6, as in its tables. Compared with
+ * Tolerances of ISO 965-1. Other grades follow in steps of R 40 from grade 6, as in its tables. Compared with
  * ASME B1.13M and DIN 13 limits of 300 threads (decision 0051).
  */
 
-/** Pitch, mm; fundamental deviations e (null where there is none), f and g; tolerances of grade 6 of d and D1. */
+/** Pitch; fundamental deviations e (null where there is none), f and g; tolerances of grade 6 of d and D1, mm. */
 const BY_PITCH: readonly (readonly [P: number, e: number | null, f: number, g: number, Td: number, TD1: number])[] = [
-  [0.2, null, 32, 17, 56, 60],
-  [0.25, null, 33, 18, 67, 71],
-  [0.3, null, 33, 18, 75, 85],
-  [0.35, null, 34, 19, 85, 100],
-  [0.4, null, 34, 19, 95, 112],
-  [0.45, null, 35, 20, 100, 125],
-  [0.5, 50, 36, 20, 106, 140],
-  [0.6, 53, 36, 21, 125, 160],
-  [0.7, 56, 38, 22, 140, 180],
-  [0.75, 56, 38, 22, 140, 190],
-  [0.8, 60, 38, 24, 150, 200],
-  [1, 60, 40, 26, 180, 236],
-  [1.25, 63, 42, 28, 212, 265],
-  [1.5, 67, 45, 32, 236, 300],
-  [1.75, 71, 48, 34, 265, 335],
-  [2, 71, 52, 38, 280, 375],
-  [2.5, 80, 58, 42, 335, 450],
-  [3, 85, 63, 48, 375, 500],
-  [3.5, 90, 70, 53, 425, 560],
-  [4, 95, 75, 60, 475, 600],
-  [4.5, 100, 80, 63, 500, 670],
-  [5, 106, 85, 71, 530, 710],
-  [5.5, 112, 90, 75, 560, 750],
-  [6, 118, 95, 80, 600, 800],
-  [8, 140, 118, 100, 710, 1000],
+  [0.2, null, 0.032, 0.017, 0.056, 0.06],
+  [0.25, null, 0.033, 0.018, 0.067, 0.071],
+  [0.3, null, 0.033, 0.018, 0.075, 0.085],
+  [0.35, null, 0.034, 0.019, 0.085, 0.1],
+  [0.4, null, 0.034, 0.019, 0.095, 0.112],
+  [0.45, null, 0.035, 0.02, 0.1, 0.125],
+  [0.5, 0.05, 0.036, 0.02, 0.106, 0.14],
+  [0.6, 0.053, 0.036, 0.021, 0.125, 0.16],
+  [0.7, 0.056, 0.038, 0.022, 0.14, 0.18],
+  [0.75, 0.056, 0.038, 0.022, 0.14, 0.19],
+  [0.8, 0.06, 0.038, 0.024, 0.15, 0.2],
+  [1, 0.06, 0.04, 0.026, 0.18, 0.236],
+  [1.25, 0.063, 0.042, 0.028, 0.212, 0.265],
+  [1.5, 0.067, 0.045, 0.032, 0.236, 0.3],
+  [1.75, 0.071, 0.048, 0.034, 0.265, 0.335],
+  [2, 0.071, 0.052, 0.038, 0.28, 0.375],
+  [2.5, 0.08, 0.058, 0.042, 0.335, 0.45],
+  [3, 0.085, 0.063, 0.048, 0.375, 0.5],
+  [3.5, 0.09, 0.07, 0.053, 0.425, 0.56],
+  [4, 0.095, 0.075, 0.06, 0.475, 0.6],
+  [4.5, 0.1, 0.08, 0.063, 0.5, 0.67],
+  [5, 0.106, 0.085, 0.071, 0.53, 0.71],
+  [5.5, 0.112, 0.09, 0.075, 0.56, 0.75],
+  [6, 0.118, 0.095, 0.08, 0.6, 0.8],
+  [8, 0.14, 0.118, 0.1, 0.71, 1],
 ];
 
 /** Ranges of the nominal diameter up to this one, mm, with the tolerance of grade 6 of d2 by pitch. */
@@ -51,7 +52,10 @@ const BY_DIAMETER: readonly (readonly [upTo: number, tolerances: Readonly<Record
 /** Smallest diameter of the first range, mm. */
 const SMALLEST = 0.99;
 
-const same = (a: number, b: number) => Math.abs(a - b) < 1e-6;
+/** µm in a mm: the formulas of the standard give µm. */
+const MICRONS = 1000;
+
+const same = (a: number, b: number) => Math.abs(a - b) < SAME_STEP;
 const rowOf = (pitch: number) => BY_PITCH.find(([P]) => same(P, pitch));
 
 /** Fundamental deviation of a position in µm, towards more clearance: by table, or by formula for an unlisted pitch. */
@@ -64,7 +68,7 @@ function deviation(position: string, pitch: number): number | null {
     h: 0,
   };
   const at = { e: row?.[1], f: row?.[2], g: row?.[3], h: 0 }[position];
-  if (at !== undefined) return at;
+  if (at !== undefined) return at === null ? null : at * MICRONS;
   const value = row ? undefined : formula[position];
   return value === undefined ? null : value === 0 ? 0 : preferred(value);
 }
@@ -89,14 +93,14 @@ const stepsTo = (grade: number) => (grade - 6) * PER_GRADE;
 /** Tolerances and deviation of a class; mm. */
 export interface MetricClass {
   readonly name: string;
-  readonly crest: Limits;
-  readonly pitch: Limits;
+  readonly crest: SizeLimits;
+  readonly pitch: SizeLimits;
 }
 
 const GRADES = { outsideCrest: [4, 6, 8], outsidePitch: [3, 4, 5, 6, 7, 8, 9], inside: [4, 5, 6, 7, 8] } as const;
 
 /**
- * Limits of a class such as 6g, 4g6g, 6H, 5H6H for basic crest and pitch diameters, mm; null where ISO 965-1 has no such
+ * SizeLimits of a class such as 6g, 4g6g, 6H, 5H6H for basic crest and pitch diameters, mm; null where ISO 965-1 has no such
  * class.
  */
 export function metricClass(
@@ -120,12 +124,12 @@ export function metricClass(
   const sixth = pitchTolerance(nominal, pitch);
   const onPitch = preferred(sixth, stepsTo(forPitch) + (isInside ? INSIDE : 0));
   const crest = isInside
-    ? preferred(row?.[5] ?? minorTolerance(pitch), stepsTo(forCrest))
-    : preferred(row?.[4] ?? 180 * pitch ** (2 / 3) - 3.15 / Math.sqrt(pitch), stepsTo(forCrest));
-  const limits = (size: number, gap: number, tolerance: number): Limits =>
+    ? preferred(row ? row[5] * MICRONS : minorTolerance(pitch), stepsTo(forCrest))
+    : preferred(row ? row[4] * MICRONS : 180 * pitch ** (2 / 3) - 3.15 / Math.sqrt(pitch), stepsTo(forCrest));
+  const limits = (size: number, gap: number, tolerance: number): SizeLimits =>
     isInside
-      ? [rounded(size + gap / 1000), rounded(size + (gap + tolerance) / 1000)]
-      : [rounded(size - (gap + tolerance) / 1000), rounded(size - gap / 1000)];
+      ? [rounded(size + gap / MICRONS), rounded(size + (gap + tolerance) / MICRONS)]
+      : [rounded(size - (gap + tolerance) / MICRONS), rounded(size - gap / MICRONS)];
   return {
     name,
     crest: limits(basic.crest, crestDeviation, crest),

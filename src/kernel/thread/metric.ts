@@ -1,4 +1,5 @@
 import { METRIC_ANGLE, METRIC_SIZES } from "../contour/metric-thread.ts";
+import { SAME_STEP } from "../tolerance.ts";
 import { rounded } from "../units.ts";
 import { metricClass } from "./metric-tolerance.ts";
 import type { NamedThread, ThreadSide } from "./named-thread.ts";
@@ -29,7 +30,7 @@ export function metricThread(
   typed: Omit<TypedName, "size">,
 ): NamedThread | null {
   const { nominal, pitch, starts } = size;
-  const row = METRIC_SIZES.find(([d]) => Math.abs(d - nominal) < 1e-6);
+  const row = METRIC_SIZES.find(([d]) => Math.abs(d - nominal) < SAME_STEP);
   const coarse = row?.[1] ?? null;
   const classes = usual(nominal);
   const side = (name: string, crest: number, root: number): ThreadSide | null => {

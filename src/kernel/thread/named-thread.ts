@@ -4,15 +4,15 @@ import { radians, rounded } from "../units.ts";
 export type StandardId =
   "metric" | "unified" | "pipe" | "taperPipe" | "npt" | "whitworth" | "trapezoidal" | "buttress" | "round";
 
-/** Limits of a diameter, mm. */
-export type Limits = readonly [least: number, greatest: number];
+/** SizeLimits of a diameter, mm. */
+export type SizeLimits = readonly [least: number, greatest: number];
 
 /** Tolerance class with the limits that it gives, mm. */
 export interface ThreadTolerance {
   readonly name: string;
   /** Of the crest: major diameter outside, minor diameter inside. */
-  readonly crest: Limits;
-  readonly pitch: Limits;
+  readonly crest: SizeLimits;
+  readonly pitch: SizeLimits;
 }
 
 /** External or internal thread: basic diameters of its design profile, mm; of a taper at its gauge plane. */
@@ -82,7 +82,7 @@ export function noseOfRoot({ angle, pitch }: Pick<NamedThread, "angle" | "pitch"
   return Math.max(0, (apex - root) / (1 / Math.sin(half) - 1));
 }
 
-const middleOf = ([least, greatest]: Limits): number => (least + greatest) / 2;
+const middleOf = ([least, greatest]: SizeLimits): number => (least + greatest) / 2;
 
 /**
  * Diameters of a thread as it is cut. In the middle of its class the crest is in the middle of its limits, and the

@@ -1,3 +1,4 @@
+import { SAME_STEP } from "../tolerance.ts";
 import type { NamedThread, StandardId } from "./named-thread.ts";
 import type { TypedName } from "./typed-name.ts";
 
@@ -34,5 +35,5 @@ export function startsOf(
 ): { readonly pitch: number; readonly starts: number } | null {
   if (pitch === undefined) return { pitch: lead, starts: 1 };
   const starts = Math.round(lead / pitch);
-  return starts >= 1 && starts <= MOST_STARTS && Math.abs(lead - starts * pitch) < 1e-6 ? { pitch, starts } : null;
+  return starts >= 1 && starts <= MOST_STARTS && Math.abs(lead - starts * pitch) < SAME_STEP ? { pitch, starts } : null;
 }

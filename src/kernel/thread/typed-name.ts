@@ -1,3 +1,5 @@
+import { ROUND, SAME } from "../tolerance.ts";
+
 /** A typed name of a thread in a common spelling, with what follows the size taken off. */
 export interface TypedName {
   /** Size as typed, with single blanks, "x", "." and "-"; lower case. */
@@ -84,9 +86,9 @@ export function inchesIn(text: string): number {
 
 /** Inches as the trade writes them: 1 1/2; a decimal where no 64th fits. */
 export function inchText(inches: number): string {
-  const whole = Math.floor(inches + 1e-9);
+  const whole = Math.floor(inches + ROUND);
   const parts = Math.round((inches - whole) * 64);
-  if (Math.abs(inches - whole - parts / 64) > 1e-4) return String(inches);
+  if (Math.abs(inches - whole - parts / 64) > SAME) return String(inches);
   if (parts === 0) return String(whole);
   let [above, below] = [parts, 64];
   while (above % 2 === 0) [above, below] = [above / 2, below / 2];

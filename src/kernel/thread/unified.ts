@@ -1,6 +1,6 @@
 import { INCH, rounded } from "../units.ts";
 import { TRIANGLE } from "./metric.ts";
-import type { Limits, NamedThread, ThreadSide } from "./named-thread.ts";
+import type { SizeLimits, NamedThread, ThreadSide } from "./named-thread.ts";
 import { isPlausible, type ThreadStandard } from "./standard.ts";
 import { inchesIn, inchText, type TypedName } from "./typed-name.ts";
 
@@ -110,7 +110,7 @@ function sideOf(name: UnifiedClass, d: number, p: number, engagement: number): T
   }
   const allowance = name === "3A" ? 0 : tenths(0.3 * tolerance);
   const onMajor = tenths((name === "1A" ? 0.09 : 0.06) * p ** (2 / 3));
-  const limits = (size: number, by: number): Limits => [mm(size - allowance - by), mm(size - allowance)];
+  const limits = (size: number, by: number): SizeLimits => [mm(size - allowance - by), mm(size - allowance)];
   return {
     crest: mm(d),
     pitch: mm(pitch),

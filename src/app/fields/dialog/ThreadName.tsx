@@ -91,7 +91,14 @@ export function ThreadName({
         />
       </div>
       <ThreadPicture line={line} />
-      <ul className="thread-options" id={box.id} role="listbox" aria-label={t.found} hidden={found.length < 2}>
+      <ul
+        // A single thread is the proposal below.
+        className={found.length < 2 ? "unseen" : "thread-options"}
+        id={box.id}
+        role="listbox"
+        aria-label={t.found}
+        hidden={found.length === 0}
+      >
         {found.map((thread, i) => (
           <li
             key={`${thread.standard} ${thread.name}`}
