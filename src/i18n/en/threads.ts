@@ -28,6 +28,7 @@ export const threadNames = {
   flanks: (angle: string, leading: string, clearing: string) => `${angle}° (${leading}°/${clearing}°)`,
   noInsert: (tool: string, is: string, should: string) => `T${tool} has ${is}°; this thread requires ${should}°.`,
   otherTools: (tools: string) => `Suitable: ${tools}.`,
+  useTool: (tool: string) => `Use T${tool}`,
   addTool: (angle: string) => `Add a thread tool with ${angle}°`,
   asymmetric: "The simulation uses an insert with two equal flanks.",
   unlisted: (documents: string) => `Diameter and pitch are not combined in ${documents}: calculated by its formulas.`,

@@ -5,6 +5,7 @@ import { afterEach, beforeEach, expect, test } from "vitest";
 import { catalogue } from "../../../cycles/index.ts";
 import { exampleJob } from "../../../program/job/job.ts";
 import { draftOf, setPrompt } from "../../document/edits.ts";
+import { takePlace } from "../../document/setup-edits.ts";
 import { toolTable } from "../../document/work-tools.ts";
 import { openPrompt } from "../../place/place.ts";
 import { useReading } from "../../document/reading.ts";
@@ -73,6 +74,9 @@ test("the basic size is a choice, and an insert of another angle is named with a
   await user.click(await screen.findByRole("button", { name: "Add a thread tool with 55°" }));
   const called = useEditor.getState().job?.tool;
   expect(toolTable().tools.find(({ T }) => T === called)).toMatchObject({ TYPE: "THREAD", TO: 2, "P-ANGLE": 55 });
+  takePlace("tool", "12");
+  await user.click(await screen.findByRole("button", { name: `Use T${String(called)}` }));
+  expect(useEditor.getState().job?.tool).toBe(called);
 });
 
 test("a name that no standard has gives a message", async () => {

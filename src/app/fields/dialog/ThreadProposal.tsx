@@ -5,6 +5,7 @@ import { noseRadius, pointAngle } from "../../../kernel/cutter/insert.ts";
 import type { Tool } from "../../../kernel/plan/tool.ts";
 import { designationOf, type Aim, type NamedThread } from "../../../kernel/thread/named-thread.ts";
 import { standardOf } from "../../../kernel/thread/threads.ts";
+import { takePlace } from "../../document/setup-edits.ts";
 import { Message } from "../../base/Message.tsx";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import type { JobReading } from "../../document/reading.ts";
@@ -140,7 +141,7 @@ export function ThreadFacts({ thread, read, roles, tool, how, isJob, short }: Pr
   const isUnfit = tool !== null && !fitsAngle(tool, thread.angle);
   const others = read.tools
     .filter((other) => fitsAngle(other, thread.angle) && SIDES[side].includes(other.TO))
-    .map(({ T }) => `T${T}`);
+    .map(({ T }) => String(T));
   return (
     <div className="thread-facts small">
       <p>
@@ -168,8 +169,17 @@ export function ThreadFacts({ thread, read, roles, tool, how, isJob, short }: Pr
       {isUnfit && (
         <Message tone="warning">
           {t.noInsert(numbers.plain(tool.T), numbers.plain(pointAngle(tool)), numbers.plain(thread.angle))}{" "}
-          {others.length > 0 ? (
-            t.otherTools(others.slice(0, MOST_TOOLS).join(", "))
+          {isJob && others[0] !== undefined ? (
+            <button type="button" className="button small" onClick={() => takePlace("tool", others[0] ?? "")}>
+              {t.useTool(others[0])}
+            </button>
+          ) : others.length > 0 ? (
+            t.otherTools(
+              others
+                .slice(0, MOST_TOOLS)
+                .map((T) => `T${T}`)
+                .join(", "),
+            )
           ) : (
             <button type="button" className="button small" onClick={() => addThreadTool(thread, fill, isJob)}>
               {t.addTool(numbers.plain(thread.angle))}
