@@ -72,7 +72,21 @@ test("a feature is imported only by its index, which fetches its parts, and by i
 
 /** Folders of a layer from the bottom up; "" contains its files outside any folder. */
 const FOLDERS: Readonly<Record<string, readonly string[]>> = {
-  kernel: ["", "geometry", "area", "plan", "reach", "contour", "solve", "time", "plane", "cutter", "free", "strategy"],
+  kernel: [
+    "",
+    "geometry",
+    "area",
+    "plan",
+    "reach",
+    "contour",
+    "thread",
+    "solve",
+    "time",
+    "plane",
+    "cutter",
+    "free",
+    "strategy",
+  ],
   program: [
     "files",
     "values",

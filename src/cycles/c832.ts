@@ -87,7 +87,7 @@ export const c832 = defineCycle({
     contour: printedContour,
     values: { ...oneGroove, Q493: 102 },
   },
-  thread: threadRoles("Q491", "Q493"),
+  thread: { ...threadRoles("Q491", "Q493"), line: { form: "Q464", startZ: "Q492", endZ: "Q494" } },
   steps: { rough: 8, finish: 0 },
   outline: outlineOf,
   plan(v, setting) {

@@ -100,6 +100,8 @@ export interface ThreadRoles {
   /** Angle of infeed. */
   readonly flank: string;
   readonly diameters: readonly string[];
+  /** For a line that can be a taper: how it is dimensioned (0: both ends), and the Z of its ends. */
+  readonly line?: { readonly form: string; readonly startZ: string; readonly endZ: string };
 }
 
 /** A cycle that acts where it is defined. */

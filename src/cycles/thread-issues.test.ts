@@ -166,12 +166,15 @@ test("the depth of the metric profile is reported as such for an insert with ano
     {
       code: "depthOfOtherProfile",
       severity: "warning",
-      data: { angle: 55, factor: 0.6134, right: 0.6403, nearest: 1.162 },
+      data: { angle: 55, factor: 0.6134, right: 0.640327, nearest: 1.162 },
     },
   ]);
   const [found] = told(30);
-  expect(found).toMatchObject({ code: "depthOfOtherProfile", data: { angle: 30 } });
-  expect(found?.data).not.toHaveProperty("nearest");
+  // Half the pitch and the clearance of a trapezoidal thread, which no factor says.
+  expect(found).toMatchObject({ code: "depthOfOtherProfile", data: { angle: 30, nearest: 1.157 } });
+  expect(found?.data).not.toHaveProperty("right");
+  const [other] = told(47);
+  expect(other?.data).not.toHaveProperty("nearest");
   expect(told(55, 1.162)).toEqual([]);
 });
 

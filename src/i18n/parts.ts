@@ -39,6 +39,7 @@ interface English {
   readonly sheet: typeof import("./en/sheet.ts");
   readonly solid: typeof import("./en/solid.ts");
   readonly tables: typeof import("./en/tables.ts");
+  readonly threads: typeof import("./en/threads.ts");
   readonly "tool-codes": typeof import("./en/tool-codes.ts");
   readonly "tool-files": typeof import("./en/tool-files.ts");
   readonly "tool-foreign": typeof import("./en/tool-foreign.ts");

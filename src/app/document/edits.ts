@@ -18,9 +18,20 @@ export function setPrompt(q: string, text: string): void {
   }, `prompt ${q}`);
 }
 
-/** The typed texts of several prompts of the job, in one step. */
-export const setPrompts = (texts: Draft): void =>
-  edit((job) => ({ ...job, drafts: { ...job.drafts, [job.cycle]: { ...draftOf(job), ...texts } } }));
+/** Sizes of the set-up that belong to prompts; an empty text restores the proposal. */
+export interface SetupSizes {
+  readonly blank?: Partial<Job["blank"]>;
+  readonly start?: Partial<Job["start"]>;
+}
+
+/** The typed texts of several prompts of the job, and sizes of its set-up, in one step. */
+export const setPrompts = (texts: Draft, { blank, start }: SetupSizes = {}): void =>
+  edit((job) => ({
+    ...job,
+    drafts: { ...job.drafts, [job.cycle]: { ...draftOf(job), ...texts } },
+    ...(blank && { blank: { ...job.blank, ...blank } }),
+    ...(start && { start: { ...job.start, ...start } }),
+  }));
 
 /** The typed value of a Q parameter that prompts use. */
 export const setParameter = (name: string, text: string): void =>

@@ -8,8 +8,6 @@ import type { Diameter } from "../units.ts";
 export const METRIC = { outside: 0.6134, inside: 0.5413 } as const;
 /** Angle between the flanks of that profile, degrees. */
 export const METRIC_ANGLE = 60;
-/** Depth of the Whitworth profile (ISO 228, 55°) in pitches, outside and inside. */
-export const WHITWORTH = { angle: 55, depth: 0.6403 } as const;
 
 /** Sizes of ISO 261 up to 72 mm: nominal diameter, coarse pitch (null where there is none), fine pitches, mm. */
 export const METRIC_SIZES: readonly (readonly [nominal: number, coarse: number | null, ...fine: number[]])[] = [

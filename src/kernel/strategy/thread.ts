@@ -2,23 +2,14 @@ import { extent } from "../reach/convex.ts";
 import { segmentToPart, toFlat, toPart, type Flat, type Frame } from "../geometry/flat.ts";
 import { issue, type Issue } from "../plan/issue.ts";
 import { cutLength, pointAngle, withToothFor } from "../cutter/insert.ts";
-import { METRIC, METRIC_ANGLE, WHITWORTH } from "../contour/metric-thread.ts";
+import { METRIC, METRIC_ANGLE } from "../contour/metric-thread.ts";
+import { depthByAngle } from "../thread/profiles.ts";
 import type { Plan, PlanContext } from "../plan/plan.ts";
 import { part, type Segment } from "../geometry/point.ts";
 import { CHORD, ROUND, SAME } from "../tolerance.ts";
 import type { Tool } from "../plan/tool.ts";
 import { roomOf, Track, type Purpose } from "../plan/track.ts";
-import {
-  angleUnder,
-  degrees,
-  type Length,
-  length,
-  radians,
-  rounded,
-  roundedAngle,
-  roundedDown,
-  toDiameter,
-} from "../units.ts";
+import { angleUnder, degrees, type Length, length, radians, roundedAngle, roundedDown, toDiameter } from "../units.ts";
 import { withAxisCheck } from "./across.ts";
 import { squareTo, unfitForThread } from "./fit.ts";
 import { envelopeAtCall, Frontier } from "./frontier.ts";
@@ -72,14 +63,26 @@ interface ThreadTarget extends ThreadLine {
  * The issue for a depth that was not entered: that of the metric profile is assumed, which an insert with another angle
  * does not have.
  */
-function assumedDepthIssue(depth: number, pitch: number, factor: number, tool: Tool): Issue {
+function assumedDepthIssue({ inside }: Thread, depth: number, pitch: number, tool: Tool): Issue {
+  const factor = inside ? METRIC.inside : METRIC.outside;
   // A tool of another kind makes no thread at all.
   const angle = tool.TYPE === "THREAD" ? pointAngle(tool) : METRIC_ANGLE;
   if (Math.abs(angle - METRIC_ANGLE) < ROUND)
     return issue("depthFromPitch", "info", { depth, pitch, factor }, "threadDepth");
-  const isWhitworth = Math.abs(angle - WHITWORTH.angle) < ROUND;
-  const right = isWhitworth ? { right: WHITWORTH.depth, nearest: rounded(WHITWORTH.depth * pitch) } : {};
-  return issue("depthOfOtherProfile", "warning", { depth, pitch, factor, angle, ...right }, "threadDepth");
+  const right = depthByAngle(angle, pitch, inside);
+  return issue(
+    "depthOfOtherProfile",
+    "warning",
+    {
+      depth,
+      pitch,
+      factor,
+      angle,
+      ...(right?.factor !== undefined && { right: right.factor }),
+      ...(right && { nearest: right.depth }),
+    },
+    "threadDepth",
+  );
 }
 
 /** The target thread, with all issues that can be found before it is cut; null if its values make none. */
@@ -91,7 +94,7 @@ function threadTarget(t: Thread, tool: Tool, issues: Issue[]): ThreadTarget | nu
   const pitch = t.lead / Math.max(1, t.starts);
   const factor = t.inside ? METRIC.inside : METRIC.outside;
   const depth = t.depth > 0 ? t.depth : pitch * factor;
-  if (!(t.depth > 0)) issues.push(assumedDepthIssue(depth, pitch, factor, tool));
+  if (!(t.depth > 0)) issues.push(assumedDepthIssue(t, depth, pitch, tool));
   const crest = part
     .flattenedChain(t.contour, CHORD)
     .map((p) => toFlat(t.frame, p))

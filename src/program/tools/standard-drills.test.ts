@@ -19,3 +19,19 @@ test("numbers of the table stay free of standard drills", () => {
   expect(standardDrills(list)[0]?.T).toBe("32");
   expect(standardDrills(list).map(({ T }) => T)).not.toContain("31");
 });
+
+test("taps have diameter and pitch of their thread, and a drill for its core", () => {
+  const rows = standardDrills(shippedList);
+  const taps = rows.filter(({ TYPE }) => TYPE === "TAP").map(({ NAME, R, PITCH }) => [NAME, R, PITCH]);
+  expect(taps).toEqual([
+    ["TAP-M6", "3", "1"],
+    ["TAP-M8", "4", "1.25"],
+    ["TAP-M10", "5", "1.5"],
+    ["TAP-M12", "6", "1.75"],
+  ]);
+  const drills = rows.filter(({ TYPE }) => TYPE === "DRILL").map(({ R }) => Number(R));
+  for (const [, R, PITCH] of taps) {
+    const core = Number(R) - Number(PITCH) / 2;
+    expect(drills.some((r) => Math.abs(r - core) <= 0.03)).toBe(true);
+  }
+});

@@ -1,3 +1,4 @@
+import { METRIC_SIZES } from "../../kernel/contour/metric-thread.ts";
 import { CENTRE_FORMS, type CentreForm } from "../../kernel/plan/tool.ts";
 import { freeNumber, type ToolList } from "./tool-list.ts";
 import type { ToolEntry } from "./tool-entry.ts";
@@ -8,7 +9,14 @@ type Cells = ToolEntry["cells"];
 const POINT = "118";
 /** Drills by diameter with the flute length of DIN 338, mm; the smaller ones are the core holes of the taps. */
 const drill = (NAME: string, R: string, LCUTS: string): Cells => ({ NAME, TYPE: "DRILL", R, "T-ANGLE": POINT, LCUTS });
-const tap = (NAME: string, R: string, PITCH: string, LCUTS: string): Cells => ({ NAME, TYPE: "TAP", R, PITCH, LCUTS });
+/** Taps of metric coarse threads. */
+const tap = (nominal: number, LCUTS: string): Cells => ({
+  NAME: `TAP-M${nominal}`,
+  TYPE: "TAP",
+  R: String(nominal / 2),
+  PITCH: String(METRIC_SIZES.find(([d]) => d === nominal)?.[1] ?? ""),
+  LCUTS,
+});
 
 /**
  * Body and pilot of the centre drills of a size, mm: A and R, then B. Recalled of ISO 866 and ISO 2540 (tag K): LCUTS is
@@ -43,10 +51,10 @@ const ROWS: readonly Cells[] = [
   drill("DRILL-D12", "6", "101"),
   drill("DRILL-D16", "8", "120"),
   drill("DRILL-D20", "10", "140"),
-  tap("TAP-M6", "3", "1", "15"),
-  tap("TAP-M8", "4", "1.25", "18"),
-  tap("TAP-M10", "5", "1.5", "20"),
-  tap("TAP-M12", "6", "1.75", "24"),
+  tap(6, "15"),
+  tap(8, "18"),
+  tap(10, "20"),
+  tap(12, "24"),
   ...CENTRE_FORMS.flatMap((form) =>
     CENTRES.map(([d1, body, bodyB, pilot]) => centre(form, d1, form === "B" ? bodyB : body, pilot)),
   ),

@@ -1,6 +1,5 @@
 import { Suspense, useEffect } from "react";
-import type { ThreadSize } from "../../../cycles/thread-sizes.ts";
-import { setPrompts } from "../../document/edits.ts";
+import { setPrompts, type SetupSizes } from "../../document/edits.ts";
 import { useOpenCall } from "../../place/open-call.ts";
 import { CycleInWork } from "../../calculation/issue-text.ts";
 import { lazyPart } from "../../base/parts.ts";
@@ -13,7 +12,7 @@ import { PromptDialog } from "./PromptDialog.tsx";
 import { useCycleSession, type PromptedBlock } from "./use-cycle-session.tsx";
 import { Unverified } from "./Unverified.tsx";
 
-const ThreadSizes = lazyPart(async () => ({ default: (await import("./ThreadSizes.tsx")).ThreadSizes }));
+const ThreadName = lazyPart(async () => ({ default: (await import("./ThreadName.tsx")).ThreadName }));
 
 /** The dialog of a cycle: of the job, or of a block of a program. */
 export function CycleDialog({
@@ -31,13 +30,10 @@ export function CycleDialog({
   useEffect(() => {
     if (line !== null) useOpenCall.setState({ call: { work, cycle, line } });
   }, [work, cycle, line]);
-  const fill = async (size: ThreadSize) => {
-    if (!thread) return;
-    const { valuesOf } = await import("../../../cycles/thread-sizes.ts");
-    const typed = (q: string) => Number(read.reading.partial[q] ?? 0);
-    const values = valuesOf(size, thread, typed(thread.position) === 1, typed(thread.flank));
+  const fill = (texts: Readonly<Record<string, string>>, setup: SetupSizes) => {
     closeStep();
-    (block?.setAll ?? setPrompts)(Object.fromEntries(Object.entries(values).map(([q, value]) => [q, String(value)])));
+    if (block) block.setAll(texts);
+    else setPrompts(texts, setup);
     closeStep();
   };
   const head = (
@@ -45,7 +41,7 @@ export function CycleDialog({
       {session.fields.length > 0 && <Unverified cycle={read.cycle} />}
       {thread && (
         <Suspense fallback={null}>
-          <ThreadSizes line={line} take={(size) => void fill(size)} />
+          <ThreadName read={read} roles={thread} line={line} setAll={fill} />
         </Suspense>
       )}
     </>

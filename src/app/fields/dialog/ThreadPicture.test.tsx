@@ -1,5 +1,5 @@
 import { cleanup, render, screen } from "@testing-library/react";
-import { afterEach, beforeEach, expect, test } from "vitest";
+import { afterEach, beforeAll, beforeEach, expect, test } from "vitest";
 import { cycleByNumber } from "../../../cycles/index.ts";
 import { parse } from "../../../nc/parse.ts";
 import { exampleJob } from "../../../program/job/job.ts";
@@ -10,6 +10,7 @@ import { simulate } from "../../../sim/simulate.ts";
 import { forgetOutcome, takeOutcome } from "../../calculation/outcome.ts";
 import { printedText } from "../../document/printed.ts";
 import { changeSettings } from "../../base/settings/settings.ts";
+import { partOf } from "../../base/settings/loaded-texts.ts";
 import { ThreadPicture } from "./ThreadPicture.tsx";
 
 const cycle = cycleByNumber(831);
@@ -27,6 +28,7 @@ const second: Operation = {
 };
 const passes = (n: number) => `Thread profile with the chips of ${n} passes`;
 
+beforeAll(async () => void (await partOf("threads").fetchWithRetry("en")));
 beforeEach(() => {
   changeSettings({ language: "en" });
   forgetOutcome();
@@ -38,9 +40,9 @@ test.each([
   ["the job", null, thread.depths.length],
   ["the first of two threads", first.definedLine, thread.depths.length],
   ["the second of two threads", FURTHER_DOWN, 2],
-])("shows the chips of %s", (_, line, chips) => {
+])("shows the chips of %s", async (_, line, chips) => {
   render(<ThreadPicture line={line} />);
-  expect(screen.getByRole("img").getAttribute("aria-label")).toBe(passes(chips));
+  expect((await screen.findByRole("img")).getAttribute("aria-label")).toBe(passes(chips));
 });
 
 test("shows none for a thread that was not run", () => {

@@ -1,11 +1,9 @@
 import { useMemo } from "react";
 import { threadProfile } from "../../../view/thread-profile.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
-import type { Operation } from "../../../program/state/run-types.ts";
-import { useShownOtherFile } from "../../document/shown-file.ts";
-import { isDefinedIn } from "../../document/shown-findings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { pageLength } from "../../base/unit.ts";
+import { useThreadOperation } from "./thread-operation.ts";
 
 /** Drawing area, pixels. */
 const SIZE = { width: 150, height: 62 } as const;
@@ -14,14 +12,9 @@ const HUES = { first: 205, last: 25 } as const;
 
 /** Thread profile of the cycle in this program line, or of the job without a line, with each chip in its colour. */
 export function ThreadPicture({ line }: { readonly line: number | null }) {
-  const {
-    dialog: { sizes: t },
-  } = useTexts();
-  const shown = useOutcome((s) => s.pictured);
+  const t = useTexts("threads");
   const dimmed = useOutcome((s) => s.dimmed);
-  const file = useShownOtherFile();
-  const isMeant = (o: Operation) => line === null || (o.definedLine === line && isDefinedIn(o, file));
-  const thread = shown?.run.operations.find((o) => o.plan.thread && isMeant(o))?.plan.thread;
+  const thread = useThreadOperation(line)?.plan.thread;
   const drawing = useMemo(() => (thread ? threadProfile(thread, SIZE.width, SIZE.height) : null), [thread]);
   if (!thread || !drawing) return null;
   const last = Math.max(1, drawing.chips.length - 1);

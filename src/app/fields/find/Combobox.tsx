@@ -50,6 +50,7 @@ export function ComboboxInput({
   readonly take: (index: number) => void;
   readonly className: string;
   readonly input?: RefObject<HTMLInputElement | null>;
+  /** By default the label, where nothing else shows it. */
   readonly placeholder?: string;
   readonly describedBy?: string;
   /** Names of the field for the form around it. */

@@ -3,10 +3,10 @@ import type { Tool } from "../../../kernel/plan/tool.ts";
 import { drillOf } from "../../../program/tools/drill-of.ts";
 import type { ShopTools } from "../../../program/tools/read-tools.ts";
 import { standardDrills } from "../../../program/tools/standard-drills.ts";
-import { newId, readList, type ToolList } from "../../../program/tools/tool-list.ts";
-import { bundleOf, setBundle, useEditor } from "../../../app/document/store.ts";
-import { editTools, toolsOnDevice, useTools } from "../../../app/document/tool-store.ts";
-import { onlyBundle } from "../../../app/document/work.ts";
+import { newId, readList } from "../../../program/tools/tool-list.ts";
+import { addTool } from "../../../app/document/add-tool.ts";
+import { bundleOf, useEditor } from "../../../app/document/store.ts";
+import { toolsOnDevice, useTools } from "../../../app/document/tool-store.ts";
 import { listInUse } from "../../../app/document/work-tools.ts";
 
 /** Drills and taps of a table, as tools on the axis. */
@@ -46,10 +46,7 @@ export function addStandardTool(rowsOf: StandardRows, T: number): void {
   const list = listInUse();
   const cells = rowsOf(list).find((row) => Number(row.T) === T);
   if (!cells) return;
-  const next: ToolList = [...list, { id: newId(list), cells }];
-  const bundle = onlyBundle(bundleOf(useEditor.getState()));
-  if (bundle.tools) setBundle({ ...bundle, tools: next });
-  else editTools(() => next);
+  addTool({ id: newId(list), cells });
 }
 
 /** Adds a standard drill to the table of the open work. */

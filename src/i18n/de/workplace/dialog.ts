@@ -2,15 +2,6 @@ import type { DialogTexts } from "../../en/workplace/dialog.ts";
 
 export const dialog = {
   title: (cycle, name) => `Zyklus ${cycle} ${name}`,
-  sizes: {
-    title: "Nenngröße",
-    example: "M20, G1/2, Tr20",
-    found: "Gefundene Größen",
-    none: "Kein Gewinde dieses Namens. Andere Größen mit Durchmesser und Steigung: M70×1,5.",
-    profile: (passes: number) => `Gewindeprofil, Späne von ${passes === 1 ? "1 Schnitt" : `${passes} Schnitten`}`,
-    taken: (name: string, angle: string) =>
-      `${name}: Steigung, Tiefe und Durchmesser sind eingetragen. Die Schneidplatte braucht einen Spitzenwinkel von ${angle}°.`,
-  },
   form: "Eingaben des Zyklus",
   list: "Alle Eingaben",
   active: "Aktive Eingabe",

@@ -2,15 +2,6 @@ import type { Shape } from "../../shape.ts";
 
 export const dialog = {
   title: (cycle: number, name: string) => `Cycle ${cycle} ${name}`,
-  sizes: {
-    title: "Nominal size",
-    example: "M20, G1/2, Tr20",
-    found: "Sizes found",
-    none: "No thread of this name. Other sizes by diameter and pitch: M70×1.5.",
-    profile: (passes: number) => `Thread profile with the chips of ${passes === 1 ? "1 pass" : `${passes} passes`}`,
-    taken: (name: string, angle: string) =>
-      `${name}: pitch, depth and diameter are filled in. The insert needs a point angle of ${angle}°.`,
-  },
   form: "Prompts of the cycle",
   list: "All prompts",
   active: "Active prompt",

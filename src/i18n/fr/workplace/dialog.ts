@@ -2,16 +2,6 @@ import type { DialogTexts } from "../../en/workplace/dialog.ts";
 
 export const dialog = {
   title: (cycle, name) => `Cycle ${cycle} ${name}`,
-  sizes: {
-    title: "Cote nominale",
-    example: "M20, G1/2, Tr20",
-    found: "Cotes trouvées",
-    none: "Aucun filetage de ce nom. Autres tailles par diamètre et pas : M70×1,5.",
-    profile: (passes: number) =>
-      `Profil du filetage avec les copeaux de ${passes < 2 ? "1 passe" : `${passes} passes`}`,
-    taken: (name: string, angle: string) =>
-      `${name} : pas, profondeur et diamètre sont saisis. La plaquette doit avoir un angle de pointe de ${angle}°.`,
-  },
   form: "Questions du cycle",
   list: "Toutes les questions",
   active: "Question active",

@@ -2,14 +2,6 @@ import type { DialogTexts } from "../../en/workplace/dialog.ts";
 
 export const dialog = {
   title: (cycle, name) => `循环 ${cycle} ${name}`,
-  sizes: {
-    title: "公称规格",
-    example: "M20, G1/2, Tr20",
-    found: "找到的规格",
-    none: "没有此名称的螺纹。其他规格请输入直径和螺距：M70×1.5。",
-    profile: (passes: number) => `螺纹牙型，共${passes}刀的切屑`,
-    taken: (name: string, angle: string) => `${name}：已填入螺距、深度和直径。刀片刀尖角须为${angle}°。`,
-  },
   form: "循环的提问",
   list: "全部提问",
   active: "当前提问",

@@ -20,7 +20,9 @@ export const threads = {
       d.depth,
     )}. Dieser Faktor gilt für 60°; die Schneide hat ${w.angle(d.angle)}. ${
       d.right === undefined
-        ? "Gewindetiefe dieses Profils eingeben."
+        ? d.nearest === undefined
+          ? "Gewindetiefe dieses Profils eingeben."
+          : "Trapezgewinde (30°): halbe Steigung plus Spitzenspiel."
         : `Whitworth (55°): ${w.number(d.right)} × Steigung.`
     }${nearest(d.nearest, w.size)}`,
   toothAssumed: (d, w) =>

@@ -19,7 +19,9 @@ export const threads = {
       d.depth,
     )}. This factor applies to 60°; the insert has ${w.angle(d.angle)}. ${
       d.right === undefined
-        ? "Enter the thread depth of this profile."
+        ? d.nearest === undefined
+          ? "Enter the thread depth of this profile."
+          : "Trapezoidal thread (30°): half the pitch plus the crest clearance."
         : `Whitworth (55°): ${w.number(d.right)} × the pitch.`
     }${nearest(d.nearest, w.size)}`,
   toothAssumed: (d, w) =>

@@ -21,7 +21,9 @@ export const threads = {
       d.depth,
     )}. Ce facteur vaut pour 60° ; la plaquette a ${w.angle(d.angle)}. ${
       d.right === undefined
-        ? "Indiquer la profondeur de ce profil."
+        ? d.nearest === undefined
+          ? "Indiquer la profondeur de ce profil."
+          : "Filetage trapézoïdal (30°) : demi-pas plus jeu à fond de filet."
         : `Whitworth (55°) : ${w.number(d.right)} × le pas.`
     }${nearest(d.nearest, w.size)}`,
   toothAssumed: (d, w) =>

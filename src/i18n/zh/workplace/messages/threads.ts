@@ -17,7 +17,7 @@ export const threads = {
   depthOfOtherProfile: (d, w) =>
     `Q473 = 0采用米制牙型的深度：${w.number(d.factor)} × ${w.size(d.pitch)} = ${w.length(d.depth)}。该系数属于60°，此刀片为${w.angle(
       d.angle,
-    )}。${d.right === undefined ? "请输入其牙型的深度。" : `惠氏牙型（55°）：${w.number(d.right)} × 螺距。`}${nearest(d.nearest, w.size)}`,
+    )}。${d.right === undefined ? (d.nearest === undefined ? "请输入其牙型的深度。" : "梯形螺纹（30°）：螺距的一半加牙顶间隙。") : `惠氏牙型（55°）：${w.number(d.right)} × 螺距。`}${nearest(d.nearest, w.size)}`,
   toothAssumed: (d, w) =>
     `螺纹刀的CUTLENGTH为空：按牙高${w.length(d.height)}计算。请输入牙高，以便用实际刀片检查螺纹旁的台阶。`,
   threadOverInsert: (d, w) =>

@@ -1,0 +1,46 @@
+import type { Shape } from "../shape.ts";
+
+/** A thread by its name, in the dialog of a thread cycle. */
+export const threadNames = {
+  title: "Thread",
+  example: "M20×1.5, G1/2",
+  found: "Threads of this name",
+  none: "No thread of this name. Examples: M70×1.5, G1/2 A, R1/2, 1/2 NPT, 1/4-20 UNC, W1/2, Tr40×7, S48×8, Rd40.",
+  profile: (passes: number) => `Thread profile with the chips of ${passes === 1 ? "1 pass" : `${passes} passes`}`,
+  proposal: (name: string) => `Values for ${name}`,
+  fill: "Fill in",
+  correct: "Correct",
+  aim: "Thread size",
+  middle: (tolerance: string) => `Middle of ${tolerance}`.trim(),
+  middleOfClass: "Middle of tolerance",
+  basic: "Basic size",
+  nose: (radius: string) => `Depth for R ${radius}`,
+  noseAbout: (tool: string, off: string) =>
+    `Nose radius of T${tool} differs from the thread root: without a corrected depth the pitch diameter is ${off} off.`,
+  instead: (value: string) => `now ${value}`,
+  blank: { outside: "Blank ⌀", bore: "Blank bore ⌀" },
+  before: { outside: "Shaft ⌀ before", inside: "Bore ⌀ before" },
+  beforeTaper: "Turn the taper 1:16 before",
+  limits: (least: string, greatest: string) => `${least} to ${greatest}`,
+  pitchDiameter: "Pitch ⌀",
+  angle: "Insert",
+  angleOf: (angle: string) => `${angle}°`,
+  flanks: (angle: string, leading: string, clearing: string) => `${angle}° (${leading}°/${clearing}°)`,
+  noInsert: (tool: string, is: string, should: string) => `T${tool} has ${is}°; this thread requires ${should}°.`,
+  otherTools: (tools: string) => `Suitable: ${tools}.`,
+  useTool: (tool: string) => `Use T${tool}`,
+  addTool: (angle: string) => `Add a thread tool with ${angle}°`,
+  asymmetric: "The simulation uses an insert with two equal flanks.",
+  unlisted: (documents: string) => `Diameter and pitch are not combined in ${documents}: calculated by its formulas.`,
+  noTolerance: "Without tolerance: basic sizes.",
+  leftHand: "Left-hand: reverse the cutting direction or the spindle.",
+  taper: "Taper thread 1:16: use cycle 832.",
+  side: { outside: "This thread exists outside only.", inside: "This thread exists inside only." },
+  source: (documents: string) => `${documents}; figures compared with public tables, not with the standard itself.`,
+  is: (name: string) => `This is ${name}`,
+  near: (name: string, differences: string) => `Not ${name}: ${differences}`,
+  difference: (q: string, is: string, should: string) => `${q} ${is}, correct ${should}`,
+  filled: (name: string) => `${name} filled in.`,
+} as const;
+
+export type ThreadNameTexts = Shape<typeof threadNames>;
