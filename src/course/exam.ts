@@ -12,7 +12,7 @@ const count = z.int().check(z.gte(0), z.lte(1_000_000));
 export const examShape = z.object({
   /** The set as it was when the exam began. */
   set: setSchema,
-  /** As typed before the start; may be empty. */
+  /** As typed before the start; empty only where the exam allows it. */
   name: z.string().check(z.maxLength(200)),
   group: z.string().check(z.maxLength(200)),
   /** ms since 1970: the start, and the latest moment seen since: a clock that is set back gains nothing. */
@@ -66,6 +66,9 @@ export const seenAt = (exam: Exam, now: number, passed = 0): Exam => {
   const seen = momentIn(exam, now, passed);
   return seen > exam.seen ? { ...exam, seen } : exam;
 };
+
+/** Whether a name is enough for an exam: one has to be given, unless the instructor allows it to be left empty. */
+export const isNamed = ({ exam }: TaskSet, name: string): boolean => exam?.anonymous === true || name.trim() !== "";
 
 /** Whether an exam can still be begun. */
 export const canBegin = ({ due }: TaskSet, now: number): boolean => due === undefined || now < due;

@@ -2,6 +2,7 @@ import type { CourseSetTexts } from "../en/course-set.ts";
 
 export const courseSet = {
   share: "Partager…",
+  nameOptional: "Nom (facultatif)",
   group: "Classe (facultatif)",
   undo: "Annuler",
 
@@ -40,6 +41,7 @@ export const courseSet = {
   modes: { exercises: "Exercices", exam: "Examen" },
   minutes: "Durée, min (vide : illimitée)",
   tries: "Vérifications par exercice (vide : illimité)",
+  anonymous: "Le nom est facultatif",
   reports: "Après une vérification",
   reportNames: {
     nothing: "aucune vérification ; vous jugez les résultats",
@@ -108,6 +110,7 @@ export const courseSet = {
     toTerms: "Lire les conditions et commencer",
     start: "Commencer maintenant",
     once: "Il ne peut être commencé qu’une fois sur cet appareil.",
+    noName: "Indiquez d’abord votre nom.",
     tooLate: "La date limite est passée : l’examen ne peut plus être commencé.",
     notBegun: "Examen, pas encore commencé.",
     running: "Examen en cours.",
