@@ -20,6 +20,8 @@ const UNDONE: Readonly<Record<Slip["kind"], Slip["kind"]>> = {
   exchanged: "exchanged",
   reversed: "reversed",
   point: "point",
+  side: "side",
+  relative: "relative",
   order: "order",
   call: "call",
   radius: "doubled",
@@ -40,7 +42,7 @@ function isInSize(task: Task, { kind, values }: Slip): boolean {
 }
 
 /** Kinds with a table of their own below. */
-const TABLED: ReadonlySet<Slip["kind"]> = new Set(["point", "order", "call"]);
+const TABLED: ReadonlySet<Slip["kind"]> = new Set(["point", "side", "relative", "order", "call"]);
 
 /** One slip of each kind in the solution of a task, if the part suffers from it. */
 function planted({ solution = [], ...task }: Task): readonly { readonly slip: Slip; readonly text: string }[] {
@@ -116,6 +118,9 @@ test.each([
     ],
     ["exchanged", "Q493 -27.4", "Q494 48.2"],
   ],
+  ["a width as Z", "l15-retaining-ring", [["Q494=-32.15", "Q494=-2.15"]], ["relative", "Q494 -2.15"]],
+  ["a depth as a diameter", "l15-retaining-ring", [["Q493=+47", "Q493=+1.5"]], ["relative", "Q493 1.5"]],
+  ["towards the free end", "l15-retaining-ring", [["Q494=-32.15", "Q494=-27.85"]], ["side", "Q494 -27.85"]],
   [
     "sizes of two edges exchanged",
     "l05-chamfered-seat",

@@ -8,12 +8,13 @@ import { texts } from "../../src/i18n/index.ts";
 import { courseTask } from "../../src/i18n/en/course-task.ts";
 import shoulderFile from "../../src/course/tasks/l03-first-shoulder.json";
 import byHandFile from "../../src/course/tasks/l01-turn-by-hand.json";
+import discFile from "../../src/course/tasks/l15-jammed-chip.json";
 import seatFile from "../../src/course/tasks/l05-chamfered-seat.json";
 import rodFile from "../../src/course/tasks/l16-drawn-rod.json";
 
-const [shoulder, rod, seat, byHand] = [shoulderFile, rodFile, seatFile, byHandFile].map((file) =>
+const [shoulder, rod, seat, byHand, disc] = [shoulderFile, rodFile, seatFile, byHandFile, discFile].map((file) =>
   taskSchema.parse(file),
-) as [Task, Task, Task, Task];
+) as [Task, Task, Task, Task, Task];
 
 /** The messages for the solution with one change, the first one first. */
 function markTexts(task: Task, from: string, to: string): string[] {
@@ -82,6 +83,11 @@ test.each([
 
 test("material left by blocks without a cycle names the block that cut beside it", () => {
   expect(markTexts(byHand, "X+44.6", "X+45.6")[0]).toMatch(/^Material left, up to 0\.\d+ mm thick at .*: block 11$/);
+});
+
+test("a bite that is too deep names the prompt that limits it", () => {
+  const said = /^A pass is 13\.5 mm deep; 4 mm are allowed: block 9, pass 1, set by Q463 /;
+  expect(markTexts(disc, "Q463=+4", "Q463=+0")).toContainEqual(expect.stringMatching(said));
 });
 
 test("where nothing was cut, no dimension is the reason", () => {

@@ -137,6 +137,20 @@ function exchangedValues(one: Literal, other: Literal): readonly (readonly [numb
   return other.value < 0 && one.value > 0 ? [[-other.value, -one.value], plain] : [plain];
 }
 
+/** What an end may have been meant to be: on the other side of the start, or as far from it as its value says. */
+function meantEnds(start: Literal, end: Literal): readonly (readonly ["side" | "relative", number])[] {
+  const far = Math.abs(end.value);
+  return end.measure === "z"
+    ? [
+        ["side", 2 * start.value - end.value],
+        ["relative", start.value - far],
+      ]
+    : [
+        ["relative", start.value - 2 * far],
+        ["relative", start.value + 2 * far],
+      ];
+}
+
 /** Every program that differs from a program by one slip. */
 export function everySlip(text: string): readonly PossibleSlip[] {
   const program = parse(text),
@@ -192,6 +206,13 @@ export function everySlip(text: string): readonly PossibleSlip[] {
       );
     }),
   );
+  const ends = positions.flatMap((start) =>
+    positions.flatMap((literal) => {
+      const isPair = literal.index === start.index && literal.measure === start.measure;
+      if (!isPair || start.place !== "start" || literal.place !== "end") return [];
+      return meantEnds(start, literal).map(([kind, to]) => put(kind, { literal, to }));
+    }),
+  );
   const points = all
     .filter(isSome)
     .flatMap((literal) =>
@@ -208,6 +229,7 @@ export function everySlip(text: string): readonly PossibleSlip[] {
     ...single,
     ...whole,
     ...pairs,
+    ...ends,
     ...points,
     ...reversed,
     ...missingCalls(blocks, numbers),

@@ -44,7 +44,7 @@ function promptOf({ cycle, call }: Operation, topic: Topic): { readonly q: strin
 function decidingPrompt(operation: Operation | undefined, limit: number, isFinishing: boolean): Partial<TaskMark> {
   if (!operation) return {};
   const prompt = (topic: Topic) => promptOf(operation, topic);
-  const infeed = prompt("infeed"),
+  const infeed = prompt("infeed") ?? prompt("depthLimit"),
     oversize = prompt("oversizeDiameter");
   const isOversize = oversize && oversize.value > 2 * limit;
   const leftOver = isOversize ? oversize : prompt(hasRoughing(operation) ? "oversizeZ" : "operation");

@@ -34,7 +34,7 @@ const LIKELY = {
   no: 10,
 } as const;
 /** Slips that are named only where the part is right without them, as those that are less likely. */
-const WHOLLY: ReadonlySet<Slip["kind"]> = new Set(["call", "order", "point"]);
+const WHOLLY: ReadonlySet<Slip["kind"]> = new Set(["call", "order", "point", "side", "relative"]);
 /** A value may be this far from the corner of the part that it makes, mm: roundings, chamfers, tapers lie between. */
 const BESIDE = 2;
 /** Rules that a dimension can break; the others concern feeds, tools and times. */
@@ -87,6 +87,8 @@ function slipTrials(task: Task, text: string): readonly (SlipTrial & { readonly 
       if (change?.literal.measure === "size") return LIKELY.size;
       return change && isExact && off(change.literal, change.literal.value) > SAME ? LIKELY.exact : LIKELY.no;
     }
+    // Exact sizes only: about any value is beside the other end of a contour.
+    if (kind === "side" || kind === "relative") return isExact ? LIKELY.exact : LIKELY.no;
     const improves = changes.some(
       ({ literal, to }) => isWanted(literal, to) && off(literal, to) < off(literal, literal.value) - SAME,
     );

@@ -143,6 +143,8 @@ export const courseTask = {
     double: (name, is, better) => `${name} ist ${is}, das Doppelte von ${better}`,
     exchanged: (one, other) => `Vertauscht? ${one} und ${other}`,
     point: (name, is, better) => `Dezimalpunkt verrutscht? ${name} ist ${is}, nicht ${better}`,
+    side: (name, is, better) => `Falsche Seite des Anfangs? ${name} ist ${is}, nicht ${better}`,
+    relative: (name, is, better) => `Vom Anfang statt vom Nullpunkt gezählt? ${name} ist ${is}, nicht ${better}`,
     order: (one, other) => `Sätze vertauscht? ${one} und ${other}`,
     call: (cycle) => `Zyklus ${cycle} ist definiert, aber nicht aufgerufen: fehlt CYCL CALL?`,
     reversed: "Kontur in falscher Richtung? Sie beginnt am falschen Ende",

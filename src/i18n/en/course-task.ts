@@ -147,6 +147,9 @@ export const courseTask = {
     double: (name: string, is: string, better: string) => `${name} is ${is}, twice ${better}`,
     exchanged: (one: string, other: string) => `Exchanged? ${one} and ${other}`,
     point: (name: string, is: string, better: string) => `Decimal point? ${name} is ${is}, not ${better}`,
+    side: (name: string, is: string, better: string) => `Wrong side of the start? ${name} is ${is}, not ${better}`,
+    relative: (name: string, is: string, better: string) =>
+      `Counted from the start instead of the datum? ${name} is ${is}, not ${better}`,
     order: (one: string, other: string) => `Blocks in the wrong order? ${one} and ${other}`,
     call: (cycle: string) => `Cycle ${cycle} is defined but not called: is CYCL CALL missing?`,
     reversed: "Contour in the wrong direction? It begins at the wrong end",

@@ -143,6 +143,9 @@ export const courseTask = {
     double: (name, is, better) => `${name} vaut ${is}, le double de ${better}`,
     exchanged: (one, other) => `Valeurs inversées ? ${one} et ${other}`,
     point: (name, is, better) => `Virgule mal placée ? ${name} vaut ${is} et non ${better}`,
+    side: (name, is, better) => `Mauvais côté du départ ? ${name} vaut ${is} et non ${better}`,
+    relative: (name, is, better) =>
+      `Compté depuis le départ et non depuis l’origine ? ${name} vaut ${is} et non ${better}`,
     order: (one, other) => `Séquences inversées ? ${one} et ${other}`,
     call: (cycle) => `Le cycle ${cycle} est défini mais pas appelé : CYCL CALL manque-t-il ?`,
     reversed: "Contour dans le mauvais sens ? Il commence par la mauvaise extrémité",

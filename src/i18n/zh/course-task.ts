@@ -127,6 +127,8 @@ export const courseTask = {
     double: (name, is, better) => `${name} 为 ${is}，是 ${better} 的两倍`,
     exchanged: (one, other) => `数值互换？${one} 与 ${other}`,
     point: (name, is, better) => `小数点位置错误？${name} 为 ${is}，而不是 ${better}`,
+    side: (name, is, better) => `在起点的错误一侧？${name} 为 ${is}，而不是 ${better}`,
+    relative: (name, is, better) => `从起点而不是从零点计算？${name} 为 ${is}，而不是 ${better}`,
     order: (one, other) => `程序段顺序颠倒？${one} 与 ${other}`,
     call: (cycle) => `循环 ${cycle} 已定义但未调用：是否缺少 CYCL CALL？`,
     reversed: "轮廓方向相反？起点在错误的一端",

@@ -173,7 +173,8 @@ function slipText({ kind, values }: Slip, wording: MarkWording): string {
   }
   if (kind === "exchanged" && other) return t.slip.exchanged(`${one.name} ${one.is}`, `${other.name} ${other.is}`);
   if (kind === "exchanged") return one.name;
-  if (kind === "sign" || kind === "point") return t.slip[kind](one.name, one.is, one.better);
+  if (kind === "sign" || kind === "point" || kind === "side" || kind === "relative")
+    return t.slip[kind](one.name, one.is, one.better);
   const say = kind === "radius" ? t.slip.half : t.slip.double;
   return t.slip[kind](said.map(({ name, is, better }) => say(name, is, better)).join("; "));
 }
