@@ -149,6 +149,12 @@ function valueName(q: string, { texts, answer }: MarkWording): string {
   return param ? `${q} ${texts.params[param.text as ParamTextId].label}` : q;
 }
 
+/** A sign between parts of a list, as the language writes it. */
+const separator = (language: Language, sign: "," | ";"): string =>
+  language === "zh" ? { ",": "，", ";": "；" }[sign] : `${sign} `;
+
+const isInOneBlock = (values: Slip["values"]): boolean => new Set(values.map(({ block }) => block)).size === 1;
+
 /** Slips whose words name their blocks. */
 const ALL_BLOCKS: ReadonlySet<Slip["kind"]> = new Set(["tools", "order"]);
 
@@ -171,12 +177,19 @@ function slipText({ kind, values }: Slip, wording: MarkWording): string {
     const calls = values.map(({ value, block }) => t.slip.where(`T${value}`, t.where.block(String(block))));
     return t.slip.tools(calls[0] ?? "", calls[1] ?? "");
   }
-  if (kind === "exchanged" && other) return t.slip.exchanged(`${one.name} ${one.is}`, `${other.name} ${other.is}`);
+  if (kind === "exchanged" && other) {
+    // Two blocks are named each, one block once behind both.
+    const [first, second] = values.map(({ block }, i) => {
+      const what = `${said[i]?.name} ${said[i]?.is}`;
+      return isInOneBlock(values) ? what : t.slip.where(what, t.where.block(String(block)));
+    });
+    return t.slip.exchanged(first ?? "", second ?? "");
+  }
   if (kind === "exchanged") return one.name;
   if (kind === "sign" || kind === "point" || kind === "side" || kind === "relative")
     return t.slip[kind](one.name, one.is, one.better);
   const say = kind === "radius" ? t.slip.half : t.slip.double;
-  return t.slip[kind](said.map(({ name, is, better }) => say(name, is, better)).join("; "));
+  return t.slip[kind](said.map(({ name, is, better }) => say(name, is, better)).join(separator(language, ";")));
 }
 
 /** Rules whose limit one prompt decides. */
@@ -203,7 +216,9 @@ const SAYS_PLACE: ReadonlySet<string> = new Set(["errors", "clean"]);
 export function markText(mark: TaskMark, wording: MarkWording): string {
   const { t, language } = wording;
   if (mark.slip) {
-    const where = mark.block === undefined || ALL_BLOCKS.has(mark.slip.kind) ? null : t.where.block(String(mark.block));
+    const { kind, values } = mark.slip;
+    const isNamed = ALL_BLOCKS.has(kind) || !isInOneBlock(values);
+    const where = mark.block === undefined || isNamed ? null : t.where.block(String(mark.block));
     const said = slipText(mark.slip, wording);
     return where === null ? said : t.slip.where(said, where);
   }
@@ -211,5 +226,5 @@ export function markText(mark: TaskMark, wording: MarkWording): string {
   const placed =
     mark.place && !SAYS_PLACE.has(mark.rule) ? t.where.at(said, ...placeWords(language, mark.place)) : said;
   const causes = [causeOf(mark, wording), shapedText(mark, wording)].filter((cause) => cause !== null);
-  return causes.length === 0 ? placed : t.where.because(placed, causes.join(", "));
+  return causes.length === 0 ? placed : t.where.because(placed, causes.join(separator(language, ",")));
 }
