@@ -241,5 +241,17 @@ test("a refused tool that no slip explains is to blame itself", async () => {
   const unmended = answerOf("program" in fault.start ? programOfLines(fault.start.program) : "");
   const judgement = judge(fault, unmended);
   expect(await findSlip({ ...fault, solution: undefined }, unmended, judgement, runOf)).toBeNull();
-  expect(withoutSlip(judgement).marks[0]).toMatchObject({ issue: { code: "toolUnfit" }, isByTool: true });
+  const alone = { ...fault, solution: undefined };
+  expect(withoutSlip(alone, unmended, judgement).marks[0]).toMatchObject({
+    issue: { code: "toolUnfit" },
+    isByTool: true,
+  });
+});
+
+test("a tool of the solution is refused for its values, not for itself", () => {
+  const family = taskOf("l19-another-size");
+  const answer = answerOf(programOfLines(family.solution ?? []).replace(/Q2 =\+35\.4/, "Q2 =+354"));
+  const [first] = withoutSlip(family, answer, judge(family, answer)).marks;
+  expect(first).toMatchObject({ issue: { code: "toolUnfit" } });
+  expect(first?.isByTool).toBeUndefined();
 });

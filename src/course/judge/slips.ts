@@ -5,7 +5,7 @@ import { outlineOfLines, targetPart } from "../target-part.ts";
 import type { Task } from "../task.ts";
 import { judge } from "./judge.ts";
 import type { Answer, RuleName, Slip, TaskJudgement, TaskMark } from "./judgement.ts";
-import { toolSlips, type SlipTrial } from "./tool-slips.ts";
+import { toolsFor, toolSlips, type SlipTrial } from "./tool-slips.ts";
 import { everySlip, type Literal, type PossibleSlip } from "./possible-slips.ts";
 
 /*
@@ -29,8 +29,8 @@ const LIKELY = {
   paired: 5,
   size: 6,
   either: 7,
-  order: 8,
-  start: 9,
+  start: 8,
+  order: 9,
   no: 10,
 } as const;
 /** Slips that are named only where the part is right without them, as those that are less likely. */
@@ -85,10 +85,15 @@ function slipTrials(task: Task, text: string): readonly (SlipTrial & { readonly 
     if (kind === "point") {
       const [change] = changes;
       if (change?.literal.measure === "size") return LIKELY.size;
-      return change && isExact && off(change.literal, change.literal.value) > SAME ? LIKELY.exact : LIKELY.no;
+      if (!change || isWanted(change.literal, change.literal.value)) return LIKELY.no;
+      // A start point or an end in the air is no size of the part.
+      return isExact ? LIKELY.exact : Math.abs(change.to) < Math.abs(change.literal.value) ? LIKELY.size : LIKELY.no;
     }
     // Exact sizes only: about any value is beside the other end of a contour.
-    if (kind === "side" || kind === "relative") return isExact ? LIKELY.exact : LIKELY.no;
+    if (kind === "side" || kind === "relative") {
+      const isOff = changes.every(({ literal }) => off(literal, literal.value) > SAME);
+      return isExact && isOff ? LIKELY.exact : LIKELY.no;
+    }
     const improves = changes.some(
       ({ literal, to }) => isWanted(literal, to) && off(literal, to) < off(literal, literal.value) - SAME,
     );
@@ -195,13 +200,18 @@ export const hasSlip = (task: Task, text: string, slip: Slip): boolean =>
 const keyOf = ({ kind, values }: Slip): string => JSON.stringify([kind, values.map(({ q, value }) => [q, value])]);
 
 /**
- * The judgement of an answer that no slip explains: where a tool is refused, its dimensions are not to blame, so the
- * tool is.
+ * The judgement of an answer that no slip explains: where a tool is refused that the task does not need, it is to blame;
+ * a tool of the solution is refused for its values.
  */
-export const withoutSlip = (judgement: TaskJudgement): TaskJudgement => ({
-  ...judgement,
-  marks: judgement.marks.map((mark) => (mark.issue?.code === "toolUnfit" ? { ...mark, isByTool: true } : mark)),
-});
+export const withoutSlip = (task: Task, { run }: Answer, judgement: TaskJudgement): TaskJudgement => {
+  const right = toolsFor(task);
+  const isByTool = ({ issue, operation = -1 }: TaskMark) =>
+    issue?.code === "toolUnfit" && !right.has(run.operations[operation]?.tool.T ?? -1);
+  return {
+    ...judgement,
+    marks: judgement.marks.map((mark) => (isByTool(mark) ? { ...mark, isByTool: true } : mark)),
+  };
+};
 
 /**
  * The judgement with the slip as its first mark, at the place of the gravest one. Errors that the program without the

@@ -2,7 +2,6 @@ import type { CourseSetTexts } from "../en/course-set.ts";
 
 export const courseSet = {
   share: "Teilen …",
-  nameOptional: "Name (optional)",
   group: "Klasse (freiwillig)",
   undo: "Rückgängig",
 

@@ -3,7 +3,6 @@ import type { Shape } from "../shape.ts";
 /** Sets of exercises and exams: make, hand out, take, hand in, and the table of a class. Numbers arrive as text. */
 export const courseSet = {
   share: "Share …",
-  nameOptional: "Name (optional)",
   group: "Class (optional)",
   undo: "Undo",
 

@@ -2,7 +2,6 @@ import type { CourseSetTexts } from "../en/course-set.ts";
 
 export const courseSet = {
   share: "Partager…",
-  nameOptional: "Nom (facultatif)",
   group: "Classe (facultatif)",
   undo: "Annuler",
 

@@ -2,7 +2,6 @@ import type { CourseSetTexts } from "../en/course-set.ts";
 
 export const courseSet = {
   share: "分享…",
-  nameOptional: "姓名（可选）",
   group: "班级（可选）",
   undo: "撤销",
 

@@ -90,11 +90,11 @@ async function withSlipNamed(task: Task, answer: Answer, judgement: TaskJudgemen
   const end = stopwatch() + SEARCHING;
   const runOf = (text: string) => (stopwatch() < end ? outcomeOfOther({ ...program, text }) : Promise.resolve(null));
   const found = await findSlip(task, answer, judgement, runOf);
-  if (!found) return withoutSlip(judgement);
+  if (!found) return withoutSlip(task, answer, judgement);
   const isAsked = task.kind === "fault" && !areFixesShown(progressOfTask(progressRecord.now(), task.id));
   if (!isAsked || !hasSlip(task, asProgram(workOfTask(task)).text, found.slip)) return withSlip(judgement, found);
   // The fault is not named; where it is the tool, the dimensions are not suspected either.
-  return found.slip.values.some(({ q }) => q === "T") ? withoutSlip(judgement) : judgement;
+  return found.slip.values.some(({ q }) => q === "T") ? withoutSlip(task, answer, judgement) : judgement;
 }
 
 /** Waits for a paint, so that a long check shows its progress text. */

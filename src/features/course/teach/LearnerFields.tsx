@@ -43,7 +43,7 @@ export function LearnerFields({ entry, optional }: { readonly entry: LearnerEntr
   return (
     <div ref={fields} className="teach-pairs">
       <TeachText
-        label={optional ? words.nameOptional : t.hand.name}
+        label={optional ? t.hand.name : words.paper.name}
         value={learner.name}
         change={(name) => change({ name })}
       />

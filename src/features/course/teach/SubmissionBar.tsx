@@ -69,7 +69,7 @@ export function SubmissionBar({ said, task: id }: { readonly said: string; reado
       <span className="set-place">{said}</span>
       {task && <SubmittedTask task={task} />}
       <button type="button" className="button" aria-haspopup="dialog" onClick={() => showResults()}>
-        <Icon name="unfold" /> {words.back}
+        <Icon name="unfold" /> <span>{words.back}</span>
       </button>
     </section>
   );
