@@ -67,9 +67,6 @@ export const seenAt = (exam: Exam, now: number, passed = 0): Exam => {
   return seen > exam.seen ? { ...exam, seen } : exam;
 };
 
-/** Whether a name is enough for an exam: one has to be given, unless the instructor allows it to be left empty. */
-export const isNamed = ({ exam }: TaskSet, name: string): boolean => exam?.anonymous === true || name.trim() !== "";
-
 /** Whether an exam can still be begun. */
 export const canBegin = ({ due }: TaskSet, now: number): boolean => due === undefined || now < due;
 
