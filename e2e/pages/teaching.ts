@@ -100,7 +100,7 @@ export class Teaching {
   async startExam(title: string, learner: string, group = ""): Promise<void> {
     await this.incomingSet(title).getByRole("button", { name: this.setWords.incoming.keepExam, exact: true }).click();
     const start = this.examStart(title);
-    await start.getByLabel(this.words.hand.name, { exact: true }).fill(learner);
+    await start.getByLabel(this.setWords.paper.name, { exact: true }).fill(learner);
     await start.getByLabel(this.setWords.group, { exact: true }).fill(group);
     await start.getByRole("button", { name: this.setWords.exam.start, exact: true }).click();
   }

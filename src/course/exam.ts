@@ -12,7 +12,7 @@ const count = z.int().check(z.gte(0), z.lte(1_000_000));
 export const examShape = z.object({
   /** The set as it was when the exam began. */
   set: setSchema,
-  /** As typed before the start; may be empty. */
+  /** As typed before the start; empty only where the exam allows it. */
   name: z.string().check(z.maxLength(200)),
   group: z.string().check(z.maxLength(200)),
   /** ms since 1970: the start, and the latest moment seen since: a clock that is set back gains nothing. */

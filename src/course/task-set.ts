@@ -23,6 +23,8 @@ const exam = z.object({
   /** Checks of each task; absent: no limit. */
   tries: z.optional(z.int().check(z.gte(1), z.lte(SET_LIMITS.tries))),
   reports: z.enum(EXAM_REPORTS),
+  /** It can be begun and handed in without a name. */
+  anonymous: z.optional(z.boolean()),
 });
 
 /** What learners get besides the assignment: hints and solution, hints alone, or neither. */

@@ -3,15 +3,8 @@ import { describe, expect, test } from "vitest";
 import { answerOf } from "../../src/course/judge/answer.ts";
 import { judge } from "../../src/course/judge/judge.ts";
 import type { Slip } from "../../src/course/judge/judgement.ts";
-import {
-  BY_DIMENSIONS,
-  everySlip,
-  findSlip,
-  hasSlip,
-  wantedSizes,
-  withoutSlip,
-  withSlip,
-} from "../../src/course/judge/slips.ts";
+import { BY_DIMENSIONS, findSlip, hasSlip, wantedSizes, withoutSlip, withSlip } from "../../src/course/judge/slips.ts";
+import { everySlip } from "../../src/course/judge/possible-slips.ts";
 import { programOfLines } from "../../src/course/task-start.ts";
 import { taskSchema, type Task } from "../../src/course/task.ts";
 
@@ -26,6 +19,11 @@ const UNDONE: Readonly<Record<Slip["kind"], Slip["kind"]>> = {
   sign: "sign",
   exchanged: "exchanged",
   reversed: "reversed",
+  point: "point",
+  side: "side",
+  relative: "relative",
+  order: "order",
+  call: "call",
   radius: "doubled",
   doubled: "radius",
   tools: "tools",
@@ -43,12 +41,15 @@ function isInSize(task: Task, { kind, values }: Slip): boolean {
   return values.every(({ value }) => kind === "reversed" || sizes.some((size) => Math.abs(size - value) < 0.001));
 }
 
+/** Kinds with a table of their own below. */
+const TABLED: ReadonlySet<Slip["kind"]> = new Set(["point", "side", "relative", "order", "call"]);
+
 /** One slip of each kind in the solution of a task, if the part suffers from it. */
 function planted({ solution = [], ...task }: Task): readonly { readonly slip: Slip; readonly text: string }[] {
   const found = new Map<Slip["kind"], { readonly slip: Slip; readonly text: string }>();
   for (const { slip, text } of everySlip(programOfLines(solution))) {
     const told = reverse(slip);
-    if (found.has(told.kind) || !isInSize(task, slip)) continue;
+    if (found.has(told.kind) || TABLED.has(told.kind) || !isInSize(task, slip)) continue;
     const suffers = judge(task, answerOf(text)).marks.some(({ passed, rule }) => !passed && BY_DIMENSIONS.has(rule));
     if (suffers) found.set(told.kind, { slip: told, text });
   }
@@ -79,6 +80,85 @@ const taskOf = (id: string): Task => {
   if (!task) throw new Error(`no task ${id}`);
   return task;
 };
+
+/** The slip that a check of a task's solution with some texts replaced names, as kind and values. */
+async function namedWith(id: string, ...changes: readonly (readonly [from: string | RegExp, to: string])[]) {
+  const task = taskOf(id);
+  const right = programOfLines(task.solution ?? []);
+  const wrong = changes.reduce((text, [from, to]) => text.replace(from, to), right);
+  expect(wrong).not.toBe(right);
+  const answer = answerOf(wrong);
+  const slip = (await findSlip(task, answer, judge(task, answer), runOf))?.slip;
+  return slip ? [slip.kind, ...slip.values.map(({ block, q, value }) => (q === "" ? block : `${q} ${value}`))] : null;
+}
+
+test.each([
+  ["a decimal point forgotten", "l03-first-shoulder", [["Q493=+48.2", "Q493=+482"]], ["point", "Q493 482"]],
+  ["a decimal point too far left", "l03-first-shoulder", [["Q494=-27.4", "Q494=-2.74"]], ["point", "Q494 -2.74"]],
+  ["a chamfer ten times too long", "l05-chamfered-seat", [["Q502=+1.2", "Q502=+12"]], ["point", "Q502 12"]],
+  ["a radius ten times too long", "l05-chamfered-seat", [["Q500=+1", "Q500=+10"]], ["point", "Q500 10"]],
+  ["a minus before a diameter", "l05-chamfered-seat", [["Q493=+52.8", "Q493=-52.8"]], ["sign", "Q493 -52.8"]],
+  ["a minus before an X", "l01-turn-by-hand", [["X+44.6", "X-44.6"]], ["sign", "X -44.6"]],
+  ["a minus before a retraction", "l01-turn-by-hand", [["12 L X+54", "12 L X-54"]], ["sign", "X -54"]],
+  [
+    "diameter and length exchanged",
+    "l03-first-shoulder",
+    [
+      ["Q493=+48.2", "Q493=+27.4"],
+      ["Q494=-27.4", "Q494=-48.2"],
+    ],
+    ["exchanged", "Q493 27.4", "Q494 -48.2"],
+  ],
+  [
+    "diameter and length exchanged, the minus too",
+    "l03-first-shoulder",
+    [
+      ["Q493=+48.2", "Q493=-27.4"],
+      ["Q494=-27.4", "Q494=+48.2"],
+    ],
+    ["exchanged", "Q493 -27.4", "Q494 48.2"],
+  ],
+  ["a width as Z", "l15-retaining-ring", [["Q494=-32.15", "Q494=-2.15"]], ["relative", "Q494 -2.15"]],
+  ["a depth as a diameter", "l15-retaining-ring", [["Q493=+47", "Q493=+1.5"]], ["relative", "Q493 1.5"]],
+  ["towards the free end", "l15-retaining-ring", [["Q494=-32.15", "Q494=-27.85"]], ["side", "Q494 -27.85"]],
+  [
+    "sizes of two edges exchanged",
+    "l05-chamfered-seat",
+    [
+      ["Q502=+1.2", "Q502=+0.6"],
+      ["Q504=+0.6", "Q504=+1.2"],
+    ],
+    ["exchanged", "Q502 0.6", "Q504 1.2"],
+  ],
+  [
+    "diameter and length exchanged in two blocks",
+    "l01-turn-by-hand",
+    [
+      ["X+44.6", "X+22.4"],
+      ["Z-22.4", "Z-44.6"],
+    ],
+    ["exchanged", "X 22.4", "Z -44.6"],
+  ],
+  [
+    "blocks in the wrong order",
+    "l01-turn-by-hand",
+    [[/10 L (.*)\n11 L (.*)\n/, "10 L $2\n11 L $1\n"]],
+    ["order", 10, 11],
+  ],
+  ["a cycle without its call", "l03-first-shoulder", [["9 CYCL CALL\n", ""]], ["call", 7]],
+] as const)("%s is named: %s", async (_, id, changes, named) => {
+  expect(await namedWith(id, ...changes)).toEqual(named);
+});
+
+test.each([
+  // A cut that is too short or too long has no slip; neither has a block that was left out.
+  ["l01-turn-by-hand", "X-1.6 F0.2", "X-0.6 F0.2"],
+  ["l01-turn-by-hand", "10 L X+44.6 FMAX\n", ""],
+  ["l09-cap-contour", "16 L X+39.4\n", ""],
+  ["l05-chamfered-seat", "Q504=+0.6", "Q504=+0"],
+])("no value that is right is suspected: %s, %s → %s", async (id, from, to) => {
+  expect(await namedWith(id, [from, to])).toBeNull();
+});
 
 test("a wrong part without a slip has none, and a right one is not searched", async () => {
   const task = taskOf("l03-first-shoulder");
@@ -161,5 +241,17 @@ test("a refused tool that no slip explains is to blame itself", async () => {
   const unmended = answerOf("program" in fault.start ? programOfLines(fault.start.program) : "");
   const judgement = judge(fault, unmended);
   expect(await findSlip({ ...fault, solution: undefined }, unmended, judgement, runOf)).toBeNull();
-  expect(withoutSlip(judgement).marks[0]).toMatchObject({ issue: { code: "toolUnfit" }, isByTool: true });
+  const alone = { ...fault, solution: undefined };
+  expect(withoutSlip(alone, unmended, judgement).marks[0]).toMatchObject({
+    issue: { code: "toolUnfit" },
+    isByTool: true,
+  });
+});
+
+test("a tool of the solution is refused for its values, not for itself", () => {
+  const family = taskOf("l19-another-size");
+  const answer = answerOf(programOfLines(family.solution ?? []).replace(/Q2 =\+35\.4/, "Q2 =+354"));
+  const [first] = withoutSlip(family, answer, judge(family, answer)).marks;
+  expect(first).toMatchObject({ issue: { code: "toolUnfit" } });
+  expect(first?.isByTool).toBeUndefined();
 });

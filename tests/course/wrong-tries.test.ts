@@ -7,14 +7,14 @@ import { taskSchema, type Task } from "../../src/course/task.ts";
 import { texts } from "../../src/i18n/index.ts";
 import { courseTask } from "../../src/i18n/en/course-task.ts";
 import shoulderFile from "../../src/course/tasks/l03-first-shoulder.json";
+import byHandFile from "../../src/course/tasks/l01-turn-by-hand.json";
+import discFile from "../../src/course/tasks/l15-jammed-chip.json";
 import seatFile from "../../src/course/tasks/l05-chamfered-seat.json";
 import rodFile from "../../src/course/tasks/l16-drawn-rod.json";
 
-const [shoulder, rod, seat] = [shoulderFile, rodFile, seatFile].map((file) => taskSchema.parse(file)) as [
-  Task,
-  Task,
-  Task,
-];
+const [shoulder, rod, seat, byHand, disc] = [shoulderFile, rodFile, seatFile, byHandFile, discFile].map((file) =>
+  taskSchema.parse(file),
+) as [Task, Task, Task, Task, Task];
 
 /** The messages for the solution with one change, the first one first. */
 function markTexts(task: Task, from: string, to: string): string[] {
@@ -27,12 +27,12 @@ function markTexts(task: Task, from: string, to: string): string[] {
 const { wrongSide: turnedRound } = courseTask.wrong;
 
 test.each([
-  ["a forgotten minus", "Q494=-27.4", "Q494=+27.4", "Z+27.4 is in front of the workpiece. -27.4?: block 7"],
+  ["a forgotten minus", "Q494=-27.4", "Q494=+27.4", "Q494 End Z: Z+27.4 is in front of the workpiece. -27.4?: block 7"],
   [
     "a diameter doubled",
     "Q493=+48.2",
     "Q493=+96.4",
-    "⌀96.4 is larger than the blank, ⌀63.5, exactly twice as much: a diameter entered as a radius?: block 7",
+    "Q493 End ⌀: ⌀96.4 is larger than the blank, ⌀63.5, exactly twice as much: a diameter entered as a radius?: block 7",
   ],
   ["a start within the steel", "8 L X+63.5 Z+2", "8 L X+40 Z+2", `${turnedRound.inside}: block 9`],
 ])("%s is reported by its effect on the cycle, not as a wrong tool", (_, from, to, said) => {
@@ -64,12 +64,34 @@ test.each([
   ["a rounding in place of a chamfer", seat, /Q501=\+1/, "Q501=+2", "Q501"],
   ["a size too small", seat, /Q502=\+1\.2/, "Q502=+0.6", "Q502"],
   ["a diameter too large", seat, /Q493=\+52\.8/, "Q493=+53.2", "Q493"],
-])("material left is explained by the choice of an element or by its size: %s", (_, task, from, to, q) => {
+  ["a shoulder too short", shoulder, /Q494=-27\.4/, "Q494=-20", "Q494"],
+  ["a shoulder too long", shoulder, /Q494=-27\.4/, "Q494=-40", "Q494"],
+  ["a diameter too small", seat, /Q493=\+52\.8/, "Q493=+50", "Q493"],
+  ["a rounding left out", seat, /Q500=\+1/, "Q500=+0", "Q500"],
+  ["a chamfer far too small", seat, /Q502=\+1\.2/, "Q502=+0.12", "Q502"],
+  ["an end element too large", seat, /Q504=\+0\.6/, "Q504=+1", "Q504"],
+  ["an end element without its size", seat, /Q504=\+0\.6/, "Q504=+0", "Q504"],
+])("wrong material is explained by the value that makes the contour there: %s", (_, task, from, to, q) => {
   const right = programOfLines(task.solution ?? []);
   const wrong = right.replace(from, to);
   expect(wrong).not.toBe(right);
-  const residue = judge(task, answerOf(wrong)).marks.find(({ rule, passed }) => rule === "residue" && !passed);
-  expect(residue?.shapedBy).toEqual({ q });
+  const found = judge(task, answerOf(wrong)).marks.find(
+    ({ rule, passed }) => (rule === "residue" || rule === "missing") && !passed,
+  );
+  expect(found?.shapedBy).toEqual({ q });
+});
+
+test("material left by blocks without a cycle names the block that cut beside it", () => {
+  expect(markTexts(byHand, "X+44.6", "X+45.6")[0]).toMatch(/^Material left, up to 0\.\d+ mm thick at .*: block 11$/);
+});
+
+test("a bite that is too deep names the prompt that limits it", () => {
+  const said = /^A pass is 13\.5 mm deep; 4 mm are allowed: block 9, pass 1, set by Q463 /;
+  expect(markTexts(disc, "Q463=+4", "Q463=+0")).toContainEqual(expect.stringMatching(said));
+});
+
+test("where nothing was cut, no dimension is the reason", () => {
+  expect(markTexts(shoulder, "TOOL CALL 1", "TOOL CALL 5").filter((line) => line.includes("shaped by"))).toEqual([]);
 });
 
 test("a thread of another pitch is reported once, by its pitch; a missing one as missing", () => {
@@ -81,10 +103,10 @@ test("a thread of another pitch is reported once, by its pitch; a missing one as
 });
 
 test.each([
-  ["Q215=+0", "Q215=+2"],
-  ["Q483=+0.5", "Q483=+16"],
-])("a finishing cut that takes what was never roughed is too deep: %s → %s", (from, to) => {
-  expect(markTexts(shoulder, from, to)).toContainEqual(
-    expect.stringMatching(/^A pass is 7\.\d+ mm deep; 2\.5 mm are allowed: block 9, finishing cut$/),
-  );
+  ["Q215=+0", "Q215=+2", /^A pass is 7\.\d+ mm deep; 2\.5 mm are allowed: block 9, finishing cut, set by Q215 /],
+  ["Q483=+0.5", "Q483=+16", /^A pass is 7\.\d+ mm deep; .*, finishing cut, set by Q483 /],
+  ["Q484=+0.2", "Q484=+2", /^A pass is 7\.\d+ mm deep; .*, finishing cut, set by Q484 /],
+  ["Q463=+2.5", "Q463=+25", /^A pass is 7\.4 mm deep; 2\.5 mm are allowed: block 9, pass 1, set by Q463 /],
+])("a pass that is too deep names the prompt that decides it: %s → %s", (from, to, said) => {
+  expect(markTexts(shoulder, from, to)).toContainEqual(expect.stringMatching(said));
 });

@@ -6,6 +6,7 @@ import { REAL_AREA } from "../../kernel/area/real-area.ts";
 import { pathOf } from "../../kernel/time/time.ts";
 import { SLIVER } from "../../kernel/tolerance.ts";
 import { outlinesOf } from "../../sim/outlines.ts";
+import { thicknessOf } from "../../sim/extent.ts";
 import { regionsOf } from "../../sim/region.ts";
 import { sweptBy } from "../../sim/sweep.ts";
 import { middleOf } from "./middle.ts";
@@ -84,7 +85,23 @@ function ownerOf(outline: Ring, answer: Answer): Pick<TaskMark, "operation" | "b
   const own = most?.operation ?? run.operations.findLastIndex((o) => isInside(o.plan.area, place));
   const operation = own >= 0 ? own : nearestCall(answer, place);
   const called = run.operations[operation];
-  return called ? { operation, block: called.block, ...(most && isExplained && { reason: most.reason }) } : {};
+  if (!called) return nearestCut([outline], answer);
+  return { operation, block: called.block, ...(most && isExplained && { reason: most.reason }) };
+}
+
+/** Without a cycle, more than this is no inaccurate cut but a missing one, mm: the cut beside it is not to blame. */
+const INACCURATE = 1.2;
+
+/** Without a cycle: the cut that ran nearest along a region, with its block. */
+function nearestCut(region: readonly Ring[], { simulation: { steps } }: Answer): Pick<TaskMark, "step" | "block"> {
+  if (thicknessOf(region) > INACCURATE) return {};
+  const place = middleOf(region);
+  const apart = steps.map(({ from, move }) =>
+    move.kind === "rapid" ? Infinity : part.distanceTo(part.line(from, move.to), place),
+  );
+  const index = apart.indexOf(Math.min(...apart)),
+    step = steps[index];
+  return step && Number.isFinite(apart[index]) ? { step: index, block: step.block } : {};
 }
 
 /** One failed mark per region where the areas exceed the limit, else one passed mark. */

@@ -48,11 +48,24 @@ export interface SlipValue {
 }
 
 /**
- * A slip that explains a fault: a wrong sign, a radius for a diameter or the reverse, two exchanged values, a contour in
- * the wrong direction (`values`: its first block), two exchanged tools, or one tool for another (`q`: "T").
+ * A slip that explains a fault: a wrong sign, a radius for a diameter or the reverse, two exchanged values, a misplaced
+ * decimal point, an end on the wrong side of the start or counted from it, a contour in the wrong direction (`values`: its first block), two exchanged blocks (`values`: these), a
+ * cycle that is not called (`values`: its definition and number), two exchanged tools, or one tool for another (`q`: "T").
  */
 export interface Slip {
-  readonly kind: "sign" | "radius" | "doubled" | "exchanged" | "reversed" | "tools" | "tool";
+  readonly kind:
+    | "sign"
+    | "radius"
+    | "doubled"
+    | "exchanged"
+    | "point"
+    | "side"
+    | "relative"
+    | "reversed"
+    | "order"
+    | "call"
+    | "tools"
+    | "tool";
   readonly values: readonly SlipValue[];
 }
 

@@ -6,7 +6,8 @@ interface Corner {
   readonly z: string;
 }
 
-const coordinate = (raw: string, axis: "X" | "Z"): string | null =>
+/** The coordinate that a path block writes for an axis, as text; null without one. */
+export const coordinateOf = (raw: string, axis: "X" | "Z"): string | null =>
   new RegExp(String.raw`(?<![A-Z])${axis}[ \t]*([+-]?[\d.]+)`, "i").exec(raw.replace(/;.*$/s, ""))?.[1] ?? null;
 
 /** The blocks between a label and LBL 0. */
@@ -34,7 +35,7 @@ export function reversedContours(
       const isCorner = s.kind === "chamfer" || (s.kind === "path" && s.path === "RND");
       if (isCorner) joined = raw.replace(/^\s*\d*\s*/, "").trim();
       else if (s.kind === "path" && s.path === "L") {
-        now = { x: coordinate(raw, "X") ?? now.x, z: coordinate(raw, "Z") ?? now.z };
+        now = { x: coordinateOf(raw, "X") ?? now.x, z: coordinateOf(raw, "Z") ?? now.z };
         between.push(joined);
         corners.push(now);
         joined = null;

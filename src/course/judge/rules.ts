@@ -1,6 +1,8 @@
 import { producedParts } from "../../sim/produced-parts.ts";
 import { REAL_AREA } from "../../kernel/area/real-area.ts";
 import { SAME } from "../../kernel/tolerance.ts";
+import { cycleByNumber } from "../../cycles/index.ts";
+import type { Param, Topic } from "../../cycles/params.ts";
 import { parse } from "../../nc/parse.ts";
 import { blockNumbers } from "../../nc/program.ts";
 import type { Operation } from "../../program/state/run-types.ts";
@@ -30,6 +32,26 @@ export const hasRoughing = ({ plan }: Operation) => plan.moves.some((move) => mo
 export const roughingPasses = ({ plan }: Operation) =>
   plan.moves.some(({ phase }) => phase === "rough" || phase === "thread") ? plan.passes : 0;
 
+/** The prompt of a call that a topic of its cycle belongs to, with its value. */
+function promptOf({ cycle, call }: Operation, topic: Topic): { readonly q: string; readonly value: number } | null {
+  const params: Readonly<Record<string, Param>> = cycleByNumber(cycle)?.params ?? {};
+  const [q] = Object.entries(params).find(([, { shown }]) => shown === topic) ?? [];
+  const value = q === undefined ? undefined : (call?.values as Readonly<Record<string, unknown>> | undefined)?.[q];
+  return q !== undefined && typeof value === "number" ? { q, value } : null;
+}
+
+/** The prompt that decides a depth beyond the limit: the infeed, or what was left for the finishing cut. */
+function decidingPrompt(operation: Operation | undefined, limit: number, isFinishing: boolean): Partial<TaskMark> {
+  if (!operation) return {};
+  const prompt = (topic: Topic) => promptOf(operation, topic);
+  const infeed = prompt("infeed") ?? prompt("depthLimit"),
+    oversize = prompt("oversizeDiameter");
+  const isOversize = oversize && oversize.value > 2 * limit;
+  const leftOver = isOversize ? oversize : prompt(hasRoughing(operation) ? "oversizeZ" : "operation");
+  const decides = isFinishing ? leftOver : infeed && (infeed.value > limit || infeed.value === 0) ? infeed : null;
+  return decides ? { q: decides.q } : {};
+}
+
 function depth(limit: number, answer: Answer): TaskMark[] {
   const { run, simulation } = answer;
   const found = run.operations.map((operation, index): Partial<TaskMark> => {
@@ -41,9 +63,12 @@ function depth(limit: number, answer: Answer): TaskMark[] {
   });
   const all = [...found, ...depthsBeyondLimit(answer, limit + DEPTH_SLACK).map((mark) => ({ ...mark, limit }))];
   const most = all.reduce((sum, { value = 0 }) => Math.max(sum, value), 0);
+  const isFinishing = ({ step = -1 }: Partial<TaskMark>) => run.steps[step]?.move.phase === "finish";
   return marks(
     "depth",
-    all.filter(({ value = 0 }) => value > limit + DEPTH_SLACK),
+    all
+      .filter(({ value = 0 }) => value > limit + DEPTH_SLACK)
+      .map((mark) => ({ ...mark, ...decidingPrompt(run.operations[mark.operation ?? -1], limit, isFinishing(mark)) })),
     { value: most, limit },
   );
 }
@@ -112,8 +137,18 @@ function values(asked: NonNullable<TaskRules["values"]>, { run }: Answer): TaskM
 function passes(limit: number, { run }: Answer): TaskMark[] {
   const value = run.operations.reduce((sum, o) => sum + roughingPasses(o), 0);
   const index = run.operations.findIndex(hasRoughing);
-  const operation = run.operations[index];
-  return [{ rule: "passes", passed: value === limit, value, limit, ...(operation && ofCall(operation, index)) }];
+  const operation = run.operations[index],
+    infeed = operation && value !== limit ? promptOf(operation, "infeed") : null;
+  const decides = infeed && { q: infeed.q };
+  return [
+    {
+      rule: "passes",
+      passed: value === limit,
+      value,
+      limit,
+      ...(operation && { ...ofCall(operation, index), ...decides }),
+    },
+  ];
 }
 
 /** The greatest Rz of the made surface between two Z. A stretch without a known feed per revolution is too rough. */

@@ -3,10 +3,18 @@ import { cycleByNumber } from "../../cycles/index.ts";
 import type { Param, Params, Values } from "../../cycles/params.ts";
 import { parse } from "../../nc/parse.ts";
 import { blockNumbers, startLines } from "../../nc/program.ts";
-import { boxOf } from "../../kernel/area/box.ts";
+import { REAL_AREA } from "../../kernel/area/real-area.ts";
+import { areaOf, areaOfRing } from "../../kernel/area/area.ts";
+import { boxAround } from "../../kernel/area/box.ts";
+import { difference, intersection } from "../../kernel/area/clip.ts";
 import { at, part, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
+import type { Box } from "../../kernel/geometry/segments.ts";
+import { CHORD } from "../../kernel/tolerance.ts";
+import { inDegrees } from "../../kernel/units.ts";
+import { thicknessOf } from "../../sim/extent.ts";
 import type { Operation } from "../../program/state/run-types.ts";
 import type { Answer, TaskMark } from "./judgement.ts";
+import { coordinateOf } from "./reversed-contour.ts";
 
 /** Change of a value by which its influence on the contour is found, mm or degrees. */
 const CHANGE = 0.05;
@@ -16,8 +24,8 @@ const SAMPLES = [0, 0.25, 0.5, 0.75, 1];
 const MOVED = 1e-4;
 /** Farther from the contour than this, mm, its shape explains nothing. */
 const NEAR = 5;
-/** A contour explains a region if the region lies nearer to it than this share of its distance from the present one. */
-const EXPLAINED = 0.1;
+/** Another value explains a region if the area that it moves is the region by more than this share. */
+const EXPLAINED = 0.15;
 
 const distanceTo = (contour: readonly Segment[], p: Pt): number =>
   contour.reduce((least, segment) => Math.min(least, part.distanceTo(segment, p)), Infinity);
@@ -40,39 +48,83 @@ function ownContour({ cycle: number, call }: Operation) {
   };
 }
 
-/** The lines between the beginnings and between the ends of two contours: there a face limits what lies between them. */
-const endsBetween = (one: readonly Segment[], other: readonly Segment[]): readonly Segment[] =>
-  (["from", "to"] as const).flatMap((end) => {
-    const [a, b] = [one, other].map((each) => (end === "from" ? each[0] : each.at(-1))?.[end]);
-    return a && b ? [part.line(a, b)] : [];
+/** What encloses the area between two contours: each is closed on this side of both. */
+const SIDES = ["left", "right", "low", "high"] as const;
+
+/** The area on one side of a contour, up to an edge of a box. */
+function areaBeside(contour: readonly Segment[], side: (typeof SIDES)[number], box: Box): Ring {
+  const points = part.flattenedChain(contour, CHORD);
+  const edge = ({ z, r }: Pt) => (side === "left" || side === "right" ? at(box[side], r) : at(z, box[side]));
+  const [first, last] = [points[0], points.at(-1)];
+  const ring = first && last ? [...points, edge(last), edge(first)] : [];
+  return areaOfRing(ring) < 0 ? ring.toReversed() : ring;
+}
+
+/** How well the area between two contours explains a region, 0 to 1: the area of both as a share of all. */
+function explains(region: readonly Ring[], contour: readonly Segment[], other: readonly Segment[]): number {
+  const box = boxAround([...region, ...[contour, other].map((each) => part.flattenedChain(each, CHORD))]);
+  const area = areaOf(region);
+  const shares = SIDES.map((side) => {
+    const [one, two] = [contour, other].map((each) => [areaBeside(each, side, box)]) as [Ring[], Ring[]];
+    const between = [...difference(one, two), ...difference(two, one)];
+    const both = areaOf(intersection(region, between));
+    return both / (area + areaOf(between) - both);
   });
+  return Math.max(...shares);
+}
+
+/** The values that a dimension may have been meant to have, by the extent of a region. */
+function meantValues(
+  q: string,
+  param: Param,
+  value: number,
+  region: readonly Ring[],
+  params: readonly (readonly [string, Param])[],
+) {
+  const box = boxAround(region),
+    thick = thicknessOf(region);
+  const [wide, high] = [box.right - box.left, box.high - box.low];
+  if (isPosition(param)) {
+    const [ends, by] =
+      param.kind === "axial" ? [[box.left, box.right], thick] : [[2 * box.low, 2 * box.high], 2 * thick];
+    return [...ends, value + by, value - by].map((to) => ({ [q]: to }));
+  }
+  if (param.kind === "choice") {
+    const size = params.find(([, { sizes }]) => sizes === q)?.[0];
+    const others = (param.choices ?? []).filter((kind) => kind !== value);
+    return size === undefined
+      ? []
+      : others.flatMap((kind) => [{ [q]: kind }, { [q]: kind, [size]: Math.max(wide, high) }]);
+  }
+  if (param.kind === "angle") {
+    const lean = inDegrees(Math.atan2(high, wide));
+    return [lean, 90 - lean].flatMap((by) => [value + by, value - by]).map((to) => ({ [q]: to }));
+  }
+  // A chamfer of 45° that is longer leaves its surface by this.
+  const leg = thick * Math.SQRT2;
+  return [wide, high, value - leg, value + leg].map((to) => ({ [q]: to }));
+}
 
 /**
- * The choice of an edge element that explains why a region was left: the region lies between the contour and the one of
- * another choice. Null where none does. A size that is not entered is taken from the region.
+ * The parameter that explains a region of wrong material: with another value, the contour runs on the other side of the
+ * region. Null where none does.
  */
-function wrongElement(operation: Operation, region: Ring): string | null {
+function explainingParameter(operation: Operation, region: readonly Ring[]): string | null {
   const own = ownContour(operation);
   if (!own) return null;
   const { params, values, contourWith } = own;
-  const contour = contourWith({}),
-    { left, right, low, high } = boxOf(region);
-  const size = Math.max(right - left, high - low);
-  // All corners of a chamfer that was left out are on the contour: the middles of its edges are not.
-  const points = region.flatMap((to, i) => [to, part.pointOn(part.line(region.at(i - 1) as Pt, to), 1 / 2)]);
-  const apartFrom = (outlines: readonly Segment[]) => Math.max(...points.map((p) => distanceTo(outlines, p)));
-  const trials = params.flatMap(([q, { sizes }]) => {
-    const choice = params.find(([each]) => each === sizes);
-    if (!choice) return [];
-    return (choice[1].choices ?? [])
-      .filter((kind) => kind !== values[choice[0]])
-      .map((kind) => {
-        const other = contourWith({ [choice[0]]: kind, [q]: Number(values[q]) || size });
-        return { q: choice[0], apart: apartFrom([...contour, ...other, ...endsBetween(contour, other)]) };
-      });
+  const contour = contourWith({});
+  const trials = params.flatMap(([q, param]) => {
+    const value = values[q];
+    if (typeof value !== "number" || !(param.drawn || params.some(([, { sizes }]) => sizes === q))) return [];
+    const shares = meantValues(q, param, value, region, params).map((meant) => {
+      const other = contourWith(meant);
+      return other.length === 0 ? 0 : explains(region, contour, other);
+    });
+    return [{ q, share: Math.max(0, ...shares) }];
   });
-  const [best] = trials.toSorted((a, b) => a.apart - b.apart);
-  return best && best.apart < EXPLAINED * apartFrom(contour) ? best.q : null;
+  const [best] = trials.toSorted((a, b) => b.share - a.share);
+  return best && best.share > EXPLAINED ? best.q : null;
 }
 
 /**
@@ -100,14 +152,34 @@ function shapingParameter(operation: Operation, place: Pt): string | null {
   return found.toSorted((a, b) => a.reach - b.reach)[0]?.q ?? null;
 }
 
-/** The block of the element of a programmed contour nearest to a place; null where it is in another file. */
+/** An element is parallel to an axis within this, mm. */
+const PARALLEL = 0.001;
+
+/** The axis whose coordinate places an element that is parallel to the other one; null for other elements. */
+const placingAxis = ({ from, to }: Segment): "X" | "Z" | null =>
+  Math.abs(from.r - to.r) < PARALLEL ? "X" : Math.abs(from.z - to.z) < PARALLEL ? "Z" : null;
+
+/**
+ * The block of the element of a programmed contour nearest to a place; null where it is in another file. A cylinder and
+ * a face are placed by the last block with their X or Z.
+ */
 function shapingBlock({ contourLines, plan }: Operation, place: Pt, text: string): number | null {
   const apart = plan.contour.map((segment) => part.distanceTo(segment, place));
   const least = Math.min(...apart),
+    element = plan.contour[apart.indexOf(least)],
     line = contourLines?.[apart.indexOf(least)];
-  if (!line || line.file !== undefined || least > NEAR) return null;
-  const program = parse(text);
-  const index = startLines(program).findLastIndex((start) => start <= line.line);
+  if (!line || !element || line.file !== undefined || least > NEAR) return null;
+  const program = parse(text),
+    { blocks } = program;
+  const own = startLines(program).findLastIndex((start) => start <= line.line);
+  const axis = blocks[own]?.statement.kind === "path" && placingAxis(element);
+  const placing = axis
+    ? blocks.findLastIndex(
+        ({ statement: s, raw }, i) =>
+          i <= own && (s.kind === "label" || (s.kind === "path" && coordinateOf(raw, axis) !== null)),
+      )
+    : -1;
+  const index = blocks[placing]?.statement.kind === "path" ? placing : own;
   return blockNumbers(program)[index] ?? null;
 }
 
@@ -123,7 +195,7 @@ export const elementShapedBy = ({ run }: Answer, q: string): readonly Segment[] 
 
 /** What shapes the contour at the place of a mark: a parameter of its cycle, or a block of its contour. */
 export function shapedBy(
-  { run, text }: Answer,
+  { run, simulation, text }: Answer,
   { rule, operation, place, about, rings }: TaskMark,
 ): Pick<TaskMark, "shapedBy"> {
   if (!place || about !== undefined) return {};
@@ -132,9 +204,12 @@ export function shapedBy(
   );
   const called = operation === undefined ? nearest : run.operations[operation];
   if (!called) return {};
+  // Where nothing was cut at all, no dimension is the reason.
+  const cut = simulation.proof.operations[run.operations.indexOf(called)]?.cut ?? 0;
+  if (rule !== "missing" && cut < REAL_AREA) return {};
   const { x = 0, z = 0 } = called.call?.datum ?? {};
-  const region = rule === "residue" ? rings?.[0]?.map((p) => at(p.z - z, p.r - x)) : undefined;
-  const q = (region && wrongElement(called, region)) ?? shapingParameter(called, at(place.z - z, place.r - x));
+  const region = rings?.map((ring) => ring.map((p) => at(p.z - z, p.r - x)));
+  const q = (region && explainingParameter(called, region)) ?? shapingParameter(called, at(place.z - z, place.r - x));
   if (q !== null) return { shapedBy: { q } };
   const block = shapingBlock(called, place, text);
   return block === null ? {} : { shapedBy: { block } };

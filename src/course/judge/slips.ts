@@ -1,20 +1,16 @@
 import { areaOf } from "../../kernel/area/area.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { radius, toDiameter } from "../../kernel/units.ts";
-import { cycleByNumber } from "../../cycles/index.ts";
-import type { Param } from "../../cycles/params.ts";
-import { parse } from "../../nc/parse.ts";
-import { blockNumbers, type Block } from "../../nc/program.ts";
 import { outlineOfLines, targetPart } from "../target-part.ts";
 import type { Task } from "../task.ts";
 import { judge } from "./judge.ts";
-import type { Answer, RuleName, Slip, SlipValue, TaskJudgement, TaskMark } from "./judgement.ts";
-import { toolSlips, type SlipTrial } from "./tool-slips.ts";
-import { reversedContours } from "./reversed-contour.ts";
+import type { Answer, RuleName, Slip, TaskJudgement, TaskMark } from "./judgement.ts";
+import { toolsFor, toolSlips, type SlipTrial } from "./tool-slips.ts";
+import { everySlip, type Literal, type PossibleSlip } from "./possible-slips.ts";
 
 /*
- * The commonest slips: exchanged tools, and in dimensions a wrong sign, a radius for a diameter or the reverse,
- * exchanged values, a contour in the wrong direction. Each is undone in the learner's program, and the run decides
+ * The commonest slips: exchanged tools; in dimensions a wrong sign, a radius for a diameter or the reverse, exchanged
+ * values, a misplaced decimal point; a contour in the wrong direction, exchanged blocks, a missing call. Each is undone in the learner's program, and the run decides
  * whether it explains the fault.
  */
 
@@ -24,7 +20,21 @@ const MOST_TOOL_RUNS = 8;
 /** A slip explains a fault if undoing it leaves at most this share of the wrong area. */
 const LEFT_OVER = 0.25;
 /** The order in which slips are tried: first those whose values are sizes of the part. */
-const LIKELY = { exact: 0, exchanged: 1, reversed: 2, near: 3, either: 4, start: 5, no: 6 } as const;
+const LIKELY = {
+  call: 0,
+  exact: 1,
+  exchanged: 2,
+  reversed: 3,
+  near: 4,
+  paired: 5,
+  size: 6,
+  either: 7,
+  start: 8,
+  order: 9,
+  no: 10,
+} as const;
+/** Slips that are named only where the part is right without them, as those that are less likely. */
+const WHOLLY: ReadonlySet<Slip["kind"]> = new Set(["call", "order", "point", "side", "relative"]);
 /** A value may be this far from the corner of the part that it makes, mm: roundings, chamfers, tapers lie between. */
 const BESIDE = 2;
 /** Rules that a dimension can break; the others concern feeds, tools and times. */
@@ -38,45 +48,6 @@ export const BY_DIMENSIONS: ReadonlySet<RuleName> = new Set([
   "residue",
   "size",
 ]);
-
-const NUMBER = String.raw`([+-]?\d+(?:\.\d+)?|[+-]?\.\d+)`;
-const written = (value: number): string => `${value < 0 ? "-" : "+"}${Math.abs(Math.round(value * 1000) / 1000)}`;
-
-/** A number in the text of a block, with its place. */
-interface Literal extends Omit<SlipValue, "better"> {
-  readonly index: number;
-  readonly kind: Param["kind"] | "x" | "z";
-  readonly place: Param["place"] | null;
-}
-
-/** The dimensions in a block that a slip can change: positions of a cycle, or X and Z of a path. */
-function literalsOf({ statement: s, raw }: Block, index: number, block: number): readonly Literal[] {
-  if (s.kind === "cycle") {
-    const params: Readonly<Partial<Record<string, Param>>> = cycleByNumber(s.cycle)?.params ?? {};
-    return s.parameters.flatMap(({ q, value }): Literal[] => {
-      const param = params[q];
-      if (typeof value !== "number" || (param?.kind !== "diameter" && param?.kind !== "axial")) return [];
-      if (param.incremental) return [];
-      return [{ index, block, q, value, kind: param.kind, place: param.place }];
-    });
-  }
-  if (s.kind !== "path") return [];
-  const said = raw.replace(/;.*$/s, "");
-  return (["X", "Z"] as const).flatMap((q): Literal[] => {
-    const found = new RegExp(String.raw`(?<![A-Z])${q}[ \t]*${NUMBER}(?![\d.])`, "i").exec(said);
-    return found ? [{ index, block, q, value: Number(found[1]), kind: q === "X" ? "x" : "z", place: null }] : [];
-  });
-}
-
-/** The text of a block with another number. */
-function withValue(raw: string, q: string, value: number): string {
-  const pattern = q.startsWith("Q")
-    ? new RegExp(String.raw`((?:^|\s)${q}[ \t]*=?[ \t]*)${NUMBER}`, "i")
-    : new RegExp(String.raw`((?<![A-Z])${q}[ \t]*)${NUMBER}`, "i");
-  return raw.replace(pattern, (_, front: string) => front + written(value));
-}
-
-const isDiameter = ({ kind }: Literal): boolean => kind === "diameter" || kind === "x";
 
 /** Diameters and Z of the target part, mm. */
 export function wantedSizes(task: Task): { readonly x: readonly number[]; readonly z: readonly number[] } {
@@ -98,87 +69,54 @@ export function wantedSizes(task: Task): { readonly x: readonly number[]; readon
   };
 }
 
-interface Change {
-  readonly literal: Literal;
-  readonly to: number;
-}
-interface PossibleSlip extends SlipTrial {
-  /** Empty for a reversed contour. */
-  readonly changes: readonly Change[];
-}
-
-/** Every program that differs from a program by one slip. */
-export function everySlip(text: string): readonly PossibleSlip[] {
-  const program = parse(text),
-    numbers = blockNumbers(program),
-    { blocks } = program;
-  const literals = blocks.flatMap((block, i) => literalsOf(block, i, numbers[i] ?? 0));
-  const put = (kind: Slip["kind"], ...changes: readonly Change[]): PossibleSlip => ({
-    slip: { kind, values: changes.map(({ literal: { block, q, value }, to }) => ({ block, q, value, better: to })) },
-    changes,
-    text: blocks
-      .map(({ raw }, i) =>
-        changes.reduce((now, { literal: { index, q }, to }) => (index === i ? withValue(now, q, to) : now), raw),
-      )
-      .join(""),
-  });
-  const single = literals
-    .filter(({ value }) => Math.abs(value) > SAME)
-    .flatMap((literal) =>
-      isDiameter(literal)
-        ? [put("radius", { literal, to: 2 * literal.value }), put("doubled", { literal, to: literal.value / 2 })]
-        : [put("sign", { literal, to: -literal.value })],
-    );
-  // Who takes the radius for the diameter often does so for all values of a cycle.
-  const inCycles = literals.filter((each) => each.q.startsWith("Q") && isDiameter(each) && Math.abs(each.value) > SAME);
-  const whole = [...new Set(inCycles.map(({ index }) => index))]
-    .map((cycle) => inCycles.filter(({ index }) => index === cycle))
-    .filter((each) => each.length > 1)
-    .flatMap((each) => [
-      put("radius", ...each.map((literal) => ({ literal, to: 2 * literal.value }))),
-      put("doubled", ...each.map((literal) => ({ literal, to: literal.value / 2 }))),
-    ]);
-  const pairs = literals.flatMap((one, i) =>
-    literals.slice(i + 1).flatMap((other) => {
-      if (other.index !== one.index || Math.abs(one.value - other.value) < SAME) return [];
-      // Start and end of one axis in a cycle; X and Z in a path.
-      const isPair = one.place === null || (one.kind === other.kind && one.place !== other.place);
-      return isPair ? [put("exchanged", { literal: one, to: other.value }, { literal: other, to: one.value })] : [];
-    }),
-  );
-  const reversed = reversedContours(blocks).map((turned): PossibleSlip => ({
-    slip: { kind: "reversed", values: [{ block: numbers[turned.first] ?? 0, q: "", value: 0, better: 0 }] },
-    changes: [],
-    text: turned.text,
-  }));
-  return [...single, ...whole, ...pairs, ...reversed];
-}
-
 /** The programs without a slip that a learner may have made in one, the likeliest first. */
-function slipTrials(task: Task, text: string): readonly SlipTrial[] {
+function slipTrials(task: Task, text: string): readonly (SlipTrial & { readonly likely: number })[] {
   const wanted = wantedSizes(task);
   /** Distance of a value from the nearest size of the part. */
-  const off = (literal: Literal, value: number) =>
-    wanted[isDiameter(literal) ? "x" : "z"].reduce((least, size) => Math.min(least, Math.abs(size - value)), Infinity);
+  const off = ({ measure }: Literal, value: number) =>
+    wanted[measure === "diameter" ? "x" : "z"].reduce(
+      (least, size) => Math.min(least, Math.abs(size - value)),
+      Infinity,
+    );
   const isWanted = (literal: Literal, value: number) => off(literal, value) < BESIDE;
   const rank = ({ slip: { kind }, changes }: PossibleSlip): number => {
+    if (kind === "reversed" || kind === "order" || kind === "call") return LIKELY[kind];
+    const isExact = changes.every(({ literal, to }) => off(literal, to) < SAME);
+    if (kind === "point") {
+      const [change] = changes;
+      if (change?.literal.measure === "size") return LIKELY.size;
+      if (!change || isWanted(change.literal, change.literal.value)) return LIKELY.no;
+      // A start point or an end in the air is no size of the part.
+      return isExact ? LIKELY.exact : Math.abs(change.to) < Math.abs(change.literal.value) ? LIKELY.size : LIKELY.no;
+    }
+    // Exact sizes only: about any value is beside the other end of a contour.
+    if (kind === "side" || kind === "relative") {
+      const isOff = changes.every(({ literal }) => off(literal, literal.value) > SAME);
+      return isExact && isOff ? LIKELY.exact : LIKELY.no;
+    }
     const improves = changes.some(
       ({ literal, to }) => isWanted(literal, to) && off(literal, to) < off(literal, literal.value) - SAME,
     );
-    const fits = changes.every(({ literal, to }) => isWanted(literal, to) || isWanted(literal, literal.value));
-    if (kind === "reversed") return LIKELY.reversed;
-    if (kind === "exchanged") return improves || fits ? LIKELY.exchanged : LIKELY.no;
-    if (improves) return changes.every(({ literal, to }) => off(literal, to) < SAME) ? LIKELY.exact : LIKELY.near;
-    if (fits) return LIKELY.either;
-    // Positions off the part are start points: one in the steel may have a wrong sign.
-    const isStart = changes.every(({ literal }) => literal.kind === "z" && literal.value < 0);
+    if (kind === "exchanged") {
+      if (changes.every(({ literal }) => literal.measure === "size")) return LIKELY.size;
+      if (improves) return LIKELY.exchanged;
+      // Two values of one axis that are both sizes of the part may still be in each other's place.
+      const isOneAxis = new Set(changes.map(({ literal }) => literal.measure)).size === 1;
+      const fits = changes.every(({ literal, to }) => isWanted(literal, to) || isWanted(literal, literal.value));
+      return isOneAxis && fits ? LIKELY.paired : LIKELY.no;
+    }
+    if (improves) return isExact ? LIKELY.exact : LIKELY.near;
+    if (changes.every(({ literal, to }) => isWanted(literal, to))) return LIKELY.either;
+    // Positions off the part are start points and retractions: one in the steel may have a wrong sign.
+    const isStart = changes.every(
+      ({ literal, to }) => literal.value < 0 && !isWanted(literal, literal.value) && to > 0,
+    );
     return kind === "sign" && isStart ? LIKELY.start : LIKELY.no;
   };
   return everySlip(text)
-    .map((trial) => ({ trial, likely: rank(trial) }))
+    .map((trial) => ({ ...trial, likely: rank(trial) }))
     .filter(({ likely }) => likely !== LIKELY.no)
-    .toSorted((a, b) => a.likely - b.likely)
-    .map(({ trial }) => trial);
+    .toSorted((a, b) => a.likely - b.likely);
 }
 
 /** How wrong an answer is in its dimensions: its errors, and the wrong area, mm². */
@@ -248,6 +186,7 @@ export async function findSlip(
     const without = judge(task, answer),
       after = wrongness(without);
     if (!after.any) return { slip: trial.slip, without };
+    if (trial.likely >= LIKELY.near || WHOLLY.has(trial.slip.kind)) continue;
     const isBetter = after.errors <= before.errors && after.area <= before.area * LEFT_OVER && before.area > 0;
     if (isBetter && after.area < (best?.area ?? Infinity)) best = { slip: trial.slip, without, area: after.area };
   }
@@ -261,13 +200,18 @@ export const hasSlip = (task: Task, text: string, slip: Slip): boolean =>
 const keyOf = ({ kind, values }: Slip): string => JSON.stringify([kind, values.map(({ q, value }) => [q, value])]);
 
 /**
- * The judgement of an answer that no slip explains: where a tool is refused, its dimensions are not to blame, so the
- * tool is.
+ * The judgement of an answer that no slip explains: where a tool is refused that the task does not need, it is to blame;
+ * a tool of the solution is refused for its values.
  */
-export const withoutSlip = (judgement: TaskJudgement): TaskJudgement => ({
-  ...judgement,
-  marks: judgement.marks.map((mark) => (mark.issue?.code === "toolUnfit" ? { ...mark, isByTool: true } : mark)),
-});
+export const withoutSlip = (task: Task, { run }: Answer, judgement: TaskJudgement): TaskJudgement => {
+  const right = toolsFor(task);
+  const isByTool = ({ issue, operation = -1 }: TaskMark) =>
+    issue?.code === "toolUnfit" && !right.has(run.operations[operation]?.tool.T ?? -1);
+  return {
+    ...judgement,
+    marks: judgement.marks.map((mark) => (isByTool(mark) ? { ...mark, isByTool: true } : mark)),
+  };
+};
 
 /**
  * The judgement with the slip as its first mark, at the place of the gravest one. Errors that the program without the

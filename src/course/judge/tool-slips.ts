@@ -35,7 +35,7 @@ function callsOf(text: string) {
 }
 
 /** The tools with which the part of a task is made, as far as the task says so. */
-const toolsFor = ({ solution = [], rules }: Task): ReadonlySet<number> =>
+export const toolsFor = ({ solution = [], rules }: Task): ReadonlySet<number> =>
   new Set([...callsOf(solution.join("\n")).calls.map(({ tool }) => tool), ...(rules.tools ?? [])]);
 
 /** Every program that differs by two exchanged tools, or by one tool in place of another. */

@@ -40,6 +40,11 @@ test("radii come back as arcs, chamfers as lines", () => {
   expect(apart).toBeLessThan(0.08);
 });
 
+test("a cone keeps the diameter to which its angle takes it, however near to a hundredth", () => {
+  const { lines } = taken({ blank: solid, outside: ["L X+0 Z+0", "L X+50", "L X+59.622 Z-54.989", "L X+63.4"] });
+  expect(lines.outside).toEqual(["L X+0 Z+0", "L X+50 Z+0", "L X+59.622 Z-54.99", "L X+63.4 Z-54.99"]);
+});
+
 test("a bore is separate from the outside; grooves of the face belong to the outside", () => {
   const { lines, apart, issues } = taken({
     blank: hollow,

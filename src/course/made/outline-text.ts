@@ -2,7 +2,7 @@ import { boxAround } from "../../kernel/area/box.ts";
 import { areaOf } from "../../kernel/area/area.ts";
 import { simplified } from "../../kernel/area/clip.ts";
 import { part, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
-import { rounded, toDiameter } from "../../kernel/units.ts";
+import { inDegrees, rounded, toDiameter } from "../../kernel/units.ts";
 import { traced } from "./traced.ts";
 
 /** Outlines as lines of a contour subprogram, from the free end; absent where nothing was turned. */
@@ -26,17 +26,28 @@ const size = (value: number): string => {
   const round = Math.round(value * HUNDREDTHS) / HUNDREDTHS;
   return number(Math.abs(round - value) < AS_NEAR ? round : value);
 };
-const at = (p: Pt): string => `X${size(toDiameter(p.r))} Z${size(p.z)}`;
+/** An angle is a usual one, a multiple of 0.5°, within this, degrees. */
+const USUAL = 0.005;
+/** A cone of a usual angle ends where its angle takes it: its diameter there is no round number. Chamfers of 45° have round ends. */
+const isCone = (s: Segment | undefined): boolean => {
+  if (s?.kind !== "line") return false;
+  const [along, across] = [Math.abs(s.from.z - s.to.z), Math.abs(s.from.r - s.to.r)];
+  if (along < ON || across < ON || Math.abs(along - across) < ON) return false;
+  const angle = inDegrees(Math.atan2(across, along));
+  return Math.abs(angle - Math.round(2 * angle) / 2) < USUAL;
+};
+const at = (p: Pt, ...beside: readonly (Segment | undefined)[]): string =>
+  `X${beside.some(isCone) ? number(toDiameter(p.r)) : size(toDiameter(p.r))} Z${size(p.z)}`;
 
 function linesOf(segments: readonly Segment[]): readonly string[] | undefined {
   const [first] = segments;
   if (!first) return undefined;
   return [
-    `L ${at(first.from)}`,
-    ...segments.map((s) =>
+    `L ${at(first.from, first)}`,
+    ...segments.map((s, i) =>
       s.kind === "line"
-        ? `L ${at(s.to)}`
-        : `CR ${at(s.to)} R${size(part.radiusOf(s))} ${s.turn === "ccw" ? "DR+" : "DR-"}`,
+        ? `L ${at(s.to, s, segments[i + 1])}`
+        : `CR ${at(s.to, segments[i + 1])} R${size(part.radiusOf(s))} ${s.turn === "ccw" ? "DR+" : "DR-"}`,
     ),
   ];
 }

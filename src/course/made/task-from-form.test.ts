@@ -60,7 +60,7 @@ test("the outlines have the programmed sizes, from the contours or from the part
   expect(bore.split("\n")).toContain("L X+40 Z-31");
   expect(outlinesFrom(flange, "contours", [])).toEqual({ outside, bore });
   expect(outlinesFrom(flange, "made", []).outside.split("\n")).toContain("L X+62 Z-38.5");
-  expect(outlinesFrom(shoulder, "made", []).outside.split("\n")).toContain("L X+50.09 Z-0.5");
+  expect(outlinesFrom(shoulder, "made", []).outside.split("\n")).toContain("L X+50.087 Z-0.5");
 });
 
 test("missing fields are named", () => {

@@ -3,6 +3,7 @@ import type { Lesson } from "../../course/lesson.ts";
 import type { LessonPage } from "../../course/progress.ts";
 import { goToEntrance } from "../../app/document/go-home.ts";
 import { coursePage, usePlace } from "../../app/place/place.ts";
+import { isFocusChosen } from "../../app/base/focus-guard.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { markFulfilled } from "../../app/base/settings/loaded-texts.ts";
@@ -88,20 +89,25 @@ function OpenLesson({ entry }: { readonly entry: LessonEntry }) {
     for (const each of [current, ...current.querySelectorAll(".lesson-body, .lesson-text")]) each.scrollTop = 0;
     current.scrollIntoView?.({ block: "start" });
   }, [at]);
-  // The link that led to the tasks is gone: the focus goes to their list, where Enter pressed again does nothing.
+  // What had the focus may be gone with the page before: the focus goes to the new text, or to the list of the tasks,
+  // where Enter pressed again does nothing. Elsewhere, such as in the program, the arrow keys would no longer turn pages.
+  const focused = useRef<Element | null>(null);
   const before = useRef(at);
   useEffect(() => {
-    const isTurned = before.current !== "tasks" && at === "tasks";
+    const isToTasks = before.current !== "tasks" && at === "tasks";
+    const isLost = before.current !== at && focused.current?.isConnected === false;
     before.current = at;
-    if (isTurned && (document.activeElement ?? document.body) === document.body)
-      document.getElementById("lesson-tasks")?.focus({ preventScroll: true });
+    const isFree = (document.activeElement ?? document.body) === document.body || !isFocusChosen();
+    if ((!isToTasks && !isLost) || !isFree) return;
+    const place = main.current?.querySelector<HTMLElement>(at === "tasks" ? "#lesson-tasks" : ".lesson-words");
+    place?.focus({ preventScroll: true });
   }, [at]);
   const oneColumn = useMedia("slim");
   const words = lesson && inScreenLanguage(lesson.words, language);
   if (!lesson || !words) return <MissingLesson />;
   const page = typeof at === "number" ? pagesOf(lesson)[at - 1] : undefined;
   return (
-    <main className="course-page lesson" ref={main}>
+    <main className="course-page lesson" ref={main} onFocus={({ target }) => void (focused.current = target)}>
       <header className="lesson-head">
         <a className="button icon plain" href={courseHref()} aria-label={t.toList} title={t.toList}>
           <Icon name="back" />

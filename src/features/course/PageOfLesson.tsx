@@ -112,7 +112,7 @@ export function PageOfLesson({
         )}
       </div>
       <div className="lesson-text">
-        <section className="lesson-words" aria-label={name} aria-live="polite" aria-atomic="true">
+        <section className="lesson-words" tabIndex={-1} aria-label={name} aria-live="polite" aria-atomic="true">
           <Paragraphs text={text} before={before} />
         </section>
         {slide && <LessonSlide slide={slide} value={value} lines={lines} onSlide={(next) => note({ slid: next })} />}

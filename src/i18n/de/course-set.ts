@@ -40,6 +40,7 @@ export const courseSet = {
   modes: { exercises: "Übung", exam: "Prüfung" },
   minutes: "Zeit, min (leer: unbegrenzt)",
   tries: "Auswertungen je Aufgabe (leer: unbegrenzt)",
+  anonymous: "Ein Name ist freiwillig",
   reports: "Nach dem Prüfen",
   reportNames: {
     nothing: "keine Auswertung; Sie beurteilen die Ergebnisse",
@@ -108,6 +109,7 @@ export const courseSet = {
     toTerms: "Bedingungen lesen und beginnen",
     start: "Jetzt beginnen",
     once: "Sie lässt sich auf diesem Gerät nur einmal beginnen.",
+    noName: "Bitte zuerst den Namen eingeben.",
     tooLate: "Der Abgabetermin ist vorbei: Die Prüfung lässt sich nicht mehr beginnen.",
     notBegun: "Prüfung, noch nicht begonnen.",
     running: "Prüfung läuft.",

@@ -40,6 +40,7 @@ export const courseSet = {
   modes: { exercises: "Exercises", exam: "Exam" },
   minutes: "Time limit, min (empty: none)",
   tries: "Checks per exercise (empty: no limit)",
+  anonymous: "A name is optional",
   reports: "After a check",
   reportNames: {
     nothing: "no check; you judge the results",
@@ -108,6 +109,7 @@ export const courseSet = {
     toTerms: "Read the conditions and start",
     start: "Start now",
     once: "It can be started only once on this device.",
+    noName: "Enter your name first.",
     tooLate: "The due date has passed: the exam can no longer be started.",
     notBegun: "Exam, not started yet.",
     running: "Exam in progress.",

@@ -25,6 +25,8 @@ export const courseTask = {
   tries: (n: number) => (n === 1 ? "1 try" : `${n} tries`),
   empty: (names: string) => `Not counted yet. Still empty: ${names}`,
   noContour: "The contour is still empty; this does not count as a try.",
+  noCall: (cycle: string) =>
+    `Cycle ${cycle} is defined but not called: insert CYCL CALL. This does not count as a try.`,
   noRun: "Nothing is cut yet; this does not count as a try.",
   notRun: "The program was not calculated. Check again.",
   goTo: (name: string) => `Go to ${name}`,
@@ -144,12 +146,19 @@ export const courseTask = {
     doubled: (doubles: string) => `Diameter doubled? ${doubles}`,
     double: (name: string, is: string, better: string) => `${name} is ${is}, twice ${better}`,
     exchanged: (one: string, other: string) => `Exchanged? ${one} and ${other}`,
+    point: (name: string, is: string, better: string) => `Decimal point? ${name} is ${is}, not ${better}`,
+    side: (name: string, is: string, better: string) => `Wrong side of the start? ${name} is ${is}, not ${better}`,
+    relative: (name: string, is: string, better: string) =>
+      `Counted from the start instead of the datum? ${name} is ${is}, not ${better}`,
+    order: (one: string, other: string) => `Blocks in the wrong order? ${one} and ${other}`,
+    call: (cycle: string) => `Cycle ${cycle} is defined but not called: is CYCL CALL missing?`,
     reversed: "Contour in the wrong direction? It begins at the wrong end",
     tools: (one: string, other: string) => `Tools exchanged? ${one} and ${other}`,
     tool: (name: string) => `Wrong tool for this operation? ${name}`,
     where: (what: string, block: string) => `${what} (${block})`,
   },
   where: {
+    setBy: (what: string) => `set by ${what}`,
     shapedBy: (what: string) => `shaped by ${what}`,
     place: (x: string, z: string) => `⌀${x}, Z${z}`,
     at: (what: string, x: string, z: string) => `${what} at ⌀${x}, Z${z}`,

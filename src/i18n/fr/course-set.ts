@@ -40,6 +40,7 @@ export const courseSet = {
   modes: { exercises: "Exercices", exam: "Examen" },
   minutes: "Durée, min (vide : illimitée)",
   tries: "Vérifications par exercice (vide : illimité)",
+  anonymous: "Le nom est facultatif",
   reports: "Après une vérification",
   reportNames: {
     nothing: "aucune vérification ; vous jugez les résultats",
@@ -108,6 +109,7 @@ export const courseSet = {
     toTerms: "Lire les conditions et commencer",
     start: "Commencer maintenant",
     once: "Il ne peut être commencé qu’une fois sur cet appareil.",
+    noName: "Indiquez d’abord votre nom.",
     tooLate: "La date limite est passée : l’examen ne peut plus être commencé.",
     notBegun: "Examen, pas encore commencé.",
     running: "Examen en cours.",

@@ -23,6 +23,8 @@ export const courseTask = {
   tries: (n) => (n === 1 ? "1 essai" : `${n} essais`),
   empty: (names) => `Pas encore compté. Encore vide : ${names}`,
   noContour: "Le contour est encore vide ; cela ne compte pas comme essai.",
+  noCall: (cycle) =>
+    `Le cycle ${cycle} est défini mais pas appelé : insérer CYCL CALL. Cela ne compte pas comme essai.`,
   noRun: "Rien n’est encore usiné ; cela ne compte pas comme essai.",
   notRun: "Le programme n’a pas été calculé. Vérifiez à nouveau.",
   goTo: (name) => `Aller à ${name}`,
@@ -140,12 +142,19 @@ export const courseTask = {
     doubled: (doubles) => `Diamètre doublé ? ${doubles}`,
     double: (name, is, better) => `${name} vaut ${is}, le double de ${better}`,
     exchanged: (one, other) => `Valeurs inversées ? ${one} et ${other}`,
+    point: (name, is, better) => `Virgule mal placée ? ${name} vaut ${is} et non ${better}`,
+    side: (name, is, better) => `Mauvais côté du départ ? ${name} vaut ${is} et non ${better}`,
+    relative: (name, is, better) =>
+      `Compté depuis le départ et non depuis l’origine ? ${name} vaut ${is} et non ${better}`,
+    order: (one, other) => `Séquences inversées ? ${one} et ${other}`,
+    call: (cycle) => `Le cycle ${cycle} est défini mais pas appelé : CYCL CALL manque-t-il ?`,
     reversed: "Contour dans le mauvais sens ? Il commence par la mauvaise extrémité",
     tools: (one, other) => `Outils inversés ? ${one} et ${other}`,
     tool: (name) => `Mauvais outil pour cet usinage ? ${name}`,
     where: (what, block) => `${what} (${block})`,
   },
   where: {
+    setBy: (what) => `défini par ${what}`,
     shapedBy: (what) => `forme donnée par ${what}`,
     place: (x, z) => `⌀${x}, Z${z}`,
     at: (what, x, z) => `${what} à ⌀${x}, Z${z}`,

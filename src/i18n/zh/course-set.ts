@@ -39,6 +39,7 @@ export const courseSet = {
   modes: { exercises: "练习", exam: "考试" },
   minutes: "时限，分钟（留空：不限）",
   tries: "每题检查次数（留空：不限）",
+  anonymous: "姓名可不填",
   reports: "检查之后",
   reportNames: {
     nothing: "不检查；由老师评判",
@@ -104,6 +105,7 @@ export const courseSet = {
     toTerms: "阅读条件并开始",
     start: "现在开始",
     once: "在本设备上只能开始一次。",
+    noName: "请先填写姓名。",
     tooLate: "截止时间已过，考试不能再开始。",
     notBegun: "考试，尚未开始。",
     running: "考试进行中。",

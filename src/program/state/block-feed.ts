@@ -5,7 +5,7 @@ import type { Machine } from "./machine.ts";
 
 /** Limits of plausible feeds: the slowest in mm/min, the fastest in mm/rev. */
 const SLOWEST = 1;
-const FASTEST = 5;
+const FASTEST = 2;
 
 /** A valid feed that is surely a typing error. */
 export const isUnlikely = (n: number, perRevolution: boolean): boolean =>

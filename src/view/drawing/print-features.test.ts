@@ -49,6 +49,12 @@ test("a cone of a usual angle is stated by one diameter and the angle; a chamfer
   ]);
 });
 
+test("a cone whose end is near a hundredth by chance is stated by its angle too", () => {
+  const { corners, cylinders } = printFeatures(chain(at(0, 10), at(0, 25), at(-54.99, 29.811), at(-54.99, 40)));
+  expect(cylinders.map(({ follows }) => follows)).toEqual([false, true]);
+  expect(corners).toMatchObject([{ kind: "angle", size: 5 }]);
+});
+
 test("a cone of another angle keeps both diameters", () => {
   const { corners, cylinders } = printFeatures(
     chain(at(0, 10), at(0, 25), at(-40, 25 + 40 * Math.tan(0.0811)), at(-40, 40)),

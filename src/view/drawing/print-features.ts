@@ -116,10 +116,19 @@ const tidied = (value: number, grid: number): number => {
   const round = Math.round(value * grid) / grid;
   return Math.abs(round - value) < AS_NEAR ? round : value;
 };
-const isOnGrid = (value: number, grid: number): boolean => Math.abs(Math.round(value * grid) / grid - value) < AS_NEAR;
-/** Whether one end of a cone has a diameter in hundredths, and the other end does not: its angle states that one. */
-const isStatedByAngle = (s: Segment): boolean =>
-  usualAngle(s) !== null && isOnGrid(s.from.r, GRID.r) !== isOnGrid(s.to.r, GRID.r);
+/** Distance of a radius from the next diameter in hundredths, mm. */
+const offGrid = (r: number): number => Math.abs(Math.round(r * GRID.r) / GRID.r - r);
+/** Nearer to a hundredth than this it is one, mm; farther, it may be near by chance. */
+const EXACT = 0.0003;
+/**
+ * The end of a cone that follows from the other end, which has a diameter in hundredths, and from a usual angle; null
+ * where both diameters state the cone.
+ */
+function followingEnd(s: Segment): Pt | null {
+  const [known, other] = offGrid(s.from.r) < offGrid(s.to.r) ? [s.from, s.to] : [s.to, s.from];
+  const isStated = usualAngle(s) !== null && offGrid(known.r) < AS_NEAR && offGrid(other.r) > EXACT;
+  return isStated ? other : null;
+}
 const tidy = (p: Pt): Pt => at(tidied(p.z, GRID.z), tidied(p.r, GRID.r));
 
 /** Extends the lines on both sides of a broken corner to where they meet, as if it were sharp. */
@@ -179,12 +188,13 @@ export function printFeatures(outline: readonly Segment[]): PrintFeatures {
     if (isLevel(s)) continue;
     addPosition(s.from.r > s.to.r ? s.from : s.to);
     if (isUpright(s)) continue;
-    const isStated = isStatedByAngle(s);
-    for (const p of [s.from, s.to].map(tidy)) {
+    const follows = followingEnd(s);
+    for (const end of [s.from, s.to]) {
+      const p = tidy(end);
       addPosition(p);
-      addDiameter(p.z, p.z, p.r, isStated && !isOnGrid(p.r, GRID.r));
+      addDiameter(p.z, p.z, p.r, end === follows);
     }
-    if (isStated) corners.push({ kind: "angle", at: part.pointOn(s, 1 / 2), size: usualAngle(s) ?? 0 });
+    if (follows) corners.push({ kind: "angle", at: part.pointOn(s, 1 / 2), size: usualAngle(s) ?? 0 });
     if (s.kind === "arc") corners.push({ kind: "radius", at: part.pointOn(s, 1 / 2), size: part.radiusOf(s) });
   }
   const last = main.at(-1);

@@ -30,10 +30,11 @@ export type OpenedCourseFile =
   | { readonly kind: "results"; readonly leftOut: readonly FileLeftOut[] }
   | { readonly kind: "problem"; readonly file: string; readonly problem: CourseFileProblem };
 
-/** The program of a learner that the table of results opened last: its work, and whose it is. */
+/** The program of a learner that the table of results opened last: its work, whose it is, and the id of its task. */
 interface OpenedSubmission {
   readonly work: string | null;
   readonly said: string;
+  readonly task: string;
 }
 
 export const useOpenedCourseFile = create<{

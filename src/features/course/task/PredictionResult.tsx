@@ -31,7 +31,9 @@ function comparedText(
     if (!reveals) return words.wrongAgain(what);
     return block === null ? words.wrong(what, is) : `${words.wrong(what, is)} ${words.decides(String(block))}`;
   };
-  if (truth.kind === "choice") return say(choices[Number(predicted)] ?? "–", choices[truth.right] ?? "");
+  // A choice may be a sentence; here it is part of one.
+  const chosen = (choice: string | undefined) => (choice ?? "–").replace(/[.。]$/, "");
+  if (truth.kind === "choice") return say(chosen(choices[Number(predicted)]), chosen(choices[truth.right]));
   if (truth.kind === "block")
     return right ? words.right(words.isBlock(String(predicted))) : words.wrongBlock(String(predicted));
   if (truth.kind === "place") {

@@ -22,7 +22,7 @@ export function TaskLine() {
   return (
     <Suspense>
       {isTask && work !== null && <TaskBar key={work} work={work} />}
-      {!isTask && submission && <SubmissionBar said={submission.said} />}
+      {!isTask && submission && <SubmissionBar key={submission.work} said={submission.said} task={submission.task} />}
     </Suspense>
   );
 }

@@ -36,6 +36,7 @@ function Lacking({ lacks, t }: { readonly lacks: NotReady; readonly t: CourseTas
     const param = cycle?.params[q];
     return param ? `${q} ${texts.params[param.text as ParamTextId].label}` : q;
   };
+  if (lacks.why === "noCall") return <span>{t.noCall(String(lacks.cycle))}</span>;
   if (lacks.why === "noRun" || lacks.why === "notRun") return <span>{t[lacks.why]}</span>;
   const names =
     lacks.why === "empty"

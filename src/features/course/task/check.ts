@@ -72,6 +72,14 @@ const isJudged = ({ run, text }: Answer, task: Task): boolean =>
   (run.issues.some(({ issue }) => issue.severity === "error") &&
     (task.kind === "fault" || text !== asProgram(workOfTask(task)).text));
 
+/** Why nothing is cut: a cycle that is never called, or nothing that cuts. */
+function nothingCut({ run }: Answer): NotReady {
+  const uncalled = run.issues.find(({ issue }) => issue.code === "cycleNeverCalled");
+  return uncalled?.issue.code === "cycleNeverCalled"
+    ? { why: "noCall", cycle: uncalled.issue.data.cycle }
+    : { why: "noRun" };
+}
+
 /** Longest search for a slip, ms. */
 const SEARCHING = 4000;
 
@@ -82,11 +90,11 @@ async function withSlipNamed(task: Task, answer: Answer, judgement: TaskJudgemen
   const end = stopwatch() + SEARCHING;
   const runOf = (text: string) => (stopwatch() < end ? outcomeOfOther({ ...program, text }) : Promise.resolve(null));
   const found = await findSlip(task, answer, judgement, runOf);
-  if (!found) return withoutSlip(judgement);
+  if (!found) return withoutSlip(task, answer, judgement);
   const isAsked = task.kind === "fault" && !areFixesShown(progressOfTask(progressRecord.now(), task.id));
   if (!isAsked || !hasSlip(task, asProgram(workOfTask(task)).text, found.slip)) return withSlip(judgement, found);
   // The fault is not named; where it is the tool, the dimensions are not suspected either.
-  return found.slip.values.some(({ q }) => q === "T") ? withoutSlip(judgement) : judgement;
+  return found.slip.values.some(({ q }) => q === "T") ? withoutSlip(task, answer, judgement) : judgement;
 }
 
 /** Waits for a paint, so that a long check shows its progress text. */
@@ -104,7 +112,7 @@ export async function checkTask(task: Task): Promise<void> {
   await afterPaint();
   if (useTaskView.getState().work !== work) return;
   if (!answer || !isJudged(answer, task))
-    return useTaskView.setState({ checking: false, notReady: { why: answer ? "noRun" : "notRun" } });
+    return useTaskView.setState({ checking: false, notReady: answer ? nothingCut(answer) : { why: "notRun" } });
   const judgement = await withSlipNamed(task, answer, judge(task, answer));
   if (useTaskView.getState().work !== work) return;
   const passed = judgement.passed && areAllRight(task, useTaskView.getState().comparedAnswers);

@@ -77,7 +77,12 @@ function threadText(
     : wrong.thread(name);
 }
 
-function what(mark: TaskMark, { t, texts, language, task, answer }: MarkWording): string {
+/** A finding about a value, with the name of its prompt where the sentence does not have it. */
+const withPrompt = ({ q }: TaskMark, said: string, wording: MarkWording): string =>
+  q === undefined || said.includes(q) ? said : wording.t.where.because(valueName(q, wording), said);
+
+function what(mark: TaskMark, wording: MarkWording): string {
+  const { t, texts, language, task, answer } = wording;
   const { rule, value, limit, about, rings = [] } = mark;
   const number = (n: number | undefined, decimals = 3) => (n === undefined ? "–" : formatNumber(language, n, decimals));
   const { wrong } = t;
@@ -91,7 +96,7 @@ function what(mark: TaskMark, { t, texts, language, task, answer }: MarkWording)
       const way = mark.issue && !mark.isByTool && wrongSideOf(mark.issue);
       if (way) return wrong.wrongSide[way];
       if (!mark.issue) return wrong.gouge;
-      const said = issueText(texts, language, mark.issue, cycle).replace(/[.。]$/, "");
+      const said = withPrompt(mark, issueText(texts, language, mark.issue, cycle).replace(/[.。]$/, ""), wording);
       return mark.issue.code === "diameterOutside"
         ? radiusQuestion(t, said, mark.issue.data.value, task.sizes ?? [])
         : said;
@@ -144,6 +149,15 @@ function valueName(q: string, { texts, answer }: MarkWording): string {
   return param ? `${q} ${texts.params[param.text as ParamTextId].label}` : q;
 }
 
+/** A sign between parts of a list, as the language writes it. */
+const separator = (language: Language, sign: "," | ";"): string =>
+  language === "zh" ? { ",": "，", ";": "；" }[sign] : `${sign} `;
+
+const isInOneBlock = (values: Slip["values"]): boolean => new Set(values.map(({ block }) => block)).size === 1;
+
+/** Slips whose words name their blocks. */
+const ALL_BLOCKS: ReadonlySet<Slip["kind"]> = new Set(["tools", "order"]);
+
 /** A slip in words, as a question: the run only shows that it would explain the fault. */
 function slipText({ kind, values }: Slip, wording: MarkWording): string {
   const { t, language } = wording;
@@ -155,20 +169,35 @@ function slipText({ kind, values }: Slip, wording: MarkWording): string {
   }));
   const [one, other] = said;
   if (kind === "reversed" || !one) return t.slip.reversed;
+  if (kind === "order")
+    return t.slip.order(...(values.map(({ block }) => t.where.block(String(block))) as [string, string]));
+  if (kind === "call") return t.slip.call(one.is);
   if (kind === "tool") return t.slip.tool(`T${one.is}`);
   if (kind === "tools") {
     const calls = values.map(({ value, block }) => t.slip.where(`T${value}`, t.where.block(String(block))));
     return t.slip.tools(calls[0] ?? "", calls[1] ?? "");
   }
-  if (kind === "exchanged" && other) return t.slip.exchanged(`${one.name} ${one.is}`, `${other.name} ${other.is}`);
+  if (kind === "exchanged" && other) {
+    // Two blocks are named each, one block once behind both.
+    const [first, second] = values.map(({ block }, i) => {
+      const what = `${said[i]?.name} ${said[i]?.is}`;
+      return isInOneBlock(values) ? what : t.slip.where(what, t.where.block(String(block)));
+    });
+    return t.slip.exchanged(first ?? "", second ?? "");
+  }
   if (kind === "exchanged") return one.name;
-  if (kind === "sign") return t.slip.sign(one.name, one.is, one.better);
+  if (kind === "sign" || kind === "point" || kind === "side" || kind === "relative")
+    return t.slip[kind](one.name, one.is, one.better);
   const say = kind === "radius" ? t.slip.half : t.slip.double;
-  return t.slip[kind](said.map(({ name, is, better }) => say(name, is, better)).join("; "));
+  return t.slip[kind](said.map(({ name, is, better }) => say(name, is, better)).join(separator(language, ";")));
 }
 
-/** What shapes the contour at the place of a mark; null where nothing is known. */
-function shapedText({ shapedBy, block }: TaskMark, wording: MarkWording): string | null {
+/** Rules whose limit one prompt decides. */
+const DECIDED: ReadonlySet<TaskMark["rule"]> = new Set(["depth", "passes"]);
+
+/** The prompt or the block that shapes the contour at the place of a mark, or decides its value; null where unknown. */
+function shapedText({ rule, shapedBy, block, q }: TaskMark, wording: MarkWording): string | null {
+  if (q !== undefined && DECIDED.has(rule)) return wording.t.where.setBy(valueName(q, wording));
   if (!shapedBy) return null;
   if ("q" in shapedBy) return wording.t.where.shapedBy(valueName(shapedBy.q, wording));
   return shapedBy.block === block ? null : wording.t.where.shapedBy(wording.t.where.block(String(shapedBy.block)));
@@ -187,7 +216,9 @@ const SAYS_PLACE: ReadonlySet<string> = new Set(["errors", "clean"]);
 export function markText(mark: TaskMark, wording: MarkWording): string {
   const { t, language } = wording;
   if (mark.slip) {
-    const where = mark.block === undefined || mark.slip.kind === "tools" ? null : t.where.block(String(mark.block));
+    const { kind, values } = mark.slip;
+    const isNamed = ALL_BLOCKS.has(kind) || !isInOneBlock(values);
+    const where = mark.block === undefined || isNamed ? null : t.where.block(String(mark.block));
     const said = slipText(mark.slip, wording);
     return where === null ? said : t.slip.where(said, where);
   }
@@ -195,5 +226,5 @@ export function markText(mark: TaskMark, wording: MarkWording): string {
   const placed =
     mark.place && !SAYS_PLACE.has(mark.rule) ? t.where.at(said, ...placeWords(language, mark.place)) : said;
   const causes = [causeOf(mark, wording), shapedText(mark, wording)].filter((cause) => cause !== null);
-  return causes.length === 0 ? placed : t.where.because(placed, causes.join(", "));
+  return causes.length === 0 ? placed : t.where.because(placed, causes.join(separator(language, ",")));
 }

@@ -10,11 +10,13 @@ export interface CheckedAnswer {
 }
 
 /**
- * Why a check cannot judge yet: empty prompts (by their names), a fault in one of them, no contour, nothing that cuts,
- * no result.
+ * Why a check cannot judge yet: empty prompts (by their names), a cycle without its call, no contour, nothing that
+ * cuts, no result.
  */
 export type NotReady =
-  { readonly why: "empty"; readonly at: readonly string[] } | { readonly why: "noContour" | "noRun" | "notRun" };
+  | { readonly why: "empty"; readonly at: readonly string[] }
+  | { readonly why: "noCall"; readonly cycle: number }
+  | { readonly why: "noContour" | "noRun" | "notRun" };
 
 /** View state of the task panel; it belongs to the page, not to the work. */
 export interface TaskView {

@@ -50,7 +50,7 @@ const MARKS: Readonly<Record<CellState, string>> = {
 function Cell({ cell, task, learner }: { readonly cell: ClassCell; readonly task: string; readonly learner: string }) {
   const { table: words } = useTexts("course-set");
   const { text } = useCellWords();
-  const { program } = cell.row.result;
+  const { program, id } = cell.row.result;
   const said = (
     <>
       <span aria-hidden="true">{MARKS[cell.state]}</span> {text(cell)}
@@ -62,7 +62,7 @@ function Cell({ cell, task, learner }: { readonly cell: ClassCell; readonly task
       type="button"
       className="class-said"
       aria-label={words.open(task, learner, text(cell))}
-      onClick={() => openSubmission(program, words.whose(task, learner, text(cell)))}
+      onClick={() => openSubmission(program, words.whose(task, learner, text(cell)), id)}
     >
       {said}
     </button>

@@ -1,4 +1,3 @@
-import { useState } from "react";
 import { canBegin } from "../../../course/exam.ts";
 import type { TaskSet } from "../../../course/task-set.ts";
 import { inScreenLanguage } from "../../../course/words.ts";
@@ -11,7 +10,7 @@ import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { startExam } from "../../../app/records/course/exams.ts";
 import { resumeOrStartTask } from "../task/begin.ts";
 import { termsOf } from "./exam-words.ts";
-import { TeachText } from "./WordFields.tsx";
+import { LearnerFields, useLearnerEntry } from "./LearnerFields.tsx";
 import "./teach.css";
 
 /** What applies in an exam, before its clock starts. */
@@ -19,8 +18,8 @@ export function ExamStart({ set, done }: { readonly set: TaskSet; readonly done:
   const t = useTexts("course-teach"),
     words = useTexts("course-set");
   const language = useSettings((s) => s.language);
-  const [name, call] = useState("");
-  const [group, join] = useState("");
+  const isAnonymous = set.exam?.anonymous === true;
+  const entry = useLearnerEntry(!isAnonymous);
   const isOpen = canBegin(set, time());
   const [first] = set.tasks;
   return (
@@ -33,13 +32,14 @@ export function ExamStart({ set, done }: { readonly set: TaskSet; readonly done:
       {isOpen ? (
         <>
           <p>{words.exam.once}</p>
-          <TeachText label={t.hand.name} value={name} change={call} />
-          <TeachText label={words.group} value={group} change={join} />
+          <LearnerFields entry={entry} optional={isAnonymous} />
           <div className="modal-ways">
             <button
               type="button"
               className="button primary"
               onClick={() => {
+                if (!entry.confirm()) return;
+                const { name, group } = entry.learner;
                 startExam(set, name, group);
                 done();
                 if (first) void resumeOrStartTask(first, true);

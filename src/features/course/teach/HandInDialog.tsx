@@ -19,7 +19,7 @@ import { LinkBox } from "./LinkBox.tsx";
 import { resultLink, taughtFile } from "./taught-files.ts";
 import { useSavedTasks } from "../../../app/records/course/saved-tasks.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
-import { TeachText } from "./WordFields.tsx";
+import { LearnerFields, useLearnerEntry } from "./LearnerFields.tsx";
 import "./teach.css";
 
 /** A name, made safe for a file name. */
@@ -44,13 +44,14 @@ export function HandInDialog({ set, task, done }: Props) {
 }
 
 /** The ways to give a result to the instructor. */
-function HandOver({ result }: { readonly result: HandedResult }) {
+function HandOver({ result, before }: { readonly result: HandedResult; readonly before?: () => void }) {
   const t = useTexts("course-teach");
   const name = fileNamePart(result.name);
   return (
     <LinkBox
       link={resultLink(pageAddress(), result)}
       name={t.results.title(result.name)}
+      {...(before && { before })}
       file={{ name: `${name}.turnwise-result.json`, text: taughtFile(result), label: t.hand.save }}
     />
   );
@@ -61,8 +62,8 @@ function HandInExam({ exam, done }: { readonly exam: Exam; readonly done: () => 
   const t = useTexts("course-teach"),
     words = useTexts("course-set");
   const language = useSettings((s) => s.language);
-  const [name, call] = useState(exam.name);
-  const [group, join] = useState(exam.group);
+  const isAnonymous = exam.set.exam?.anonymous === true;
+  const entry = useLearnerEntry(!isAnonymous, exam);
   const [ends, end] = useState(false);
   const { ended } = exam;
   return (
@@ -78,17 +79,16 @@ function HandInExam({ exam, done }: { readonly exam: Exam; readonly done: () => 
       ) : (
         <>
           <p>{words.exam.lead}</p>
-          <TeachText label={t.hand.name} value={name} change={call} />
-          <TeachText label={words.group} value={group} change={join} />
+          <LearnerFields entry={entry} optional={isAnonymous} />
           <div className="modal-ways">
             <button
               type="button"
               className="button primary"
               aria-disabled={ends}
               onClick={() => {
-                if (ends) return;
+                if (ends || !entry.confirm()) return;
                 end(true);
-                void finishExam(exam, "learner", { name, group });
+                void finishExam(exam, "learner", entry.learner);
               }}
             >
               {ends ? t.hand.making : words.exam.end}
@@ -120,16 +120,15 @@ function useNamedTasks(set: TaskSet | undefined) {
 }
 
 function HandInTasks({ set, task, done }: Props) {
-  const t = useTexts("course-teach"),
-    words = useTexts("course-set");
+  const t = useTexts("course-teach");
   const language = useSettings((s) => s.language);
   const progress = useLearning((s) => s.list);
   const begun = useNamedTasks(set);
   const [left, leave] = useState<readonly string[]>(() =>
     task === undefined ? [] : begun.map(({ id }) => id).filter((id) => id !== task),
   );
-  const [name, call] = useState("");
-  const [group, join] = useState("");
+  const entry = useLearnerEntry(false);
+  const { name, group } = entry.learner;
   const [made, make] = useState<{ readonly key: string; readonly result: HandedResult } | null>(null);
   const ids = begun.map(({ id }) => id).filter((id) => !left.includes(id)),
     key = ids.join(" ");
@@ -155,8 +154,7 @@ function HandInTasks({ set, task, done }: Props) {
         <Message tone="info">{t.hand.none}</Message>
       ) : (
         <>
-          <TeachText label={t.hand.name} value={name} change={call} />
-          <TeachText label={words.group} value={group} change={join} />
+          <LearnerFields entry={entry} optional />
           <div role="group" aria-label={t.hand.choose} className="teach-list">
             {begun.map(({ id, title }) => (
               <label key={id} className="teach-check">
@@ -174,7 +172,7 @@ function HandInTasks({ set, task, done }: Props) {
               {t.hand.making}
             </p>
           )}
-          {result && ids.length > 0 && <HandOver result={result} />}
+          {result && ids.length > 0 && <HandOver result={result} before={() => void entry.confirm()} />}
         </>
       )}
     </ModalDialog>

@@ -43,7 +43,7 @@ export function ResultLine({
             type="button"
             className="button"
             aria-label={words.open(result.title)}
-            onClick={() => openSubmission(program, table.whose(text.task, text.name, text.again))}
+            onClick={() => openSubmission(program, table.whose(text.task, text.name, text.again), result.id)}
           >
             <Icon name="fold" />
           </button>

@@ -160,6 +160,14 @@ export function SetDialog({ set, done }: { readonly set: TaskSet; readonly done:
                     change={(tries) => changeExam({ tries })}
                   />
                 )}
+                <label className="teach-check">
+                  <input
+                    type="checkbox"
+                    checked={exam.anonymous === true}
+                    onChange={({ currentTarget: { checked } }) => changeExam({ anonymous: checked })}
+                  />
+                  {t.anonymous}
+                </label>
               </div>
             ) : (
               <Choice
