@@ -3,7 +3,7 @@ import type { Tool } from "../../../kernel/plan/tool.ts";
 import { drillOf } from "../../../program/tools/drill-of.ts";
 import type { ShopTools } from "../../../program/tools/read-tools.ts";
 import { standardDrills } from "../../../program/tools/standard-drills.ts";
-import { newId, readList } from "../../../program/tools/tool-list.ts";
+import { newId, readList, type ToolList } from "../../../program/tools/tool-list.ts";
 import { addTool } from "../../../app/document/add-tool.ts";
 import { bundleOf, useEditor } from "../../../app/document/store.ts";
 import { toolsOnDevice, useTools } from "../../../app/document/tool-store.ts";
