@@ -74,6 +74,7 @@ test("a feature is imported only by its index, which fetches its parts, and by i
 const FOLDERS: Readonly<Record<string, readonly string[]>> = {
   kernel: ["", "geometry", "area", "plan", "reach", "contour", "solve", "time", "plane", "cutter", "free", "strategy"],
   program: [
+    "files",
     "values",
     "machine",
     "tools",
@@ -84,6 +85,7 @@ const FOLDERS: Readonly<Record<string, readonly string[]>> = {
     "blocks",
     "run",
     "job",
+    "drawing",
     "dxf",
     "edits",
     "compare",

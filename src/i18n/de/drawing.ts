@@ -4,6 +4,15 @@ const many = (count: string, one: string, more: string) => (count === "1" ? `1 $
 const entities = (count: string) => many(count, "Objekt", "Objekte");
 const lines = (count: string) => many(count, "Linie oder Bogen", "Linien und Bögen");
 
+/** What of a solid is not turned. */
+function milled(shape: string, count: string): string {
+  if (shape === "flats") return many(count, "ebene Fläche", "ebene Flächen");
+  if (shape === "holes") return many(count, "Bohrung neben der Achse", "Bohrungen neben der Achse");
+  return shape === "crossHoles"
+    ? many(count, "Querbohrung", "Querbohrungen")
+    : many(count, "andere Fläche", "andere Flächen");
+}
+
 export const drawing: DrawingTexts = {
   unknownKind: ({ kinds }) => `Keine lesbare Zeichnung. Gelesen werden: ${kinds}.`,
   unreadable: ({ kind }) => `Diese Datei ist keine lesbare ${kind}-Zeichnung.`,
@@ -39,4 +48,9 @@ export const drawing: DrawingTexts = {
   insideLines: ({ count }) => `Innerhalb des Umrisses, nicht Teil der Kontur: ${lines(count)}.`,
   notOutline: ({ count }) => `Verdeckt oder schmal, nicht Teil der Kontur: ${lines(count)}.`,
   rearFace: ({ z }) => `Die hintere Planfläche bei Z ${z} ist ausgelassen.`,
+  noSolid: () => "Die Datei enthält keinen Volumenkörper.",
+  noRevolved: () => "Kein Körper der Datei hat Drehflächen.",
+  otherBodies: ({ name, count }) =>
+    `${name === "" ? "Ein Körper" : `Körper ${name}`} mit der größten Drehfläche übernommen; ${many(count, "weiterer Körper", "weitere Körper")} ausgelassen.`,
+  notTurned: ({ shape, count }) => `Nicht gedreht und ausgelassen: ${milled(shape, count)}.`,
 };

@@ -2,6 +2,13 @@ import type { DrawingTexts } from "../drawing-note.ts";
 
 const many = (count: string, one: string, more: string) => (count === "1" ? `1 ${one}` : `${count} ${more}`);
 
+/** What of a solid is not turned. */
+function milled(shape: string, count: string): string {
+  if (shape === "flats") return many(count, "flat face", "flat faces");
+  if (shape === "holes") return many(count, "off-axis hole", "off-axis holes");
+  return shape === "crossHoles" ? many(count, "cross hole", "cross holes") : many(count, "other face", "other faces");
+}
+
 export const drawing: DrawingTexts = {
   unknownKind: ({ kinds }) => `This is not a drawing that can be read. Kinds that can: ${kinds}.`,
   unreadable: ({ kind }) => `This file is not a readable ${kind} drawing.`,
@@ -38,4 +45,9 @@ export const drawing: DrawingTexts = {
   notOutline: ({ count }) =>
     `Hidden or thin, not part of the contour: ${many(count, "line or arc", "lines and arcs")}.`,
   rearFace: ({ z }) => `The rear face at Z ${z} is left out.`,
+  noSolid: () => "The file contains no solid.",
+  noRevolved: () => "No solid in the file has turned surfaces.",
+  otherBodies: ({ name, count }) =>
+    `${name === "" ? "One solid" : `Solid ${name}`} is used, the one with the largest turned surface; ${many(count, "other solid", "other solids")} left out.`,
+  notTurned: ({ shape, count }) => `Left out, not turned: ${milled(shape, count)}.`,
 };

@@ -4,6 +4,15 @@ const many = (count: string, one: string, more: string) => (count === "1" ? `1 $
 const entities = (count: string) => many(count, "entité", "entités");
 const lines = (count: string) => many(count, "droite ou arc", "droites et arcs");
 
+/** What of a solid is not turned. */
+function milled(shape: string, count: string): string {
+  if (shape === "flats") return many(count, "face plane", "faces planes");
+  if (shape === "holes") return many(count, "perçage hors de l’axe", "perçages hors de l’axe");
+  return shape === "crossHoles"
+    ? many(count, "perçage transversal", "perçages transversaux")
+    : many(count, "autre face", "autres faces");
+}
+
 export const drawing: DrawingTexts = {
   unknownKind: ({ kinds }) => `Ce n’est pas un dessin lisible. Formats lus : ${kinds}.`,
   unreadable: ({ kind }) => `Ce fichier n’est pas un dessin ${kind} lisible.`,
@@ -39,4 +48,9 @@ export const drawing: DrawingTexts = {
   insideLines: ({ count }) => `À l’intérieur du profil, hors du contour : ${lines(count)}.`,
   notOutline: ({ count }) => `Traits cachés ou fins, hors du contour : ${lines(count)}.`,
   rearFace: ({ z }) => `La face arrière en Z ${z} est omise.`,
+  noSolid: () => "Le fichier ne contient aucun solide.",
+  noRevolved: () => "Aucun solide du fichier n’a de surface de révolution.",
+  otherBodies: ({ name, count }) =>
+    `${name === "" ? "Un solide est repris" : `Solide ${name} repris`}, celui à la plus grande surface de révolution ; omis : ${many(count, "autre solide", "autres solides")}.`,
+  notTurned: ({ shape, count }) => `Omis, non tourné : ${milled(shape, count)}.`,
 };

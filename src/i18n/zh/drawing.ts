@@ -1,5 +1,12 @@
 import type { DrawingTexts } from "../drawing-note.ts";
 
+/** What of a solid is not turned. */
+function milled(shape: string, count: string): string {
+  if (shape === "flats") return `${count} 个平面`;
+  if (shape === "holes") return `${count} 个偏心孔`;
+  return shape === "crossHoles" ? `${count} 个横向孔` : `${count} 个其他面`;
+}
+
 export const drawing: DrawingTexts = {
   unknownKind: ({ kinds }) => `该文件不是可读取的图形。可读取的格式：${kinds}。`,
   unreadable: ({ kind }) => `该文件不是可读取的 ${kind} 图形。`,
@@ -32,4 +39,8 @@ export const drawing: DrawingTexts = {
   insideLines: ({ count }) => `位于轮廓内部，不属于轮廓：${count} 条直线或圆弧。`,
   notOutline: ({ count }) => `虚线或细线，不属于轮廓：${count} 条直线或圆弧。`,
   rearFace: ({ z }) => `Z ${z} 处的后端面已忽略。`,
+  noSolid: () => "文件中没有实体。",
+  noRevolved: () => "文件中的实体没有回转面。",
+  otherBodies: ({ name, count }) => `采用回转面最大的实体${name === "" ? "" : ` ${name}`}；忽略其他 ${count} 个实体。`,
+  notTurned: ({ shape, count }) => `非车削部分，已忽略：${milled(shape, count)}。`,
 };

@@ -2,8 +2,8 @@ import { part, type Pt } from "../../kernel/geometry/point.ts";
 import type { Box } from "../../kernel/geometry/segments.ts";
 import { toDiameter } from "../../kernel/units.ts";
 import type { ContourChoice, Drawing, DrawingNote, DrawnContour, DrawnPiece } from "./drawing.ts";
-import { componentsOf, degreesOf, graphOf, type Edge, type Graph } from "./graph.ts";
-import { backPlacingOf, halfOf, TOUCHING, type Half } from "./halves.ts";
+import { componentsOf, degreesOf, divided, graphOf, type Edge, type Graph } from "./graph.ts";
+import { backPlacingOf, halfOf, TOUCHING, type Half, type HalfCurve } from "./halves.ts";
 import { outlineOf, type Outline, type BoundaryRun } from "./outline.ts";
 import { connected, rowsThrough } from "./rows.ts";
 
@@ -133,11 +133,35 @@ function notesOf(graph: Graph, piece: Piece, outline: Outline, run: BoundaryRun,
   ];
 }
 
+interface Prepared {
+  readonly half: Half;
+  readonly curves: readonly HalfCurve[];
+}
+/** Halves that were looked at last: another side, piece, gap or direction needs no new one. */
+const recent = new WeakMap<Drawing, Map<string, Prepared>>();
+const MOST_RECENT = 4;
+
+/** The half of a choice, divided at its crossings. */
+function prepared(drawing: Drawing, used: readonly number[], choice: ContourChoice): Prepared {
+  const { axis, axisAt, zero, mirrored, half, diameters, thin, withoutLayers } = choice,
+    key = JSON.stringify([axis, axisAt, zero, mirrored, half, diameters, thin, withoutLayers]),
+    known = recent.get(drawing) ?? new Map<string, Prepared>();
+  let found = known.get(key);
+  if (!found) {
+    const made = halfOf(drawing.curves, used, choice);
+    found = { half: made, curves: divided(made.curves) };
+    const [oldest] = known.keys();
+    if (known.size >= MOST_RECENT && oldest !== undefined) known.delete(oldest);
+    recent.set(drawing, known.set(key, found));
+  }
+  return found;
+}
+
 /** The contour of a turned part as chosen from a drawing, and the pieces that could be chosen instead. Never throws. */
 export function drawnContour(drawing: Drawing, choice: ContourChoice): DrawnContour {
   const used = usedCurves(drawing, choice);
   if (used.length === 0) return none([{ code: "noContour", severity: "error", values: {} }]);
-  const half = halfOf(drawing.curves, used, choice),
+  const { half, curves } = prepared(drawing, used, choice),
     hidden = drawing.curves.filter((c) => c.role === "hidden" || c.role === "thin").length;
   const general: DrawingNote[] = [];
   if (half.axisLines > 0) general.push({ code: "axisLines", severity: "info", values: { count: half.axisLines } });
@@ -147,7 +171,7 @@ export function drawnContour(drawing: Drawing, choice: ContourChoice): DrawnCont
     const code = half.axisLines > 0 && half.otherSide === 0 ? "onlyAxis" : "noContour";
     return none([{ code, severity: "error", values: {} }, ...general]);
   }
-  const graph = graphOf(half.curves, choice.gap),
+  const graph = graphOf(curves, choice.gap),
     pieces = piecesOf(graph, half),
     piece = pieces[choice.piece] ?? pieces[0],
     outline = piece && outlineOf(piece.edges, graph.nodes);

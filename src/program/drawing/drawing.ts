@@ -66,6 +66,13 @@ export interface NoteValues {
   readonly insideLines: { readonly count: number };
   readonly notOutline: { readonly count: number };
   readonly rearFace: { readonly z: number };
+  /** Of a solid model: no solid in the file; no face of revolution. */
+  readonly noSolid: {};
+  readonly noRevolved: {};
+  /** Bodies beside the one that was taken. */
+  readonly otherBodies: { readonly name: string; readonly count: number };
+  /** Faces, holes of the part that are not turned. */
+  readonly notTurned: { readonly shape: "flats" | "holes" | "crossHoles" | "others"; readonly count: number };
 }
 export type NoteCode = keyof NoteValues;
 

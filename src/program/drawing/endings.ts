@@ -6,6 +6,8 @@
 /** Endings of file names by kind. */
 export const ENDINGS_OF = {
   DXF: ["dxf"],
+  STEP: ["step", "stp"],
+  SVG: ["svg"],
 } as const satisfies Readonly<Record<string, readonly string[]>>;
 export type DrawingKind = keyof typeof ENDINGS_OF;
 

@@ -24,6 +24,14 @@ const FORMATS: Readonly<Record<DrawingKind, Format>> = {
     begins: /^(?:\uFEFF|ï»¿)?\s*(?:999\s|0\s+SECTION)|^AutoCAD Binary DXF/,
     load: async () => (await import("./dxf/read-dxf.ts")).readDxfFile,
   },
+  STEP: {
+    begins: /^(?:\uFEFF|ï»¿)?\s*(?:\/\*[^]*?\*\/\s*)*ISO-10303-21\s*;/,
+    load: async () => (await import("./step/read-step.ts")).readStep,
+  },
+  SVG: {
+    begins: /^(?:\uFEFF|ï»¿)?\s*<(?:[^]*[<: ])?svg[\s>]/,
+    load: async () => (await import("./svg/read-svg.ts")).readSvg,
+  },
 };
 
 const refused = (note: DrawingNote): Drawing => ({

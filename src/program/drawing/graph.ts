@@ -27,8 +27,9 @@ export interface Graph {
 /** Many loose ends are no outline with gaps: they are joined no farther than this, mm. */
 const MOST_LOOSE = 5000,
   NARROW = 0.02;
-/** Most points in which curves are divided; drawings with more crossings are taken as drawn. */
-const MOST_CUTS = 60_000;
+/** Most points in which curves are divided, and most pairs compared; drawings with more are taken as drawn. */
+const MOST_CUTS = 60_000,
+  MOST_PAIRS = 400_000;
 
 const wider = (b: Box, by: number): Box => ({
   left: b.left - by,
@@ -37,10 +38,11 @@ const wider = (b: Box, by: number): Box => ({
   high: b.high + by,
 });
 
-/** Calls for each pair of curves whose boxes overlap, in order of their left ends. */
-function pairs(curves: readonly HalfCurve[], call: (a: number, b: number) => boolean): void {
-  const boxes = curves.map((c) => wider(part.boxOf(c.segment), TOUCHING)),
-    order = boxes.map((_, i) => i).toSorted((i, j) => (boxes[i]?.left ?? 0) - (boxes[j]?.left ?? 0));
+const isIn = (b: Box, p: Pt) => p.z >= b.left && p.z <= b.right && p.r >= b.low && p.r <= b.high;
+
+/** Calls for each pair of curves whose boxes overlap, in order of their left ends; false when it was stopped. */
+function pairs(boxes: readonly Box[], call: (a: number, b: number) => boolean): boolean {
+  const order = boxes.map((_, i) => i).toSorted((i, j) => (boxes[i]?.left ?? 0) - (boxes[j]?.left ?? 0));
   let open: number[] = [];
   for (const i of order) {
     const box = boxes[i];
@@ -48,20 +50,24 @@ function pairs(curves: readonly HalfCurve[], call: (a: number, b: number) => boo
     open = open.filter((j) => (boxes[j]?.right ?? 0) >= box.left);
     for (const j of open) {
       const other = boxes[j];
-      if (other && overlap(box, other) && !call(i, j)) return;
+      if (other && overlap(box, other) && !call(i, j)) return false;
     }
     open.push(i);
   }
+  return true;
 }
 
 /** Curves divided where others end on them or cross them. */
-function divided(curves: readonly HalfCurve[]): HalfCurve[] {
-  const cuts: Pt[][] = curves.map(() => []);
-  let count = 0;
-  pairs(curves, (i, j) => {
+export function divided(curves: readonly HalfCurve[]): HalfCurve[] {
+  const cuts: Pt[][] = curves.map(() => []),
+    boxes = curves.map((c) => wider(part.boxOf(c.segment), TOUCHING));
+  let [count, compared] = [0, 0];
+  const isDone = pairs(boxes, (i, j) => {
     const [a, b] = [curves[i]?.segment, curves[j]?.segment];
     if (!a || !b) return true;
     const cut = (s: Segment, index: number, p: Pt) => {
+      const box = boxes[index];
+      if (!box || !isIn(box, p)) return;
       if (part.apart(p, s.from) > TOUCHING && part.apart(p, s.to) > TOUCHING && part.distanceTo(s, p) <= TOUCHING) {
         cuts[index]?.push(p);
         count += 1;
@@ -74,9 +80,10 @@ function divided(curves: readonly HalfCurve[]): HalfCurve[] {
         cut(a, i, p);
         cut(b, j, p);
       }
-    return count < MOST_CUTS;
+    compared += 1;
+    return count < MOST_CUTS && compared < MOST_PAIRS;
   });
-  if (count >= MOST_CUTS) return [...curves];
+  if (!isDone) return [...curves];
   return curves.flatMap(({ segment, source }, i) =>
     splitAt(segment, distinct(cuts[i] ?? [])).map((s) => ({ segment: s, source })),
   );
@@ -84,22 +91,24 @@ function divided(curves: readonly HalfCurve[]): HalfCurve[] {
 const distinct = (points: readonly Pt[]) =>
   points.filter((p, i) => points.findIndex((q) => part.apart(p, q) <= TOUCHING) === i);
 
+/** Rows of a grid are this far apart in its keys; cells that share a key are told apart by their distance. */
+const ROW = 4_294_967_291;
+
 /** Points in a grid, so that near ones are found quickly. */
 class Places {
   readonly all: Pt[] = [];
-  private readonly cells = new Map<string, number[]>();
+  private readonly cells = new Map<number, number[]>();
   private readonly reach: number;
 
   constructor(reach: number) {
     this.reach = reach;
   }
 
-  private key = (p: Pt, dz: number, dr: number) =>
-    `${Math.floor(p.z / this.reach) + dz} ${Math.floor(p.r / this.reach) + dr}`;
+  private cell = (n: number) => Math.floor(n / this.reach);
 
   add(p: Pt): number {
     const index = this.all.push(p) - 1,
-      key = this.key(p, 0, 0),
+      key = this.cell(p.z) * ROW + this.cell(p.r),
       there = this.cells.get(key);
     if (there) there.push(index);
     else this.cells.set(key, [index]);
@@ -108,11 +117,15 @@ class Places {
 
   /** Points within the reach, the nearest first. */
   near(p: Pt): { readonly index: number; readonly far: number }[] {
-    return [-1, 0, 1]
-      .flatMap((dz) => [-1, 0, 1].flatMap((dr) => this.cells.get(this.key(p, dz, dr)) ?? []))
-      .map((index) => ({ index, far: part.apart(p, this.all[index] ?? p) }))
-      .filter(({ far }) => far <= this.reach)
-      .toSorted((a, b) => a.far - b.far);
+    const found: { index: number; far: number }[] = [],
+      [column, row] = [this.cell(p.z), this.cell(p.r)];
+    for (let z = column - 1; z <= column + 1; z += 1)
+      for (let r = row - 1; r <= row + 1; r += 1)
+        for (const index of this.cells.get(z * ROW + r) ?? []) {
+          const far = part.apart(p, this.all[index] ?? p);
+          if (far <= this.reach) found.push({ index, far });
+        }
+    return found.sort((a, b) => a.far - b.far);
   }
 }
 
@@ -123,7 +136,51 @@ export function degreesOf(nodes: readonly Pt[], edges: readonly Edge[]): number[
   return degree;
 }
 
-/** Joins loose ends to the nearest loose end, then to the nearest curve, no farther than the gap; mutates the edges. */
+/** A loose end that stops short of a curve, and the nearest point of it. */
+interface End {
+  readonly node: number;
+  readonly on: Pt;
+  readonly far: number;
+}
+
+/** For each edge, the loose ends to which it is the nearest within the gap. */
+function stopsAt(
+  nodes: readonly Pt[],
+  edges: readonly Edge[],
+  loose: readonly number[],
+  gap: number,
+): Map<number, End[]> {
+  const z = (n: number) => nodes[n]?.z ?? 0,
+    sorted = loose.toSorted((a, b) => z(a) - z(b)),
+    best = new Map<number, End & { readonly edge: number }>();
+  edges.forEach((e, edge) => {
+    const box = wider(part.boxOf(e.segment), gap);
+    let [low, high] = [0, sorted.length];
+    while (low < high) {
+      const half = (low + high) >> 1;
+      if (z(sorted[half] ?? 0) < box.left) low = half + 1;
+      else high = half;
+    }
+    for (let i = low; i < sorted.length; i += 1) {
+      const node = sorted[i] ?? 0,
+        p = nodes[node];
+      if (!p || p.z > box.right) break;
+      if (p.r < box.low || p.r > box.high || e.from === node || e.to === node) continue;
+      const on = part.nearestOn(e.segment, p),
+        far = part.apart(on, p);
+      if (far <= gap && far < (best.get(node)?.far ?? Infinity)) best.set(node, { node, on, far, edge });
+    }
+  });
+  const stops = new Map<number, End[]>();
+  for (const { edge, ...end } of best.values()) {
+    const there = stops.get(edge);
+    if (there) there.push(end);
+    else stops.set(edge, [end]);
+  }
+  return stops;
+}
+
+/** Joins loose ends to the nearest loose end, then to the nearest curve, no farther than the gap; changes the edges. */
 function joined(nodes: readonly Pt[], edges: Edge[], widest: number): Join[] {
   const joins: Join[] = [],
     degree = degreesOf(nodes, edges),
@@ -133,8 +190,8 @@ function joined(nodes: readonly Pt[], edges: Edge[], widest: number): Join[] {
   nodes.forEach((p, n) => {
     if (degree[n] === 1) numbers[places.add(p)] = n;
   });
-  const isBetween = (a: number, b: number) =>
-    edges.some((e) => (e.from === a && e.to === b) || (e.from === b && e.to === a));
+  // A loose end has one edge: the ends of a short line are not joined with each other.
+  const otherEnd = new Map(edges.flatMap((e) => [[e.from, e.to] as const, [e.to, e.from] as const]));
   const candidates = places.all
     .flatMap((p, i) =>
       places
@@ -145,47 +202,36 @@ function joined(nodes: readonly Pt[], edges: Edge[], widest: number): Join[] {
   const done = new Set<number>();
   const moved = new Map<number, number>();
   for (const { a, b, far } of candidates) {
-    if (done.has(a) || done.has(b) || isBetween(a, b)) continue;
+    if (done.has(a) || done.has(b) || otherEnd.get(a) === b) continue;
     done.add(a).add(b);
     moved.set(b, a);
     joins.push({ width: far, at: middle(nodes[a], nodes[b]), node: a });
   }
-  // A loose end that stops short of another curve, or of a corner.
-  const boxes = edges.map((e) => wider(part.boxOf(e.segment), gap));
-  for (const n of numbers) {
-    const p = nodes[n];
-    if (!p || done.has(n)) continue;
-    let best: { edge: number; far: number; on: Pt } | null = null;
-    edges.forEach((e, i) => {
-      const box = boxes[i];
-      if (!box || e.from === n || e.to === n || p.z < box.left || p.z > box.right || p.r < box.low || p.r > box.high)
-        return;
-      const on = part.nearestOn(e.segment, p),
-        far = part.apart(on, p);
-      if (far <= gap && (!best || far < best.far)) best = { edge: i, far, on };
-    });
-    const found = best as { edge: number; far: number; on: Pt } | null,
-      e = found && edges[found.edge];
-    if (!found || !e) continue;
-    done.add(n);
-    joins.push({ width: found.far, at: middle(p, found.on), node: n });
-    const end =
-      part.apart(found.on, e.segment.from) <= TOUCHING
-        ? e.from
-        : part.apart(found.on, e.segment.to) <= TOUCHING
-          ? e.to
-          : null;
-    if (end !== null) {
-      moved.set(n, end);
-      continue;
+  const loose = numbers.filter((n) => !done.has(n));
+  const stops = stopsAt(nodes, edges, loose, gap);
+  stops.forEach((ends, index) => {
+    const e = edges[index];
+    if (!e) return;
+    const between: End[] = [];
+    for (const end of ends) {
+      joins.push({ width: end.far, at: middle(nodes[end.node], end.on), node: end.node });
+      if (part.apart(end.on, e.segment.from) <= TOUCHING) moved.set(end.node, e.from);
+      else if (part.apart(end.on, e.segment.to) <= TOUCHING) moved.set(end.node, e.to);
+      else between.push(end);
     }
-    const [first, second] = splitAt(e.segment, [found.on]);
-    if (!first || !second) continue;
-    edges[found.edge] = { ...e, segment: first, to: n };
-    boxes[found.edge] = wider(part.boxOf(first), gap);
-    edges.push({ ...e, segment: second, from: n });
-    boxes.push(wider(part.boxOf(second), gap));
-  }
+    const along = between.toSorted((a, b) => part.along(e.segment, a.on) - part.along(e.segment, b.on)),
+      pieces = splitAt(
+        e.segment,
+        along.map((end) => end.on),
+      );
+    if (pieces.length !== along.length + 1) return;
+    const chain = [e.from, ...along.map((end) => end.node), e.to];
+    pieces.forEach((segment, k) => {
+      const piece = { ...e, segment, from: chain[k] ?? e.from, to: chain[k + 1] ?? e.to };
+      if (k === 0) edges[index] = piece;
+      else edges.push(piece);
+    });
+  });
   const target = (n: number): number => {
     let to = n;
     for (let i = 0; i < 4 && moved.has(to); i += 1) to = moved.get(to) ?? to;
@@ -200,11 +246,11 @@ function joined(nodes: readonly Pt[], edges: Edge[], widest: number): Join[] {
 const middle = (a: Pt | undefined, b: Pt | undefined): Pt =>
   a && b ? part.scaled(part.sum(a, b), 1 / 2) : (a ?? b ?? at(0, 0));
 
-/** Nodes and edges of the curves of a half: divided at their crossings, with loose ends joined up to the gap (mm). */
+/** Nodes and edges of the curves of a half that were divided, with loose ends joined up to the gap (mm). */
 export function graphOf(curves: readonly HalfCurve[], gap: number): Graph {
   const places = new Places(TOUCHING);
   const nodeAt = (p: Pt) => places.near(p)[0]?.index ?? places.add(p);
-  const edges: Edge[] = divided(curves).flatMap(({ segment, source }) => {
+  const edges: Edge[] = curves.flatMap(({ segment, source }) => {
     const [from, to] = [nodeAt(segment.from), nodeAt(segment.to)];
     return from === to && part.lengthOf(segment) <= 2 * TOUCHING ? [] : [{ from, to, segment, source, isAxis: false }];
   });

@@ -1,5 +1,5 @@
 import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
-import { FULL_TURN, positive } from "../../kernel/geometry/segments.ts";
+import { FULL_TURN, overlap, positive, type Box } from "../../kernel/geometry/segments.ts";
 import { ROUND, SAME } from "../../kernel/tolerance.ts";
 import type { DrawnCurve } from "./drawing.ts";
 
@@ -23,8 +23,8 @@ function directionOf(s: Line): Pt {
   return way.z < -ROUND || (Math.abs(way.z) <= ROUND && way.r < 0) ? part.scaled(way, -1) : way;
 }
 
-/** Whether two lines or arcs cover a common length, not only a point. */
-function coverTogether(a: Segment, b: Segment): boolean {
+/** The line or arc that covers two of one carrier; null where they share no length, only a point. */
+function unitedCurve(a: Segment, b: Segment): Segment | null {
   if (a.kind === "line" && b.kind === "line") {
     const way = directionOf(a),
       place = (p: Pt) => part.dot(part.difference(p, a.from), way),
@@ -34,14 +34,11 @@ function coverTogether(a: Segment, b: Segment): boolean {
       [place(b.from), place(b.to)],
     ];
     const common = Math.min(Math.max(...one), Math.max(...two)) - Math.max(Math.min(...one), Math.min(...two));
-    return common > NEAR && off(b.from) < NEAR && off(b.to) < NEAR;
+    return common > NEAR && off(b.from) < NEAR && off(b.to) < NEAR ? unitedLine(a, b) : null;
   }
-  if (a.kind === "line" || b.kind === "line") return false;
-  return (
-    part.apart(a.centre, b.centre) < NEAR &&
-    Math.abs(part.radiusOf(a) - part.radiusOf(b)) < NEAR &&
-    unitedArc(a, b) !== null
-  );
+  if (a.kind === "line" || b.kind === "line") return null;
+  const isOneCircle = part.apart(a.centre, b.centre) < NEAR && Math.abs(part.radiusOf(a) - part.radiusOf(b)) < NEAR;
+  return isOneCircle ? unitedArc(a, b) : null;
 }
 
 function unitedLine(a: Line, b: Line): Line {
@@ -88,35 +85,32 @@ export function withoutDoubles(curves: readonly DrawnCurve[]): {
   const cell = 10 * NEAR;
   const keyOf = (c: Carrier, { segment, role }: DrawnCurve, shifted: Carrier) =>
     `${segment.kind} ${role} ${c.map((n, i) => Math.floor(n / cell + 0.5) + (shifted[i] ?? 0)).join(" ")}`;
+  const boxes: Box[] = [];
   let doubled = 0;
   for (const next of sound) {
-    let curve: DrawnCurve = next;
+    let curve: DrawnCurve = next,
+      box = part.boxOf(curve.segment);
     const carrier = carrierOf(curve.segment),
-      near = new Set<number>();
+      isArc = curve.segment.kind === "arc";
     for (const dz of [-1, 0, 1])
       for (const dr of [-1, 0, 1])
-        for (const size of curve.segment.kind === "arc" ? [-1, 0, 1] : [0])
-          for (const i of cells.get(keyOf(carrier, curve, [dz, dr, size])) ?? []) near.add(i);
-    for (const i of near) {
-      const other = kept[i];
-      if (!other || !coverTogether(other.segment, curve.segment)) continue;
-      const [a, b] = [other.segment, curve.segment];
-      const united =
-        a.kind === "line" && b.kind === "line"
-          ? unitedLine(a, b)
-          : a.kind === "arc" && b.kind === "arc"
-            ? unitedArc(a, b)
-            : null;
-      if (!united) continue;
-      kept[i] = null;
-      doubled += 1;
-      curve = { ...other, segment: united };
-    }
+        for (const size of isArc ? [-1, 0, 1] : [0])
+          for (const i of cells.get(keyOf(carrier, curve, [dz, dr, size])) ?? []) {
+            const [other, around] = [kept[i], boxes[i]];
+            if (!other || !around || !overlap(around, box)) continue;
+            const united = unitedCurve(other.segment, curve.segment);
+            if (!united) continue;
+            kept[i] = null;
+            doubled += 1;
+            curve = { ...other, segment: united };
+            box = part.boxOf(united);
+          }
     const key = keyOf(carrierOf(curve.segment), curve, [0, 0, 0]),
       there = cells.get(key);
     if (there) there.push(kept.length);
     else cells.set(key, [kept.length]);
     kept.push(curve);
+    boxes.push(box);
   }
   return { curves: kept.filter((c) => c !== null), doubled };
 }

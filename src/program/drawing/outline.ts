@@ -134,43 +134,59 @@ function withoutRearFace(ways: readonly Way[], edges: readonly Edge[], place: (n
   return count === ways.length ? { ways, face: null } : { ways: ways.slice(0, count), face: rear };
 }
 
+/** The walk around connected edges, and where it begins and ends. */
+interface Boundary {
+  readonly edges: readonly Edge[];
+  readonly walk: readonly Way[];
+  readonly start: number;
+  readonly isEnd: (node: number) => boolean;
+  readonly closed: boolean;
+}
+
+function boundaryOf(edges: readonly Edge[], place: (n: number) => Pt): Boundary | null {
+  const drawn = edges.filter((e) => !e.isAxis);
+  if (drawn.length === 0) return null;
+  const faces = facesOf(edges),
+    walk = walkOf(faces),
+    closed = faces.faces.length > 1;
+  const ways = walk.filter((way) => !edges[edgeIndex(way)]?.isAxis),
+    met = [...new Set(ways.flatMap((way) => [startNode(edges, way), endNode(edges, way)]))],
+    degree = new Map<number, number>();
+  for (const e of drawn) for (const n of [e.from, e.to]) degree.set(n, (degree.get(n) ?? 0) + 1);
+  const leaves = met.filter((n) => degree.get(n) === 1);
+  if (met.length === 0) return null;
+  const start = lastNode(closed || leaves.length === 0 ? met : leaves, place, 1),
+    rear = place(lastNode(met, place, -1)).z,
+    other = leaves.find((n) => n !== start);
+  const isChain = !closed && leaves.length === 2;
+  const isEnd = (n: number) => (isChain ? n === other : place(n).z <= rear + LEVEL);
+  return { edges, walk, start, isEnd, closed };
+}
+
 /**
  * The outside and the bore of a connected piece of a half: what is inside of it (shoulders, edges seen through a bore,
- * threads) is not part of them. Runs begin at the right end, nearest to the axis; null for no lines at all.
+ * threads) is not part of them. Runs begin at the right end, nearest to the axis; the outside of a part without a
+ * through bore begins on the axis where it has a face there. Null for no lines at all.
  */
 export function outlineOf(all: readonly Edge[], nodes: readonly Pt[]): Outline | null {
   const place = (n: number) => nodes[n] ?? at(0, 0);
   const edges = withoutHollow(all),
-    drawn = edges.filter((e) => !e.isAxis);
-  if (drawn.length === 0) return null;
-  const faces = facesOf(edges),
-    walk = walkOf(faces);
-  const isClosed = faces.faces.length > 1;
-  const met = [
-    ...new Set(
-      walk
-        .filter((way) => !edges[edgeIndex(way)]?.isAxis)
-        .flatMap((way) => [startNode(edges, way), endNode(edges, way)]),
-    ),
-  ];
-  const degree = new Map<number, number>();
-  for (const e of drawn) for (const n of [e.from, e.to]) degree.set(n, (degree.get(n) ?? 0) + 1);
-  const leaves = met.filter((n) => degree.get(n) === 1);
-  const isChain = !isClosed && leaves.length === 2;
-  const start = lastNode(isClosed ? met : leaves, place, 1),
-    rear = place(lastNode(met, place, -1)).z,
-    isRear = (n: number) => place(n).z <= rear + LEVEL,
-    other = leaves.find((n) => n !== start);
-  const whole = until(edges, walk, start, isChain ? (n) => n === other : isRear);
-  const { ways, face } = withoutRearFace(withoutSpurs(edges, whole), edges, place);
-  const outside = runOf(edges, ways);
-  const hasSides = isClosed && place(start).r > TOUCHING;
-  const back = hasSides
-    ? withoutSpurs(
-        edges,
-        until(edges, walk.map(turned).toReversed(), start, (n) => isRear(n) || place(n).r <= TOUCHING),
-      )
-    : [];
-  const bore = back.length > 0 ? runOf(edges, back) : null;
-  return { outside, bore, closed: isClosed, rearFace: face };
+    isThrough = edges.every((e) => place(e.from).r > TOUCHING && place(e.to).r > TOUCHING);
+  const solid = boundaryOf(edges, place),
+    outer = isThrough ? solid : boundaryOf(all, place);
+  if (!solid || !outer) return null;
+  const whole = until(outer.edges, outer.walk, outer.start, outer.isEnd),
+    { ways, face } = withoutRearFace(withoutSpurs(outer.edges, whole), outer.edges, place);
+  const isInside = (n: number) => solid.isEnd(n) || place(n).r <= TOUCHING,
+    back = solid.walk.map(turned).toReversed(),
+    inside =
+      solid.closed && place(solid.start).r > TOUCHING
+        ? withoutSpurs(edges, until(edges, back, solid.start, isInside))
+        : [];
+  return {
+    outside: runOf(outer.edges, ways),
+    bore: inside.length > 0 ? runOf(edges, inside) : null,
+    closed: solid.closed,
+    rearFace: face,
+  };
 }

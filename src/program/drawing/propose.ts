@@ -1,6 +1,6 @@
 import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { ROUND } from "../../kernel/tolerance.ts";
-import type { ContourChoice, Drawing, DrawnContour } from "./drawing.ts";
+import type { ContourChoice, Drawing, DrawnContour, LineRole } from "./drawing.ts";
 import { drawnContour } from "./contour-of.ts";
 
 /** Choice for a drawing of which nothing is known. */
@@ -33,10 +33,13 @@ const WEIGHTS = {
   symmetry: 4,
   oneSided: 1.5,
   lineOnAxis: 1.2,
-  zeroAtEnd: 0.4,
+  halfSection: 1.2,
+  zeroAtEnd: 2.5,
   upperSide: 0.2,
   horizontal: 0.4,
 };
+/** Long lines, as those of a frame, count no more than this many times the middle length. */
+const LONGEST_COUNTS = 3;
 
 /** A curve along a direction: its place along and across it. */
 interface Along {
@@ -44,40 +47,77 @@ interface Along {
   readonly to: number;
   readonly low: number;
   readonly high: number;
-  readonly length: number;
+  readonly weight: number;
   readonly kind: Segment["kind"];
+  /** Mirrored about its middle it is the same. */
+  readonly isOwnImage: boolean;
 }
+
+const near = (a: number, b: number) => Math.abs(a - b) < SAME_PLACE;
 
 function alongOf(s: Segment, axis: "x" | "y"): Along {
   const b = part.boxOf(s),
-    common = { length: part.lengthOf(s), kind: s.kind };
+    place = (p: Pt) => (axis === "x" ? { along: p.z, across: p.r } : { along: p.r, across: p.z }),
+    [from, to] = [place(s.from), place(s.to)],
+    middle = (from.across + to.across) / 2,
+    isOwnImage = near(from.along, to.along) && (s.kind === "line" || near(place(s.centre).across, middle));
+  const common = { weight: part.lengthOf(s), kind: s.kind, isOwnImage };
   return axis === "x"
     ? { ...common, from: b.left, to: b.right, low: b.low, high: b.high }
     : { ...common, from: b.low, to: b.high, low: b.left, high: b.right };
 }
 
+/** The curves with weights by their lengths, those of very long ones limited. */
+function weighted(all: readonly Along[]): Along[] {
+  const middle = all.map((c) => c.weight).toSorted((a, b) => a - b)[all.length >> 1] ?? 0;
+  return all.map((c) => ({ ...c, weight: Math.min(c.weight, LONGEST_COUNTS * middle) }));
+}
+
 const key = (n: number) => Math.round(n / SAME_PLACE);
 
-/** Places about which lines are mirrored, with the share of all lines that are. */
-function symmetries(all: readonly Along[]): Map<number, number> {
-  const groups = new Map<string, Along[]>(),
-    total = all.reduce((sum, c) => sum + c.length, 0) || 1,
-    found = new Map<number, number>();
-  const vote = (at: number, length: number) => found.set(key(at), (found.get(key(at)) ?? 0) + length / total);
+/** Curves that could be images of each other about a line along the direction. */
+function groupsOf(all: readonly Along[]): Along[][] {
+  const groups = new Map<string, Along[]>();
   for (const c of all) {
-    const name = `${c.kind} ${key(c.from)} ${key(c.to)} ${key(c.high - c.low)}`,
+    const name = `${c.kind} ${key(c.from)} ${key(c.to)}`,
       there = groups.get(name);
-    if (there) there.push(c);
-    else groups.set(name, [c]);
+    if (!there) groups.set(name, [c]);
+    else if (there.length < MOST_ALIKE) there.push(c);
   }
-  for (const group of groups.values())
-    group.slice(0, MOST_ALIKE).forEach((a, i, some) => {
-      // A line across the axis is its own mirror image; one along it is not.
-      if (a.high - a.low > SAME_PLACE) vote((a.low + a.high) / 2, a.length);
-      for (const b of some.slice(i + 1))
-        if (Math.abs(a.low - b.low) > SAME_PLACE) vote((a.low + b.high) / 2, a.length + b.length);
+  return [...groups.values()];
+}
+
+/** Places about which many curves are mirrored, the likeliest first. */
+function symmetries(groups: readonly (readonly Along[])[]): number[] {
+  const found = new Map<number, { at: number; weight: number }>();
+  const vote = (at: number, weight: number) =>
+    found.set(key(at), { at, weight: (found.get(key(at))?.weight ?? 0) + weight });
+  for (const group of groups)
+    group.forEach((a, i) => {
+      if (a.isOwnImage) vote((a.low + a.high) / 2, a.weight);
+      for (const b of group.slice(i + 1))
+        if (!near(a.low, b.low) && near(a.high - a.low, b.high - b.low))
+          vote((a.low + b.high) / 2, a.weight + b.weight);
     });
-  return new Map([...found].toSorted((a, b) => b[1] - a[1]).slice(0, TRIED));
+  const best = [...found.values()].toSorted((a, b) => b.weight - a.weight);
+  return best.slice(0, TRIED).map(({ at }) => at);
+}
+
+/** A symmetry needs pairs: at least this share; a line across the axis is always its own image. */
+const LEAST_PAIRED = 0.2;
+
+/** Share of the curves in a range along a line that have their mirror image across it. */
+function mirroredShare(groups: readonly (readonly Along[])[], at: number, from: number, to: number): number {
+  let [all, paired, own] = [0, 0, 0];
+  for (const group of groups)
+    for (const c of group) {
+      if (c.from < from - SAME_PLACE || c.to > to + SAME_PLACE) continue;
+      all += c.weight;
+      const image = (o: Along) => near(o.low, 2 * at - c.high) && near(o.high, 2 * at - c.low);
+      if (!near((c.low + c.high) / 2, at)) paired += group.some((o) => o !== c && image(o)) ? c.weight : 0;
+      else if (c.isOwnImage) own += c.weight;
+    }
+  return paired > LEAST_PAIRED * all ? (paired + own) / all : 0;
 }
 
 interface Candidate {
@@ -87,37 +127,33 @@ interface Candidate {
 }
 
 function candidates(drawing: Drawing, axis: "x" | "y"): Candidate[] {
-  const outline = drawing.curves.filter((c) => c.role === "outline").map((c) => alongOf(c.segment, axis)),
-    centres = drawing.curves
-      .filter((c) => c.role === "centre" && c.segment.kind === "line")
-      .map((c) => alongOf(c.segment, axis))
-      .filter((c) => c.high - c.low < SAME_PLACE);
-  const longest = drawing.curves.reduce(
-    (most, c) => (c.role === "centre" && c.segment.kind === "line" ? Math.max(most, part.lengthOf(c.segment)) : most),
-    0,
-  );
-  const low = outline.reduce((least, c) => Math.min(least, c.low), Infinity),
-    high = outline.reduce((most, c) => Math.max(most, c.high), -Infinity),
-    [from, to] = [
-      outline.reduce((l, c) => Math.min(l, c.from), Infinity),
-      outline.reduce((m, c) => Math.max(m, c.to), -Infinity),
-    ];
-  const mirrored = symmetries(outline);
-  const places = new Map<number, number>();
-  for (const at of [0, low, high, ...centres.map((c) => c.low), ...[...mirrored.keys()].map((k) => k * SAME_PLACE)])
+  const of = (role: LineRole) => drawing.curves.filter((c) => c.role === role).map((c) => c.segment);
+  const outline = weighted(of("outline").map((s) => alongOf(s, axis))),
+    centreLines = of("centre").filter((s) => s.kind === "line"),
+    longest = centreLines.reduce((most, s) => Math.max(most, part.lengthOf(s)), 0),
+    centres = centreLines.map((s) => alongOf(s, axis)).filter((c) => near(c.low, c.high));
+  const least = (place: (c: Along) => number) => outline.reduce((l, c) => Math.min(l, place(c)), Infinity),
+    most = (place: (c: Along) => number) => outline.reduce((m, c) => Math.max(m, place(c)), -Infinity),
+    [low, high, from, to] = [least((c) => c.low), most((c) => c.high), least((c) => c.from), most((c) => c.to)];
+  const groups = groupsOf(outline),
+    places = new Map<number, number>();
+  for (const at of [0, low, high, ...centres.map((c) => c.low), ...symmetries(groups)])
     if (!places.has(key(at))) places.set(key(at), at);
   return [...places.values()].map((at) => {
-    const isCentre = centres.filter((c) => Math.abs(c.low - at) < SAME_PLACE),
+    const centre = centres
+        .filter((c) => near(c.low, at))
+        .reduce<Along | null>((most, c) => (most && most.to - most.from >= c.to - c.from ? most : c), null),
       isOneSided = low >= at - SAME_PLACE || high <= at + SAME_PLACE,
-      onAxis = outline.filter((c) => c.high - c.low < SAME_PLACE && Math.abs(c.low - at) < SAME_PLACE),
-      span = onAxis.reduce((sum, c) => sum + c.to - c.from, 0) / (to - from || 1),
-      share = mirrored.get(key(at)) ?? 0;
+      onAxis = outline.filter((c) => near(c.low, c.high) && near(c.low, at)),
+      span = Math.min(1, onAxis.reduce((sum, c) => sum + c.to - c.from, 0) / (to - from || 1)),
+      share = mirroredShare(groups, at, centre?.from ?? -Infinity, centre?.to ?? Infinity);
     const score =
-      (WEIGHTS.centreLine * isCentre.reduce((most, c) => Math.max(most, c.to - c.from), 0)) / (longest || 1) +
-      (share > 0.5 ? WEIGHTS.symmetry * Math.min(1, share) : 0) +
+      (centre ? (WEIGHTS.centreLine * (centre.to - centre.from)) / (longest || 1) : 0) +
+      (share > 0.5 ? WEIGHTS.symmetry * share : 0) +
       (isOneSided && at === 0 ? WEIGHTS.oneSided : 0) +
-      (isOneSided ? WEIGHTS.lineOnAxis * Math.min(1, span) : 0) +
-      (at === 0 && Math.abs(to) < SAME_PLACE ? WEIGHTS.zeroAtEnd : 0) +
+      (isOneSided ? WEIGHTS.lineOnAxis * span : 0) +
+      (isOneSided && at === 0 && span > 0.9 ? WEIGHTS.halfSection : 0) +
+      (isOneSided && at === 0 && near(to, 0) ? WEIGHTS.zeroAtEnd : 0) +
       (at === 0 && low >= -SAME_PLACE ? WEIGHTS.upperSide : 0) +
       (axis === "x" ? WEIGHTS.horizontal : 0);
     return { axis, at, score };
