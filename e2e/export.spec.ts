@@ -1,8 +1,7 @@
 import { readFile } from "node:fs/promises";
-import DxfParser from "dxf-parser";
 import type { Locator } from "@playwright/test";
 import { exported as words } from "../src/i18n/en/export.ts";
-import { dxfDefaults, readDxf, type ParsedDxf } from "../src/program/dxf/read-dxf.ts";
+import { contourOf, propose, readDrawing } from "../src/program/drawing/formats.ts";
 import { expectAccessibleAndFits } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
@@ -59,14 +58,17 @@ test("the part is exported as bodies and drawings, from a cycle and from a progr
 
   const drawing = await save(words.contour, "DXF");
   expect(drawing.name).toBe("SHOULDER812.dxf");
-  const entities = (new DxfParser().parseSync(drawing.bytes.toString()) as ParsedDxf).entities ?? [];
-  expect(entities.some((e) => (e as { type: string }).type === "ARC")).toBe(true);
-  const read = readDxf({ entities }, dxfDefaults);
-  expect(read.issues.filter((i) => i.severity === "error")).toEqual([]);
-  expect(read.rows.at(-1)?.x).toBe("75");
+  const readBack = async (bytes: Uint8Array, diameters = false) => {
+    const read = await readDrawing({ name: "contour.dxf", bytes });
+    return contourOf(read, propose(read, { diameters }));
+  };
+  const radii = await readBack(drawing.bytes);
+  expect(radii.segments.some((s) => s.kind === "arc")).toBe(true);
+  expect(radii.notes.filter((n) => n.severity === "error")).toEqual([]);
+  expect(radii.rows.at(-1)?.x).toBe("75");
   await dialog.getByRole("radio", { name: words.diameter("0.005 mm"), exact: true }).check();
-  const across = new DxfParser().parseSync((await save(words.contour, "DXF")).bytes.toString()) as ParsedDxf;
-  expect(readDxf(across, { ...dxfDefaults, diameters: true }).rows.at(-1)?.x).toBe("75");
+  const across = await readBack((await save(words.contour, "DXF")).bytes, true);
+  expect(across.rows.at(-1)?.x).toBe("75");
   const svg = (await save(words.contour, "SVG")).bytes.toString();
   expect(svg).toMatch(/^<svg [^>]*width="[\d.]+mm"/);
   expect(svg).toMatch(/ d="M[^"]*A/);

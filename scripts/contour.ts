@@ -27,7 +27,7 @@ const help = (called: string): string =>
 Takes the contour of a turned part from a drawing and prints it as a subprogram in Klartext: LBL 1 to LBL 0. What was left
 out, joined or is doubtful is on standard error, a line each. What is not given is proposed from the drawing.
 
-  FILE.dxf             the drawing; ${STDIN} reads one from standard input
+  FILE.dxf             the drawing: DXF, STEP or SVG; ${STDIN} reads one from standard input
   --unit mm|inch       unit of its numbers, in place of the one it names
   --axis Y             place of the axis of rotation: y of a horizontal one, x=… of a vertical one; x or y alone is its
                        direction. Places are in the unit of the drawing.

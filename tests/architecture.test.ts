@@ -209,7 +209,7 @@ describe("what the start page waits for", () => {
   test.each([
     "react-aria-components",
     "@codemirror/view",
-    "dxf-parser",
+    "src/program/drawing/formats.ts",
     "clipper2-ts",
     "src/cycles/index.ts",
     "src/program/job/job.ts",

@@ -86,7 +86,6 @@ const FOLDERS: Readonly<Record<string, readonly string[]>> = {
     "run",
     "job",
     "drawing",
-    "dxf",
     "edits",
     "compare",
   ],

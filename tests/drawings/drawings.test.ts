@@ -26,7 +26,13 @@ const mm = (entities: readonly Entity[]) => utf8(asText(dxfGroups({ header: MM, 
 const codes = (notes: readonly { readonly code: string }[]) => notes.map((n) => n.code);
 
 describe("one shaft in the manners of many programs", () => {
-  test.each([...entityCases, ...viewCases])("%s", async (_, bytes, contour, notes = []) => {
+  const cases = [...entityCases, ...viewCases].map(([name, bytes, contour, notes = []]) => ({
+    name,
+    bytes,
+    contour,
+    notes,
+  }));
+  test.each(cases)("$name", async ({ bytes, contour, notes }) => {
     const { drawing, made } = await taken(bytes);
     expect(short(made)).toBe(contour);
     expect(codes([...drawing.notes, ...made.notes])).toEqual(notes);

@@ -1,7 +1,7 @@
 import { useId, useMemo, useState } from "react";
 import { formatNumber } from "../../i18n/number.ts";
 import type { ExportTexts } from "../../i18n/en/export.ts";
-import { DXF_CHORD, writeDxf } from "../../program/dxf/write-dxf.ts";
+import { DXF_CHORD, writeDxf } from "../../program/drawing/write-dxf.ts";
 import { contourSvg } from "../../view/contour-svg.ts";
 import { bodyStl } from "../../view/solid/export.ts";
 import { showsPlane, useAskedView } from "../../app/pictures/plane/shown-view.ts";

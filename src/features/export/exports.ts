@@ -1,7 +1,7 @@
 import type { Cuboid } from "../../kernel/area/box.ts";
 import { partSegment } from "../../kernel/plane/plane.ts";
 import type { Segment } from "../../kernel/geometry/point.ts";
-import type { DxfLayer } from "../../program/dxf/write-dxf.ts";
+import type { DxfLayer } from "../../program/drawing/write-dxf.ts";
 import type { Run } from "../../program/state/run-types.ts";
 import type { PlayPosition, Simulation } from "../../sim/simulation.ts";
 import { playerOf } from "../../sim/stock.ts";

@@ -1,7 +1,7 @@
 import { at, part, type Pt, type Segment } from "../../../kernel/geometry/point.ts";
 import { SAME_STEP } from "../../../kernel/tolerance.ts";
 import { fitted } from "../fit.ts";
-import { hullOf, isInHull, type Hull } from "./hull.ts";
+import { crossingOf, type Crossing } from "./beside.ts";
 import {
   ALIKE,
   ROUGH,
@@ -50,8 +50,8 @@ interface Run {
 const TURN = 2 * Math.PI;
 /** Parameters of a line nearer than this meet, mm; also for angles, times the radius. */
 const MEET = 1e-3;
-/** How far beside a face is looked for material, mm. */
-const BESIDE = 2e-3;
+/** How far beside a face is looked for material, mm: farther than chords of round edges lie off them. */
+const BESIDE = 0.05;
 /** Places at which a run is looked at. */
 const LOOKS = 32;
 
@@ -198,12 +198,12 @@ function segmentsOf(m: Meridian, from: number, to: number): readonly Segment[] {
 }
 
 /** Parts of a span that bound what the part fills when it turns: beside them nothing else of it comes by. */
-function freeParts(run: Run, [from, to]: readonly [number, number], hulls: readonly Hull[]) {
+function freeParts(run: Run, [from, to]: readonly [number, number], crossings: readonly Crossing[]) {
   const isFree = (t: number) => {
     const n = meridianNormal(run.meridian, t),
       p = meridianPoint(run.meridian, t),
       side = run.outward ? BESIDE : -BESIDE;
-    return !hulls.some((h) => isInHull(h, at(p.z + n.z * side, p.r + n.r * side)));
+    return !crossings.some((meets) => meets(at(p.z + n.z * side, p.r + n.r * side)));
   };
   const places = Array.from({ length: LOOKS }, (_, i) => from + ((to - from) * (i + 0.5)) / LOOKS),
     free = places.map(isFree);
@@ -260,12 +260,10 @@ export function halfSection(body: StepBody, faces: readonly SurfacedFace[], axis
       run.spans = [...run.spans, [Math.min(...ends), Math.max(...ends)]];
     }
   }
-  const hulls = body.isSolid
-    ? others.flatMap(({ face }) => hullOf(pointsOfFace(face).map((p) => sectionPoint(axis, p))) ?? [])
-    : [];
+  const crossings = body.isSolid ? others.flatMap((f) => crossingOf(f, axis) ?? []) : [];
   const curves = runs.flatMap((run) =>
     union(run.spans, nearOf(run.meridian), run.meridian.kind === "arc" && Math.abs(run.meridian.centre.r) >= ALIKE)
-      .flatMap((span) => freeParts(run, span, hulls))
+      .flatMap((span) => freeParts(run, span, crossings))
       .flatMap(([from, to]) => segmentsOf(run.meridian, from, to))
       .filter((s) => part.lengthOf(s) > ALIKE)
       .map((segment) => ({ segment, kind: run.kind, isFitted: run.meridian.kind === "profile" })),

@@ -41,3 +41,18 @@ export function isInHull({ points, low, high }: Hull, p: Pt): boolean {
     return part.cross(part.difference(b, a), part.difference(p, a)) > JOINED;
   });
 }
+
+/** Whether a point is within loops of points, by the number of edges on one side of it. */
+export function isInRing(
+  loops: readonly (readonly (readonly [number, number])[])[],
+  [x, y]: readonly [number, number],
+) {
+  let isIn = false;
+  for (const loop of loops)
+    for (let i = 0, j = loop.length - 1; i < loop.length; j = i, i += 1) {
+      const [a, b] = [loop[i], loop[j]];
+      if (!a || !b || a[1] > y === b[1] > y) continue;
+      if (x < ((b[0] - a[0]) * (y - a[1])) / (b[1] - a[1]) + a[0]) isIn = !isIn;
+    }
+  return isIn;
+}

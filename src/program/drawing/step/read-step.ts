@@ -1,5 +1,6 @@
 import { SAME_STEP } from "../../../kernel/tolerance.ts";
 import { at, part } from "../../../kernel/geometry/point.ts";
+import { referenceIn } from "../../files/part21-values.ts";
 import { PART21_LIMITS, readPart21, type Part21Fault } from "../../files/part21.ts";
 import { decoded } from "../decode.ts";
 import type { Drawing, DrawingNote, DrawingUnit, DrawnCurve } from "../drawing.ts";
@@ -9,8 +10,8 @@ import { halfSection, type HalfSection, type SectionCurve, type SurfacedFace } f
 import { leftOutOf } from "./left-out.ts";
 import { mended } from "./mend.ts";
 import type { Axis3 } from "./meridian.ts";
-import { stepBodies, type StepBody } from "./step-body.ts";
-import { stepSurface } from "./step-surface.ts";
+import { STEP_LIMITS, stepBodies, type StepBody } from "./step-body.ts";
+import { stepSurface, type StepSurface } from "./step-surface.ts";
 
 /** The centre line stands out of the part by this share of its length, and at least so far, mm. */
 const OUT = { share: 0.04, least: 1 };
@@ -34,9 +35,16 @@ interface Turned {
 function turnedBody(bodies: readonly StepBody[]): Turned | null {
   let best: Turned | null = null;
   for (const body of bodies) {
+    if (body.faces.length > STEP_LIMITS.faces) continue;
+    const surfaces = new Map<number, StepSurface>();
     const faces = body.faces.map((face) => {
-        const corner = face.bounds[0]?.[0]?.points[0] ?? null;
-        return { face, surface: stepSurface(body.geometry, face.surface, corner) };
+        const corner = face.bounds[0]?.[0]?.points[0] ?? null,
+          id = referenceIn(face.surface) ?? 0,
+          known = surfaces.get(id);
+        const surface = known ?? stepSurface(body.geometry, face.surface, corner);
+        // The two sides of a turned line are told by the face.
+        if (surface.kind !== "revolution") surfaces.set(id, surface);
+        return { face, surface };
       }),
       found = axisOfBody(faces);
     if (found && (!best || found.area > best.area)) best = { body, faces, ...found };
@@ -119,6 +127,8 @@ export function readStep(bytes: Uint8Array, unit?: DrawingUnit["unit"]): Drawing
     { bodies, more } = stepBodies(file);
   if (bodies.length === 0) return refused({ code: "noSolid", severity: "error", values: {} }, ...notes);
   const turned = turnedBody(bodies);
+  if (!turned && bodies.some((b) => b.faces.length > STEP_LIMITS.faces))
+    return refused({ code: "tooMany", severity: "error", values: { limit: STEP_LIMITS.faces } });
   if (!turned) return refused({ code: "noRevolved", severity: "error", values: {} }, ...notes);
   const section = halfSection(turned.body, turned.faces, turned.axis),
     curves = mended(section.curves),

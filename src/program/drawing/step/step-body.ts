@@ -36,10 +36,10 @@ export interface StepBody {
   readonly broken: number;
 }
 
-/** Limits: bodies of a file, faces of a body. */
-export const STEP_LIMITS = { bodies: 200, faces: 20_000 };
-/** Points of a curved edge; those of a full circle are 15° apart. */
-const POINTS = 24;
+/** Limits: bodies of a file, faces of a body. A turned part has some hundred faces. */
+export const STEP_LIMITS = { bodies: 200, faces: 5000 };
+/** Points of a curved edge; those of a full circle are 7.5° apart. */
+const POINTS = 48;
 
 const straight = (from: V3, to: V3): StepEdge => ({ points: [from, to], isCurved: false });
 const backwards = (e: StepEdge): StepEdge => ({ ...e, points: e.points.toReversed() });
@@ -137,7 +137,7 @@ class Shells {
 
   private faces(list: Part21Value, outward: boolean): readonly StepFace[] {
     return listIn(list)
-      .slice(0, STEP_LIMITS.faces)
+      .slice(0, STEP_LIMITS.faces + 1)
       .flatMap((f) => {
         const face = this.face(f, outward);
         if (!face) this.broken += 1;
@@ -175,7 +175,7 @@ export function stepBodies(file: Part21File): { readonly bodies: readonly StepBo
   const bodies = found.slice(0, STEP_LIMITS.bodies).map(({ id, entity, shells }) => {
     const geometry = new StepGeometry(file, units(id)),
       reader = new Shells(geometry);
-    const faces = shells.flatMap((s) => reader.shell(s)).slice(0, STEP_LIMITS.faces);
+    const faces = shells.flatMap((s) => reader.shell(s));
     const isSolid = entity.some((r) => /(^|_)BREP(_|$)/.test(r.type));
     return { name: nameOf(entity), units: units(id), geometry, faces, isSolid, broken: reader.broken };
   });

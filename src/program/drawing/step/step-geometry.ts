@@ -19,10 +19,17 @@ export class StepGeometry {
   readonly file: Part21File;
   readonly units: StepUnits;
   private readonly points = new Map<number, V3 | null>();
+  private splinePoints = 500_000;
 
   constructor(file: Part21File, units: StepUnits) {
     this.file = file;
     this.units = units;
+  }
+
+  /** Whether a spline surface of so many control points is still looked at: all of them together have a limit. */
+  spend(points: number): boolean {
+    this.splinePoints -= points;
+    return this.splinePoints >= 0;
   }
 
   /** The entity that a value refers to. */

@@ -149,7 +149,7 @@ function splineSurface(g: StepGeometry, entity: Part21Entity): SplineSurface | n
     const points = pointsIn(g, row);
     return points ? [points] : [];
   });
-  if (rows.length !== lists.length) return null;
+  if (rows.length !== lists.length || !g.spend(rows.reduce((sum, row) => sum + row.length, 0))) return null;
   const withKnots = recordOf(entity, "B_SPLINE_SURFACE_WITH_KNOTS"),
     given = whole ? withKnots?.values.slice(8) : withKnots?.values,
     isUniform = recordOf(entity, "UNIFORM_SURFACE") !== undefined;
