@@ -1,7 +1,7 @@
 import type { Pt } from "../../kernel/geometry/point.ts";
 import type { ContourChoice, Drawing, DrawnContour } from "../../program/drawing/drawing.ts";
 import { contourOf, propose, readDrawing, type DrawingFile } from "../../program/drawing/formats.ts";
-import { axisChosen, picked, stepped, type ArrowKey, type Picked, type PickKind } from "../../program/drawing/pick.ts";
+import { picked, stepped, type ArrowKey, type Picked, type PickKind } from "../../program/drawing/pick.ts";
 
 /*
  * A drawing in the worker, which reads it and makes its contours: a large one takes seconds. The worker keeps the last
@@ -39,14 +39,15 @@ export type DrawingQuestion =
       readonly within: number;
     }
   | { readonly ask: "key"; readonly of: PickKind; readonly choice: ContourChoice; readonly key: ArrowKey }
-  | { readonly ask: "axis"; readonly choice: ContourChoice; readonly axis: "x" | "y" };
+  /** The likeliest choice with some of it given. */
+  | { readonly ask: "proposal"; readonly given: Partial<ContourChoice> };
 
 /** Answer to each question. */
 export interface DrawingAnswers {
   readonly contour: DrawnContour;
   readonly tap: Picked;
   readonly key: Partial<ContourChoice> | "nothing";
-  readonly axis: ContourChoice;
+  readonly proposal: ContourChoice;
 }
 
 /** Answers a question; null if the drawing is not kept here. */
@@ -54,15 +55,14 @@ export function askDrawing(name: string, question: DrawingQuestion): DrawingAnsw
   const drawing = kept.get(name);
   if (!drawing) return null;
   const read = (choice: ContourChoice) => contourOf(drawing, choice);
-  const { choice } = question;
   switch (question.ask) {
     case "contour":
-      return read(choice);
+      return read(question.choice);
     case "tap":
-      return picked(question.of, drawing, choice, question.at, question.within, read);
+      return picked(question.of, drawing, question.choice, question.at, question.within, read);
     case "key":
-      return stepped(question.of, question.key, drawing, choice, read) ?? "nothing";
-    case "axis":
-      return axisChosen(drawing, choice, { axis: question.axis });
+      return stepped(question.of, question.key, drawing, question.choice, read) ?? "nothing";
+    case "proposal":
+      return propose(drawing, question.given);
   }
 }

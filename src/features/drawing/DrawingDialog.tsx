@@ -49,7 +49,7 @@ export function DrawingDialog({ request }: { readonly request: DrawingRequest })
       ref={dialog}
       className="modal drawing-dialog"
       title={t.title}
-      {...(opened && { heading: `${t.title}: ${opened.file.name}` })}
+      {...(opened && { heading: `${t.title} · ${opened.file.name}` })}
       first=".drawing-sheet, .drawing-choose"
       done={closeDrawing}
     >
@@ -106,7 +106,7 @@ export function DrawingDialog({ request }: { readonly request: DrawingRequest })
               </select>
             </label>
           )}
-          <button type="button" className="button" onClick={close}>
+          <button type="button" className="button drawing-cancel" onClick={close}>
             {t.cancel}
           </button>
           <button

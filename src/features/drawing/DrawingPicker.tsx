@@ -78,6 +78,7 @@ export function DrawingPicker({ opened, made, notes, onUnit, onChange }: Props) 
     change(result.change);
     say(`${t.chosen}: ${t.pick[pick]}`);
   };
+  const repropose = (given: Partial<ContourChoice>) => void askDrawing(opened, { ask: "proposal", given }).then(change);
   const pressKey = async (key: ArrowKey) => {
     const next = await askDrawing(opened, { ask: "key", of: pick, choice, key });
     if (next !== "nothing") change(next);
@@ -105,7 +106,12 @@ export function DrawingPicker({ opened, made, notes, onUnit, onChange }: Props) 
     notes,
     active: activeNote,
     onActive: showNote,
-    onGap: (gap: number) => change({ gap, piece: 0 }),
+    onGap: (gap: number) => {
+      // With more of the part, its end may be elsewhere: Z0 is proposed again unless it was chosen.
+      const { zero, mirrored, ...others } = choice,
+        isOwn = zero !== proposed.zero || mirrored !== proposed.mirrored;
+      repropose({ ...others, gap, piece: 0, ...(isOwn && { zero, mirrored }) });
+    },
     onShow: ({ note, number }: ListedNote) => {
       showNote(number);
       if (note.at) zoomTo(note.at);
@@ -120,13 +126,7 @@ export function DrawingPicker({ opened, made, notes, onUnit, onChange }: Props) 
               <div className="view-switch drawing-pick" role="radiogroup" aria-label={t.pick.label}>
                 {PICKS.map((each) => (
                   <label key={each} className="button">
-                    <input
-                      type="radio"
-                      className="unseen"
-                      name="drawing-pick"
-                      checked={pick === each}
-                      onChange={() => setPick(each)}
-                    />
+                    <input type="radio" name="drawing-pick" checked={pick === each} onChange={() => setPick(each)} />
                     {t.pick[each]}
                   </label>
                 ))}
@@ -182,7 +182,10 @@ export function DrawingPicker({ opened, made, notes, onUnit, onChange }: Props) 
           proposed={proposed}
           contour={contour}
           onUnit={onUnit}
-          onAxis={(axis) => void askDrawing(opened, { ask: "axis", choice, axis }).then(change)}
+          onAxis={(axis) => {
+            const { gap, reversed, thin, diameters, withoutLayers } = choice;
+            repropose({ axis, gap, reversed, thin, diameters, withoutLayers });
+          }}
           onChange={change}
         />
         {!isProposed && (

@@ -15,7 +15,7 @@ export type ContourReader = (choice: ContourChoice) => DrawnContour;
 export type Picked =
   { readonly change: Partial<ContourChoice> } | { readonly refused: "notStraight" | "nothingHere" | "notOfContour" };
 /** Another axis: half, piece and zero point are proposed for it. Without a place the likeliest is taken. */
-export function axisChosen(
+function axisChosen(
   drawing: Drawing,
   { gap, reversed, thin, diameters, withoutLayers }: ContourChoice,
   on: { readonly axis: ContourChoice["axis"]; readonly axisAt?: number },
