@@ -1,6 +1,7 @@
 import { isShareLink } from "../app/place/address.ts";
 import { retryImport } from "../app/base/parts.ts";
 import { notice } from "../app/base/notices.ts";
+import { showIncoming } from "../app/records/incoming.ts";
 import { fetchOpenTaught } from "../features/course/index.ts";
 
 const PROBLEMS = { tooLarge: "linkTooLarge", newer: "linkNewer", damaged: "linkDamaged" } as const;
@@ -14,9 +15,7 @@ export async function openShared(): Promise<void> {
   if (!isShareLink(hash)) return;
   history.replaceState(null, "", location.pathname + location.search);
   if (/^#[trs]\d/.test(hash)) return (await retryImport(fetchOpenTaught)).openTaughtLink(hash);
-  const [{ readLink }, { showIncoming }] = await retryImport(() =>
-    Promise.all([import("../app/records/link.ts"), import("../app/records/incoming.ts")]),
-  );
+  const { readLink } = await retryImport(() => import("../app/records/link.ts"));
   const read = readLink(hash);
   if (read.kind === "work") showIncoming({ work: read.work, from: "link" });
   else notice(PROBLEMS[read.kind]);
