@@ -3,6 +3,7 @@ import type { RowField } from "../../program/job/contour-rows.ts";
 import { NumberInput } from "../../app/fields/number/NumberInput.tsx";
 import { closeStep } from "../../app/document/steps.ts";
 import { whileTyping } from "../../app/base/typing.ts";
+import { noteLeft, noteTyped } from "./begun-field.ts";
 
 /** Placeholder of an empty field: the modal coordinate, or the solved value. */
 export interface Shown {
@@ -49,6 +50,7 @@ export function ContourCell({
   const text = held?.over === told ? held.text : told;
   const type = (next: string) => {
     if (next === text) return;
+    noteTyped(row, field, next);
     if (!isLong) onText(next);
     else if (whileTyping(() => onText(next))) hold({ over: told, text: next });
   };
@@ -83,7 +85,10 @@ export function ContourCell({
         aria-describedby={shown === null ? describedBy : `${describedBy} ${id}-stays`}
         text={text}
         onText={type}
-        onLeave={closeStep}
+        onLeave={() => {
+          noteLeft();
+          closeStep();
+        }}
         selects
         placeholder={shown?.text ?? ""}
         onKeyDown={onKey}

@@ -4,7 +4,7 @@ import type { Language } from "../../i18n/languages.ts";
 import type { ContourRow } from "../../program/job/job.ts";
 import { texts } from "../../app/base/settings/loaded-texts.ts";
 import { ContourDrawing } from "./ContourDrawing.tsx";
-import { readRows } from "../../program/job/contour-rows.ts";
+import { useReading } from "./begun-field.ts";
 import { chooseElement, goToElement, useChosenRow } from "../../app/place/contour-place.ts";
 import { FaultList } from "./FaultList.tsx";
 import { OpenDrawing } from "./OpenDrawing.tsx";
@@ -26,7 +26,7 @@ export const ContourStage = memo(Stage);
 
 function Stage({ rows, blank, language, onChange, lead }: Props) {
   const t = texts(language).contour;
-  const reading = readRows(rows),
+  const reading = useReading(rows),
     active = useChosenRow(rows);
   const [said, setSaid] = useState({ text: "", times: 0 });
   const edited = (next: Edited) => {

@@ -48,6 +48,28 @@ test("every element is a row whose fields have names, and omitted coordinates sa
   );
 });
 
+test("a sign that was just typed is as good as an empty field until it is left", async () => {
+  const user = userEvent.setup();
+  shown();
+  const at = field("Element 4, X diameter");
+  const said = () => [
+    at.value,
+    at.getAttribute("aria-invalid"),
+    screen.queryByRole("list", { name: "Contour errors" })?.textContent,
+  ];
+  await user.clear(at);
+  const empty = said();
+  await user.type(at, "-");
+  expect(said()).toEqual(["-", ...empty.slice(1)]);
+  await user.type(at, "x");
+  expect(said()[1]).toBe("true");
+  await user.keyboard("{Backspace}");
+  expect(said()).toEqual(["-", ...empty.slice(1)]);
+  await user.tab();
+  expect(said()[1]).toBe("true");
+  expect(said()[2]).toContain("4! “-” is not a number.");
+});
+
 test("typing names its field for undo, and a sum is evaluated on leaving the field", async () => {
   const user = userEvent.setup();
   const last = shown();

@@ -13,10 +13,11 @@ import { pageLength } from "../../app/base/unit.ts";
 import { useSize } from "../../app/pictures/help/use-size.ts";
 import { texts } from "../../app/base/settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
-import { readRows, type RowIssue } from "../../program/job/contour-rows.ts";
+import type { RowIssue } from "../../program/job/contour-rows.ts";
 import type { ContourRow } from "../../program/job/job.ts";
 import { undercutPlace } from "../../program/job/undercut-place.ts";
 import { useLengths } from "../../app/calculation/lengths.ts";
+import { useReading } from "./begun-field.ts";
 import { ContourDrawing } from "./ContourDrawing.tsx";
 import { ContourLine } from "./ContourLine.tsx";
 import { RowTools } from "./RowTools.tsx";
@@ -64,7 +65,7 @@ function Table({ rows, onChange, language, isDrawingElsewhere = false, inches = 
   const [said, setSaid] = useState({ text: "", times: 0 });
   /** Announces an edit, also if the same one is repeated. */
   const say = (text: string) => setSaid((old) => ({ text, times: old.times + 1 }));
-  const reading = readRows(rows),
+  const reading = useReading(rows),
     { per } = useLengths();
   const focusRow = useRowFocus(table);
   /** The newest rows: a digit just typed is not rendered yet. */

@@ -25,7 +25,11 @@ import { kindOf } from "../../app/fields/blocks/block-kind.ts";
 import { BlockMore } from "./BlockMore.tsx";
 import { editProgram, openBlock, readWhole, useSession } from "../../app/fields/blocks/session.ts";
 
-const onEnter = enterNext();
+/** Marks the button of the next step, where the control waits after the last word of a block. */
+export const NEXT_STEP = "data-next-step";
+const onEnter = enterNext(undefined, (from) =>
+  from.closest(".block-panel")?.querySelector<HTMLElement>(`[${NEXT_STEP}]`),
+);
 
 /** Blocks have no nearest value to offer. */
 const nothing = () => undefined;

@@ -10,7 +10,7 @@ import type { OwnBlock } from "../../app/fields/blocks/own-block.ts";
 import { OwnDialog } from "../../app/fields/own/OwnDialog.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { duplicated, exchanged, removed } from "../../app/fields/blocks/block-edits.ts";
-import { BlockForm } from "./BlockForm.tsx";
+import { BlockForm, NEXT_STEP } from "./BlockForm.tsx";
 import { kindOf } from "../../app/fields/blocks/block-kind.ts";
 import { Palette } from "./Palette.tsx";
 import { setBlockPrompt, setBlockPrompts, useOpenBlock } from "../../app/fields/blocks/open-block.ts";
@@ -95,7 +95,13 @@ export function BlockPanel() {
         <h2 id={title}>{t.editor.heading(number, kind)}</h2>
       </header>
       <div className="block-tools" role="group" aria-label={t.editor.tools}>
-        <button type="button" className="button" aria-label={t.editor.insertLong} onClick={() => choose(true)}>
+        <button
+          type="button"
+          className="button"
+          aria-label={t.editor.insertLong}
+          onClick={() => choose(true)}
+          {...{ [NEXT_STEP]: "" }}
+        >
           <Icon name="add" /> <span>{t.editor.insert}</span>
         </button>
         {tool("up", t.editor.previous, () => openBlock(index - 1), index <= 0)}

@@ -1,4 +1,4 @@
-import { RangeSetBuilder, type Extension } from "@codemirror/state";
+import type { Extension, Range } from "@codemirror/state";
 import { Decoration, ViewPlugin, type DecorationSet, type EditorView, type ViewUpdate } from "@codemirror/view";
 import { tokensOf, type Token, type TokenKind } from "../../../nc/tokens.ts";
 
@@ -18,6 +18,10 @@ const marks = Object.fromEntries(KINDS.map((kind) => [kind, Decoration.mark({ cl
   Record<TokenKind, Decoration>
 >;
 
+/** The sign of a block that goes on, with the blank before it: never alone in a row of the screen. */
+const CONTINUED = /[ \t]+~[ \t]*$/;
+const continued = Decoration.mark({ class: "nc-continued" });
+
 /** Cache of scanned lines, and its size. */
 const known = new Map<string, readonly Token[]>();
 const MOST = 2000;
@@ -31,15 +35,17 @@ function wordsOf(line: string): readonly Token[] {
 
 /** Colours of the visible lines. Each line can be scanned on its own. */
 function coloured({ state: { doc }, visibleRanges }: EditorView): DecorationSet {
-  const made = new RangeSetBuilder<Decoration>();
+  const made: Range<Decoration>[] = [];
   for (const { from, to } of visibleRanges) {
     for (let line = doc.lineAt(from); ; line = doc.line(line.number + 1)) {
       for (const word of wordsOf(line.text))
-        if (word.to > word.from) made.add(line.from + word.from, line.from + word.to, marks[word.kind]);
+        if (word.to > word.from) made.push(marks[word.kind].range(line.from + word.from, line.from + word.to));
+      const sign = CONTINUED.exec(line.text);
+      if (sign) made.push(continued.range(line.from + sign.index, line.to));
       if (line.to >= to) break;
     }
   }
-  return made.finish();
+  return Decoration.set(made, true);
 }
 
 /** Syntax colouring for Klartext, with the scanner of the reader. */

@@ -1,6 +1,6 @@
-import { useId, useState, type ReactNode } from "react";
-import { isOnlySign } from "./number-entry.ts";
+import { useId, type ReactNode } from "react";
 import { NumberInput, type NumberInputProps } from "./NumberInput.tsx";
+import { useBegunSign } from "./use-begun-sign.ts";
 
 interface Props extends NumberInputProps {
   /** Class of the whole field, which lays out its parts. */
@@ -20,9 +20,7 @@ interface Props extends NumberInputProps {
 /** A field with label and unit, and its messages below. */
 export function LabelledInput({ className, label, more, unit, button, hint, messages, ...input }: Props) {
   const id = useId();
-  /** A sign that was just typed: what is wrong with it is said once the field is left. */
-  const [begun, begin] = useState<string | null>(null);
-  const isBegun = begun === input.text;
+  const { isBegun, onTyped, onLeft } = useBegunSign(input.text);
   const name = <label htmlFor={id}>{label}</label>;
   return (
     <div className={className}>
@@ -41,11 +39,11 @@ export function LabelledInput({ className, label, more, unit, button, hint, mess
           {...input}
           {...(isBegun && { "aria-invalid": false })}
           onText={(text) => {
-            begin(isOnlySign(text) ? text : null);
+            onTyped(text);
             input.onText(text);
           }}
           onLeave={() => {
-            begin(null);
+            onLeft();
             input.onLeave?.();
           }}
         />

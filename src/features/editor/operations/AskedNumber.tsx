@@ -1,6 +1,7 @@
 import { useId, useState } from "react";
 import { readText, type Field } from "../../../program/values/field.ts";
 import { NumberInput } from "../../../app/fields/number/NumberInput.tsx";
+import { useBegunSign } from "../../../app/fields/number/use-begun-sign.ts";
 import { Message } from "../../../app/base/Message.tsx";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
@@ -25,6 +26,7 @@ export function AskedNumber({ name, unit, field, text, onText }: Props) {
   const wrong = !isUsable(field, text);
   // A field that opened empty is to be filled in; it becomes an error when a value was erased.
   const [isTouched, touch] = useState(false);
+  const { isBegun, onTyped, onLeft } = useBegunSign(text);
   const isEmpty = text.trim() === "";
   const isCalm = isEmpty && !isTouched;
   return (
@@ -36,10 +38,12 @@ export function AskedNumber({ name, unit, field, text, onText }: Props) {
           text={text}
           onText={(typed) => {
             touch(true);
+            onTyped(typed);
             onText(typed);
           }}
+          onLeave={onLeft}
           selects
-          aria-invalid={wrong && !isCalm}
+          aria-invalid={wrong && !isCalm && !isBegun}
           data-open={wrong || undefined}
           aria-describedby={`${id}-unit`}
         />
@@ -47,7 +51,7 @@ export function AskedNumber({ name, unit, field, text, onText }: Props) {
           {unit}
         </span>
       </span>
-      {wrong && (
+      {wrong && !isBegun && (
         <Message as="span" tone={isCalm ? "info" : "error"} className="small" role="status">
           {isEmpty ? t.wrong.missing : t.wrong.notANumber}
         </Message>
