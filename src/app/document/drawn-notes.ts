@@ -15,10 +15,16 @@ export interface DrawnNote {
 /** Notes of the drawings taken in this session: joined gaps and doubtful places stay visible in the contour. */
 export const useDrawnNotes = create<{ readonly notes: readonly DrawnNote[] }>(() => ({ notes: [] }));
 
-/** Keeps the notes of a contour that was taken; those of the same elements before are replaced. */
+/** Most notes that are kept; the oldest go. */
+const MOST = 1000;
+
+/** Keeps the notes of a contour that was taken, and those of the contours before, for undo. */
 export const keepDrawnNotes = (notes: readonly DrawnNote[]): void =>
   useDrawnNotes.setState((old) => ({
-    notes: [...old.notes.filter((each) => !notes.some((n) => n.work === each.work)), ...notes],
+    notes: [
+      ...old.notes.filter((each) => !notes.some((n) => n.work === each.work && isSameData(n.row, each.row))),
+      ...notes,
+    ].slice(-MOST),
   }));
 
 export const dismissDrawnNotes = (gone: readonly DrawnNote[]): void =>

@@ -17,7 +17,6 @@ import "./drawing.css";
 
 /** Cycles that cut a contour, for a drawing that becomes a new program. */
 const CYCLES = offeredCycles(false).filter(({ free }) => free);
-const FIRST_CYCLE = 810;
 
 /** Takes a contour from a drawing, picked on the picture, into a table or a new program. */
 export function DrawingDialog({ request }: { readonly request: DrawingRequest }) {
@@ -27,7 +26,7 @@ export function DrawingDialog({ request }: { readonly request: DrawingRequest })
     language = useSettings((s) => s.language),
     id = useId();
   const dialog = useRef<HTMLDialogElement>(null);
-  const [cycle, setCycle] = useState(FIRST_CYCLE);
+  const [cycle, setCycle] = useState(CYCLES[0]?.number ?? 0);
   const { opening, readAs, change } = useOpenedDrawing(request.file);
   const { target } = request;
   const opened = opening.kind === "open" ? opening.opened : null;

@@ -16,10 +16,19 @@ import { fitCanvas } from "../../app/pictures/lathe/fit-canvas.ts";
 import { listenToGestures } from "../../app/pictures/lathe/gestures.ts";
 import { GlyphButton } from "../../app/pictures/lathe/GlyphButton.tsx";
 import { ZoomKeys } from "../../app/pictures/lathe/ViewBar.tsx";
-import { usePageUnit } from "../../app/base/unit.ts";
+import { pageLength, usePageUnit } from "../../app/base/unit.ts";
 import { pageColours, useTheme } from "../../app/base/use-theme-colours.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
-import { fitted, panned, toPlace, zoomed, type Bounds, type Camera, type Place } from "../../view/camera.ts";
+import {
+  fitted,
+  panned,
+  sheetShift,
+  toPlace,
+  zoomed,
+  type Bounds,
+  type Camera,
+  type Place,
+} from "../../view/camera.ts";
 import { SHEET_MARGIN } from "./extent.ts";
 import { acrossAxis, alongAxis } from "../../program/drawing/on-drawing.ts";
 import { DRAWING_COLOURS, drawingPaths, paintDrawing, pathOf } from "./paint-drawing.ts";
@@ -50,6 +59,9 @@ interface Props extends SheetMarks {
 
 /** Reach of a tap, units of the page. */
 const REACH = { mouse: 12, touch: 24 } as const;
+/** From this many curves on, and after this rest of the view, ms. */
+const MANY = 3000,
+  RESTS = 120;
 /** Zoom and pan of one key. */
 const ZOOM = 1.4,
   PAN = 40;
@@ -94,13 +106,26 @@ export function DrawingSheet({
     [drawing, curves],
   );
 
+  /** The camera of the painted curves. */
+  const painted = useRef<{ readonly camera: Camera; readonly piece: Path2D } | null>(null);
   useLayoutEffect(() => {
     const node = canvas.current,
       context = node?.getContext("2d");
-    if (!node || !context) return;
-    const ratio = (globalThis.devicePixelRatio || 1) * unit;
-    fitCanvas(node, { x: 0, y: 0, ...size }, ratio);
-    paintDrawing(context, { drawing, paths, piece, camera, size, ratio, colours: pageColours(DRAWING_COLOURS) });
+    if (!node || !context) return undefined;
+    const paint = () => {
+      const ratio = (globalThis.devicePixelRatio || 1) * unit;
+      fitCanvas(node, { x: 0, y: 0, ...size }, ratio);
+      paintDrawing(context, { drawing, paths, piece, camera, size, ratio, colours: pageColours(DRAWING_COLOURS) });
+      node.style.transform = "";
+      painted.current = { camera, piece };
+    };
+    const before = painted.current;
+    if (drawing.curves.length < MANY || before?.piece !== piece || before.camera === camera) return void paint();
+    // Many curves are only shifted and scaled while the view moves, and painted again at rest.
+    const { x, y, grown } = sheetShift(before.camera, camera);
+    node.style.transform = `translate(${pageLength(x)}, ${pageLength(y)}) scale(${grown})`;
+    const timer = setTimeout(paint, RESTS);
+    return () => clearTimeout(timer);
   }, [drawing, paths, piece, camera, size, unit, theme]);
 
   const zoom = (factor: number, at: Place = { x: size.width / 2, y: size.height / 2 }) =>
