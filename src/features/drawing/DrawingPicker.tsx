@@ -131,7 +131,7 @@ export function DrawingPicker({ opened, made, notes, onUnit, onChange }: Props) 
                   </label>
                 ))}
               </div>
-              <p className="small soft drawing-how">{t.pick[`${pick}How`]}</p>
+              <p className="small soft drawing-how">{t.pick.how[pick]}</p>
             </>
           }
           drawing={drawing}

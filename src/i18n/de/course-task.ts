@@ -84,6 +84,7 @@ export const courseTask = {
     answered: (n, of) => (of === 1 ? "Richtig beantwortet" : `Frage ${n} richtig beantwortet`),
   },
 
+  between: { slips: "; ", causes: ", " },
   wrong: {
     unproved: (what) => `${what} wird nicht simuliert: Die folgenden Bewegungen lassen sich nicht prüfen`,
     unprovedMilling: "Fräsen wird nicht geprüft",

@@ -26,9 +26,11 @@ export const drawingImport = {
     contour: "Kontur",
     axis: "Achse",
     zero: "Z0",
-    contourHow: "Eine Linie der Kontur antippen: Außen- oder Innenkontur, Hälfte und Linienzug ergeben sich.",
-    axisHow: "Eine Linie auf der Drehachse antippen oder die Achse ziehen.",
-    zeroHow: "Einen Punkt oder eine Linie bei Z0 antippen oder den Nullpunkt ziehen.",
+    how: {
+      contour: "Eine Linie der Kontur antippen: Außen- oder Innenkontur, Hälfte und Linienzug ergeben sich.",
+      axis: "Eine Linie auf der Drehachse antippen oder die Achse ziehen.",
+      zero: "Einen Punkt oder eine Linie bei Z0 antippen oder den Nullpunkt ziehen.",
+    },
   },
   showContour: "Auf die Kontur zoomen",
   refused: {

@@ -34,9 +34,9 @@ export const insert: InsertTexts = {
     },
     undercut: "Freistich nach Norm",
     undercutName: "Bezeichnung des Freistichs",
-    noShoulder: "Das Rohteil hat hier keine Schulter: Durchmesser und Position eingeben.",
+    noShoulder: "Das Rohteil hat hier keinen Absatz: Durchmesser und Position eingeben.",
     cylinder: "Durchmesser am Freistich",
-    shoulder: "Schulter in Z",
+    shoulder: "Absatz in Z",
     undercutUnfit: "Der Freistich passt hier nicht: Zylinder oder Planfläche ist zu kurz.",
     hole: {
       name: "Bezeichnung der Zentrierbohrung",

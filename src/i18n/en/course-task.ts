@@ -88,6 +88,8 @@ export const courseTask = {
     answered: (n: number, of: number) => (of === 1 ? "Answered correctly" : `Question ${n} answered correctly`),
   },
 
+  /** Between slips of one check, and between causes of one fault. */
+  between: { slips: "; ", causes: ", " },
   wrong: {
     unproved: (what: string) => `${what} is not simulated: the moves after it cannot be checked`,
     unprovedMilling: "Milling is not checked",

@@ -27,9 +27,11 @@ export const drawingImport = {
     contour: "Contour",
     axis: "Axis",
     zero: "Z0",
-    contourHow: "Tap a line of the contour: outside or bore, half and piece follow.",
-    axisHow: "Tap a line on the axis of rotation, or drag the axis.",
-    zeroHow: "Tap a point or a line at Z0, or drag the zero point.",
+    how: {
+      contour: "Tap a line of the contour: outside or bore, half and piece follow.",
+      axis: "Tap a line on the axis of rotation, or drag the axis.",
+      zero: "Tap a point or a line at Z0, or drag the zero point.",
+    },
   },
   showContour: "Zoom to contour",
   refused: {

@@ -86,6 +86,7 @@ export const courseTask = {
     answered: (n, of) => (of === 1 ? "Réponse juste" : `Réponse juste à la question ${n}`),
   },
 
+  between: { slips: " ; ", causes: ", " },
   wrong: {
     unproved: (what) => `${what} n’est pas simulé : la suite ne peut pas être vérifiée`,
     unprovedMilling: "Le fraisage n’est pas vérifié",

@@ -26,9 +26,11 @@ export const drawingImport = {
     contour: "Contour",
     axis: "Axe",
     zero: "Z0",
-    contourHow: "Toucher une ligne du contour : extérieur ou alésage, moitié et tracé en découlent.",
-    axisHow: "Toucher une ligne sur l’axe de rotation ou déplacer l’axe.",
-    zeroHow: "Toucher un point ou une ligne à Z0 ou déplacer le point zéro.",
+    how: {
+      contour: "Toucher une ligne du contour : extérieur ou alésage, moitié et tracé en découlent.",
+      axis: "Toucher une ligne sur l’axe de rotation ou déplacer l’axe.",
+      zero: "Toucher un point ou une ligne à Z0 ou déplacer le point zéro.",
+    },
   },
   showContour: "Zoomer sur le contour",
   refused: {

@@ -77,6 +77,7 @@ export const courseTask = {
     answered: (n, of) => (of === 1 ? "回答正确" : `问题 ${n} 回答正确`),
   },
 
+  between: { slips: "；", causes: "，" },
   wrong: {
     unproved: (what) => `${what} 不在仿真范围内，其后无法检查`,
     unprovedMilling: "铣削不作检查",

@@ -19,9 +19,11 @@ export const drawingImport = {
     contour: "轮廓",
     axis: "轴线",
     zero: "Z0",
-    contourHow: "点击轮廓上的一条线：外轮廓或内孔、上下半部和线段随之确定。",
-    axisHow: "点击位于回转轴线上的线，或拖动轴线。",
-    zeroHow: "点击 Z0 处的点或线，或拖动零点。",
+    how: {
+      contour: "点击轮廓上的一条线：外轮廓或内孔、上下半部和线段随之确定。",
+      axis: "点击位于回转轴线上的线，或拖动轴线。",
+      zero: "点击 Z0 处的点或线，或拖动零点。",
+    },
   },
   showContour: "缩放到轮廓",
   refused: {

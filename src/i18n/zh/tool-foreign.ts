@@ -44,7 +44,7 @@ export const toolForeign: ToolForeignTexts = {
   replaces: (n) => `替换刀具表中的 ${n} 把刀具`,
   refused: (n) => `${n} 项未导入`,
   refusals: {
-    holder: named("刀柄或转接件"),
+    holder: named("刀杆或转接件"),
     probe: named("测头"),
     otherMachine: named("其他机床的刀具"),
     noColumn: named("刀具表中没有此类刀具"),

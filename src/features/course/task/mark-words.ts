@@ -149,10 +149,6 @@ function valueName(q: string, { texts, answer }: MarkWording): string {
   return param ? `${q} ${texts.params[param.text as ParamTextId].label}` : q;
 }
 
-/** A sign between parts of a list, as the language writes it. */
-const separator = (language: Language, sign: "," | ";"): string =>
-  language === "zh" ? { ",": "，", ";": "；" }[sign] : `${sign} `;
-
 const isInOneBlock = (values: Slip["values"]): boolean => new Set(values.map(({ block }) => block)).size === 1;
 
 /** Slips whose words name their blocks. */
@@ -189,7 +185,7 @@ function slipText({ kind, values }: Slip, wording: MarkWording): string {
   if (kind === "sign" || kind === "point" || kind === "side" || kind === "relative")
     return t.slip[kind](one.name, one.is, one.better);
   const say = kind === "radius" ? t.slip.half : t.slip.double;
-  return t.slip[kind](said.map(({ name, is, better }) => say(name, is, better)).join(separator(language, ";")));
+  return t.slip[kind](said.map(({ name, is, better }) => say(name, is, better)).join(t.between.slips));
 }
 
 /** Rules whose limit one prompt decides. */
@@ -226,5 +222,5 @@ export function markText(mark: TaskMark, wording: MarkWording): string {
   const placed =
     mark.place && !SAYS_PLACE.has(mark.rule) ? t.where.at(said, ...placeWords(language, mark.place)) : said;
   const causes = [causeOf(mark, wording), shapedText(mark, wording)].filter((cause) => cause !== null);
-  return causes.length === 0 ? placed : t.where.because(placed, causes.join(separator(language, ",")));
+  return causes.length === 0 ? placed : t.where.because(placed, causes.join(t.between.causes));
 }
