@@ -125,6 +125,8 @@ export function ContourDrawing({ rows, reading, active, language, canvas, onPick
     xUp = !useSettings((s) => s.xDown);
   const [mode, setMode] = useState<DrawingMode>(rows.length === 0 ? "draw" : "move");
   const [step, setStep] = useState<GridStep>(1);
+  /** Elements are chosen and moved by keys: place and kind of the chosen one are written and spoken. */
+  const [keyed, setKeyed] = useState(false);
   const [camera, setCamera] = useState<Camera | null>(null);
   const large = canvas !== undefined,
     blank = canvas?.blank ?? NO_RINGS;
@@ -186,18 +188,30 @@ export function ContourDrawing({ rows, reading, active, language, canvas, onPick
     />
   );
   const onKeyDown = (e: KeyboardEvent<HTMLDivElement>) => {
-    if (e.target !== box.current || e.ctrlKey || e.metaKey || e.altKey) return;
+    if (e.target !== box.current || e.ctrlKey || e.metaKey) return;
     const done = pressDrawingKey(e, {
       rows,
+      reading,
       active,
       camera: picture.camera,
+      step,
+      xUp,
       onPick,
       onEdited,
+      onRows,
       onZoom: zoom,
       onCamera: setCamera,
     });
-    if (done) e.preventDefault();
+    if (!done) return;
+    e.preventDefault();
+    setKeyed(true);
   };
+  const chosen = keyed && active !== null ? rows[active] : undefined,
+    end = active === null ? null : reading.rows[active]?.end;
+  const spoken =
+    chosen && active !== null
+      ? `${t.kinds[chosen.kind]} ${active + 1}: ${end ? `X ⌀ ${show(end.x)}  Z ${show(end.z)}` : chosen.r}`
+      : "";
 
   return (
     <div className={`contour-picture${large ? " large" : ""}`}>
@@ -219,6 +233,8 @@ export function ContourDrawing({ rows, reading, active, language, canvas, onPick
           "aria-describedby": keysId,
           "data-keys": "contourDrawing",
           onKeyDown,
+          onBlur: () => setKeyed(false),
+          onPointerDown: () => setKeyed(false),
         })}
       >
         <svg
@@ -284,6 +300,11 @@ export function ContourDrawing({ rows, reading, active, language, canvas, onPick
             {pointing.size === null
               ? `X ⌀ ${show(pointing.aim.spot.x)}  Z ${show(pointing.aim.spot.z)}`
               : `${mode === "round" ? "R" : "CHF"} ${show(pointing.size)}`}
+          </p>
+        )}
+        {large && (
+          <p role="status" className={spoken === "" || pointing ? "unseen" : "contour-readout number"}>
+            {spoken}
           </p>
         )}
         {large && (
