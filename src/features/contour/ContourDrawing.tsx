@@ -175,6 +175,12 @@ export function ContourDrawing({ rows, reading, active, language, canvas, onPick
   useWheel(box, zoom);
   const name = t.drawing(reading.rows.length) + (active === null ? "" : `, ${t.drawingElement(active + 1)}`);
   const show = (n: number) => formatNumber(language, n, 3);
+  const spokenElement = (row: number): string => {
+    const { kind, r } = rows[row] ?? { kind: "L", r: "" },
+      end = reading.rows[row]?.end;
+    const place = end ? `X ⌀ ${show(end.x)}  Z ${show(end.z)}` : kind === "RND" ? `R ${r}` : r;
+    return `${t.kinds[kind]} ${row + 1}  ${place}`.trim();
+  };
   const last = mode === "draw" && pointing?.row === null ? reading.rows.findLast((r) => r.end)?.end : null;
   const tools = (
     <DrawingTools
@@ -206,12 +212,7 @@ export function ContourDrawing({ rows, reading, active, language, canvas, onPick
     e.preventDefault();
     setKeyed(true);
   };
-  const chosen = keyed && active !== null ? rows[active] : undefined,
-    end = active === null ? null : reading.rows[active]?.end;
-  const spoken =
-    chosen && active !== null
-      ? `${t.kinds[chosen.kind]} ${active + 1}: ${end ? `X ⌀ ${show(end.x)}  Z ${show(end.z)}` : chosen.r}`
-      : "";
+  const spoken = keyed && active !== null ? spokenElement(active) : "";
 
   return (
     <div className={`contour-picture${large ? " large" : ""}`}>
