@@ -32,7 +32,7 @@ export const handed = {
   qrEnlarge: "QR-Code im Vollbild zeigen",
   qrHint: "Mit der Kamera eines Tablets scannen.",
   qrTooLong: (length, most) =>
-    `Der Link ist zu lang für einen QR-Code: ${length} Zeichen, höchstens ${most}. Link oder Datei weitergeben.`,
+    `Der Link ist zu lang für einen QR-Code: ${length} Zeichen, höchstens ${most}. Link oder Datei teilen.`,
   share: "Teilen …",
   files: "Dateien",
   file: "Als Datei",

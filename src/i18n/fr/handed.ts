@@ -33,7 +33,7 @@ export const handed = typeset<HandedTexts>({
   qrEnlarge: "Afficher le code QR en plein écran",
   qrHint: "Scanner avec la caméra d’une tablette.",
   qrTooLong: (length, most) =>
-    `Le lien est trop long pour un code QR : ${length} caractères, max. ${most}. Transmettre le lien ou le fichier.`,
+    `Le lien est trop long pour un code QR : ${length} caractères, max. ${most}. Partager le lien ou le fichier.`,
   share: "Partager …",
   files: "Fichiers",
   file: "En fichier",
