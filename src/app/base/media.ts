@@ -25,6 +25,8 @@ export const MEDIA = {
   folded: `(max-width: 599px), ${FLAT}`,
   /** A short phone: the picture is a strip above the prompts until it is enlarged. */
   strip: "(max-width: 599px) and (max-height: 699px)",
+  /** A short phone with room for two lines of numbers below the strip. */
+  stacked: "(max-width: 479px) and (min-height: 600px) and (max-height: 699px)",
   /** A small window at 400 % zoom: the whole page scrolls, with its header. */
   tiny: "(max-width: 599px) and (max-height: 479px)",
   /** No room for three columns. */

@@ -125,6 +125,8 @@ export function ContourDrawing({ rows, reading, active, language, canvas, onPick
     xUp = !useSettings((s) => s.xDown);
   const [mode, setMode] = useState<DrawingMode>(rows.length === 0 ? "draw" : "move");
   const [step, setStep] = useState<GridStep>(1);
+  /** Elements are chosen and moved by keys: place and kind of the chosen one are written and spoken. */
+  const [keyed, setKeyed] = useState(false);
   const [camera, setCamera] = useState<Camera | null>(null);
   const large = canvas !== undefined,
     blank = canvas?.blank ?? NO_RINGS;
@@ -173,6 +175,12 @@ export function ContourDrawing({ rows, reading, active, language, canvas, onPick
   useWheel(box, zoom);
   const name = t.drawing(reading.rows.length) + (active === null ? "" : `, ${t.drawingElement(active + 1)}`);
   const show = (n: number) => formatNumber(language, n, 3);
+  const spokenElement = (row: number): string => {
+    const { kind, r } = rows[row] ?? { kind: "L", r: "" },
+      end = reading.rows[row]?.end;
+    const place = end ? `X ⌀ ${show(end.x)}  Z ${show(end.z)}` : kind === "RND" ? `R ${r}` : r;
+    return `${t.kinds[kind]} ${row + 1}  ${place}`.trim();
+  };
   const last = mode === "draw" && pointing?.row === null ? reading.rows.findLast((r) => r.end)?.end : null;
   const tools = (
     <DrawingTools
@@ -186,18 +194,25 @@ export function ContourDrawing({ rows, reading, active, language, canvas, onPick
     />
   );
   const onKeyDown = (e: KeyboardEvent<HTMLDivElement>) => {
-    if (e.target !== box.current || e.ctrlKey || e.metaKey || e.altKey) return;
+    if (e.target !== box.current || e.ctrlKey || e.metaKey) return;
     const done = pressDrawingKey(e, {
       rows,
+      reading,
       active,
       camera: picture.camera,
+      step,
+      xUp,
       onPick,
       onEdited,
+      onRows,
       onZoom: zoom,
       onCamera: setCamera,
     });
-    if (done) e.preventDefault();
+    if (!done) return;
+    e.preventDefault();
+    setKeyed(true);
   };
+  const spoken = keyed && active !== null ? spokenElement(active) : "";
 
   return (
     <div className={`contour-picture${large ? " large" : ""}`}>
@@ -219,6 +234,8 @@ export function ContourDrawing({ rows, reading, active, language, canvas, onPick
           "aria-describedby": keysId,
           "data-keys": "contourDrawing",
           onKeyDown,
+          onBlur: () => setKeyed(false),
+          onPointerDown: () => setKeyed(false),
         })}
       >
         <svg
@@ -284,6 +301,11 @@ export function ContourDrawing({ rows, reading, active, language, canvas, onPick
             {pointing.size === null
               ? `X ⌀ ${show(pointing.aim.spot.x)}  Z ${show(pointing.aim.spot.z)}`
               : `${mode === "round" ? "R" : "CHF"} ${show(pointing.size)}`}
+          </p>
+        )}
+        {large && (
+          <p role="status" className={spoken === "" || pointing ? "unseen" : "contour-readout number"}>
+            {spoken}
           </p>
         )}
         {large && (

@@ -135,12 +135,53 @@ test("solved values are in brackets, the constraints of an element are next to i
   ]);
 });
 
-test("keys of the drawing: R breaks the corner of the chosen element", () => {
+/** Rows as kind and typed coordinates. */
+const rowTexts = (rows: readonly ContourRow[]) => rows.map(({ kind, x, z }) => `${kind} ${x}/${z}`);
+const [first, second, third, fourth] = rowTexts(shaft());
+
+test.each([
+  ["R breaks the corner", ["ArrowRight", "r"], [first, second, "RND /", third, fourth]],
+  ["U puts an undercut into the corner", ["ArrowRight", "u"], [first, second, "UDC /", third, fourth]],
+  ["a corner that is not there stays", ["r", "u"], [first, second, third, fourth]],
+  ["Alt and arrows move the point to the grid", ["Alt+ArrowLeft", "Alt+ArrowUp"], ["L 18/-1", second, third, fourth]],
+  [
+    "an omitted coordinate is written once the point leaves it",
+    ["ArrowRight", "Alt+ArrowDown"],
+    [first, "L 16/-23.6", third, fourth],
+  ],
+  ["N divides the next element", ["n"], [first, "L 17.43/-11.8", second, third, fourth]],
+  [
+    "N behind the last point adds one",
+    ["ArrowDown", "ArrowDown", "ArrowDown", "n"],
+    [first, second, third, fourth, "L 58.07/-52.3"],
+  ],
+  ["Delete removes the element", ["ArrowRight", "Delete", "Delete"], [first, fourth]],
+])("keys of the drawing: %s", (_, keys, expected) => {
   const last = shown();
+  act(() => chooseElement("e1"));
   canvas().focus();
-  fireEvent.keyDown(canvas(), { key: "ArrowRight" });
-  fireEvent.keyDown(canvas(), { key: "r" });
-  expect(last.rows.map((r) => r.kind)).toEqual(["L", "L", "RND", "L", "L"]);
+  for (const key of keys) fireEvent.keyDown(canvas(), { key: key.replace("Alt+", ""), altKey: key.startsWith("Alt+") });
+  expect(rowTexts(last.rows)).toEqual(expected);
+  expect(document.activeElement).toBe(canvas());
+});
+
+test("the place of an element chosen or moved by keys is said, and its moves are one step", () => {
+  const last = shown();
+  const said = () => canvas().querySelector("[role=status]")?.textContent;
+  canvas().focus();
+  expect(said()).toBe("");
+  for (const altKey of [false, true, true]) fireEvent.keyDown(canvas(), { key: "ArrowRight", altKey });
+  expect(said()).toBe("Line 2  X ⌀ 17.43  Z -22");
+  expect(new Set(last.places).size).toBe(1);
+  fireEvent.blur(canvas());
+  expect(said()).toBe("");
+});
+
+test("an empty drawing takes its first points by keys", () => {
+  const last = shown([]);
+  canvas().focus();
+  for (const key of ["n", "n"]) fireEvent.keyDown(canvas(), { key });
+  expect(rowTexts(last.rows)).toEqual(["L 0/0", "L 0/-1"]);
 });
 
 test("an empty drawing asks for the first point, which can be typed or drawn", async () => {

@@ -52,6 +52,18 @@ export function pointAppended(rows: Rows, to: SnapSpot): Edited {
   return { rows: [...rows, row], focus: row.id };
 }
 
+/**
+ * A new point behind a row: the middle of the next element, or behind the last one a step of the grid further towards
+ * the spindle. The first point of a contour is on the workpiece zero.
+ */
+export function pointAdded(rows: Rows, reading: RowsReading, row: number | null, step: number): Edited {
+  const from = reading.rows.slice(0, (row ?? rows.length - 1) + 1).findLast(({ end }) => end)?.end;
+  const next = row === null ? -1 : rows.findIndex((each, i) => i > row && hasPoint(each));
+  const to = reading.rows[next]?.end;
+  if (!from || !to) return pointAppended(rows, from ? { x: from.x, z: from.z - step } : { x: 0, z: 0 });
+  return pointInserted(rows, reading, next, { x: (from.x + to.x) / 2, z: (from.z + to.z) / 2 });
+}
+
 /** Divides the element of a row in a point; the first part gets a row of its own before it. */
 export function pointInserted(rows: Rows, reading: RowsReading, row: number, to: SnapSpot): Edited {
   const at = rows[row],

@@ -13,13 +13,16 @@ import { CalledTool } from "./operations/CalledTool.tsx";
 import { DescribeCycle } from "../../app/fields/own/DescribeCycle.tsx";
 import { useGuidedBlock } from "../../app/place/open-call.ts";
 import { useOutcome, type Outcome } from "../../app/calculation/outcome.ts";
+import { askForOperation } from "../../app/document/inserting.ts";
 import { showFile, useShownOtherFile } from "../../app/document/shown-file.ts";
 import { placeInFile } from "../../app/calculation/issue-text.ts";
+import { operationAt } from "../../program/edits/operations.ts";
 import { fileKey } from "../../program/state/program-files.ts";
 import { useEditor } from "../../app/document/store.ts";
 import { fileOf } from "../../app/document/work.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { BlockField } from "./BlockField.tsx";
+import { openingBlock } from "../../app/fields/blocks/operation-rows.ts";
 import { fieldsOf } from "../../app/fields/blocks/block-fields.ts";
 import { kindOf } from "../../app/fields/blocks/block-kind.ts";
 import { BlockMore } from "./BlockMore.tsx";
@@ -27,7 +30,7 @@ import { editProgram, openBlock, readWhole, useSession } from "../../app/fields/
 
 /** Marks the button of the next step, where the control waits after the last word of a block. */
 export const NEXT_STEP = "data-next-step";
-const onEnter = enterNext(undefined, (from) =>
+const onEnter = enterNext(".block-insert", (from) =>
   from.closest(".block-panel")?.querySelector<HTMLElement>(`[${NEXT_STEP}]`),
 );
 
@@ -90,6 +93,9 @@ export function BlockForm({ problems }: { readonly problems: readonly FindingEnt
     s.kind === "cycleCall" && !away
       ? program.blocks.slice(0, index).findLastIndex((b) => b.statement.kind === "cycle")
       : -1;
+  // Where an operation opens, its last word leads on to the next one, as the end of the prompts of a cycle does.
+  const unit = file === null ? operationAt(program, index) : null;
+  const opens = unit !== null && openingBlock(program, unit) === index;
   const numbers = definition >= 0 ? blockNumbers(program) : [];
   return (
     <div className="block-form" ref={form} role="form" aria-label={t.form}>
@@ -126,6 +132,11 @@ export function BlockForm({ problems }: { readonly problems: readonly FindingEnt
             }
           />
         ))}
+        {opens && (
+          <button type="button" className="button block-insert" onClick={() => askForOperation(unit)}>
+            <Icon name="add" /> {all.operations.insert}
+          </button>
+        )}
         {definition >= 0 && (
           <button type="button" className="button" onClick={() => openBlock(definition)}>
             {t.goToDefinition(String(numbers[definition] ?? 0))}

@@ -1,4 +1,4 @@
-import { act, cleanup, render, screen } from "@testing-library/react";
+import { act, cleanup, fireEvent, render, screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { afterEach, beforeEach, expect, test } from "vitest";
 import { changeLanguage } from "../../app/base/settings/settings.ts";
@@ -66,4 +66,18 @@ test("Enter in the last word finishes the block: focus is at the next one, and o
   expect(sessionText()).toContain("L X+1 Z+2 FMAX M8");
   act(() => undo(documentOfWork("w")));
   expect(sessionText()).toContain("L X+1 Z+2 FMAX\n");
+});
+
+test("Enter in the last word of an operation by blocks leads on to the next operation", () => {
+  render(<BlockPanel />);
+  openProgram(
+    "0 BEGIN PGM A MM\n1 TOOL CALL 47 Z S900\n2 CYCL DEF 240 CENTERING ~\n  Q201=-9 ;DEPTH ~\n  Q206=0.1 ;FEED\n3 CYCL CALL\n4 END PGM A MM\n",
+  );
+  act(() => openBlock(2));
+  const last = screen.getAllByRole("textbox").at(-1);
+  last?.focus();
+  if (last) fireEvent.keyDown(last, { key: "Enter" });
+  expect(document.activeElement?.textContent?.trim()).toBe("Insert operation");
+  act(() => openBlock(3));
+  expect(screen.queryByRole("button", { name: "Insert operation" })).toBeNull();
 });

@@ -31,7 +31,8 @@ export const handed = {
   qrName: (name) => `QR-Code des Links zu ${name}`,
   qrEnlarge: "QR-Code im Vollbild zeigen",
   qrHint: "Mit der Kamera eines Tablets scannen.",
-  qrTooLong: (length, most) => `Der Link ist zu lang für einen QR-Code: ${length} Zeichen, höchstens ${most}.`,
+  qrTooLong: (length, most) =>
+    `Der Link ist zu lang für einen QR-Code: ${length} Zeichen, höchstens ${most}. Link oder Datei teilen.`,
   share: "Teilen …",
   files: "Dateien",
   file: "Als Datei",

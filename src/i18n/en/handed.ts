@@ -31,7 +31,7 @@ export const handed = {
   qrEnlarge: "Show the QR code full screen",
   qrHint: "Scan with the camera of a tablet.",
   qrTooLong: (length: string, most: string) =>
-    `The link is too long for a QR code: ${length} characters, max. ${most}.`,
+    `The link is too long for a QR code: ${length} characters, max. ${most}. Share the link or the file.`,
   share: "Share …",
   files: "Files",
   file: "As a file",

@@ -32,7 +32,8 @@ export const handed = typeset<HandedTexts>({
   qrName: (name) => `Code QR du lien vers ${name}`,
   qrEnlarge: "Afficher le code QR en plein écran",
   qrHint: "Scanner avec la caméra d’une tablette.",
-  qrTooLong: (length, most) => `Le lien est trop long pour un code QR : ${length} caractères, max. ${most}.`,
+  qrTooLong: (length, most) =>
+    `Le lien est trop long pour un code QR : ${length} caractères, max. ${most}. Partager le lien ou le fichier.`,
   share: "Partager …",
   files: "Fichiers",
   file: "En fichier",

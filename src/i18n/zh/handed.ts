@@ -28,7 +28,7 @@ export const handed = {
   qrName: (name) => `${name} 的链接二维码`,
   qrEnlarge: "全屏显示二维码",
   qrHint: "用平板的摄像头扫描。",
-  qrTooLong: (length, most) => `链接过长，无法生成二维码：${length} 个字符，最多 ${most} 个。`,
+  qrTooLong: (length, most) => `链接过长，无法生成二维码：${length} 个字符，最多 ${most} 个。请转发链接或文件。`,
   share: "分享……",
   files: "文件",
   file: "存为文件",

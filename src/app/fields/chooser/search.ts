@@ -57,20 +57,20 @@ const wordsOf = (typed: string): readonly string[] =>
     .filter((word) => word !== "")
     .map((word) => word.replace(/^g(?=\d)/, ""));
 
+/** Whether the number or name of a cycle matches all typed words, in any of these languages. */
+export function isNamed(number: number, typed: string, languages: readonly MenuWords[]): boolean {
+  const names = languages.map(({ of, kept }) => withoutAccents(of[number]?.name ?? kept[number] ?? ""));
+  return wordsOf(typed).every((word) =>
+    /^\d+$/.test(word) ? String(number).startsWith(word) : names.some((name) => name.includes(word)),
+  );
+}
+
 /** Cycles whose number or name matches all typed words, in any of these languages. */
-export function findUnoffered(
+export const findUnoffered = (
   cycles: readonly UnofferedCycle[],
   typed: string,
   languages: readonly MenuWords[],
-): readonly UnofferedCycle[] {
-  const sought = wordsOf(typed);
-  return cycles.filter(({ number }) => {
-    const names = languages.map(({ of, kept }) => withoutAccents(of[number]?.name ?? kept[number] ?? ""));
-    return sought.every((word) =>
-      /^\d+$/.test(word) ? String(number).startsWith(word) : names.some((name) => name.includes(word)),
-    );
-  });
-}
+): readonly UnofferedCycle[] => cycles.filter(({ number }) => isNamed(number, typed, languages));
 
 /** Cycles that match all typed words in any of these languages, best first. */
 export function findCycles(

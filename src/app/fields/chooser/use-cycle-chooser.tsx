@@ -8,7 +8,7 @@ import { onChooserKey } from "./chooser-keys.ts";
 import { unofferedCycles, menuGroups, offeredCycles } from "./menu.ts";
 import { noteRecent } from "./recent.ts";
 import { RecentCycles } from "./RecentCycles.tsx";
-import { findCycles, findUnoffered } from "./search.ts";
+import { findCycles, findUnoffered, isNamed } from "./search.ts";
 import { useMenuWords } from "./use-menu-words.ts";
 import "./chooser.css";
 
@@ -20,6 +20,8 @@ export type OtherRows = (
 ) => {
   readonly count: number;
   readonly best: { readonly name: string; readonly go: () => void } | null;
+  /** The best of them goes before a cycle that has the typed words in its description only. */
+  readonly isNamed?: boolean;
   readonly shown: ReactNode;
 };
 
@@ -61,6 +63,8 @@ export interface CycleChooserParts {
   readonly groups: ReactNode;
   /** Rows besides the catalogue. */
   readonly others: ReactNode;
+  /** Enter takes one of the other rows: they go before the cycles. */
+  readonly startsWithOthers: boolean;
 }
 
 /** All cycles in the groups of the control, with search and the last used ones. */
@@ -106,7 +110,8 @@ export function useCycleChooser({
   }));
   const nameOf = (cycle: number) => start.cycle(cycle, names.of[cycle]?.name ?? names.kept[cycle] ?? "");
   const best = found?.[0];
-  const taken = best ? { name: nameOf(best.number), go: () => ways[0]?.go(best.number) } : others?.best;
+  const isOther = Boolean(others?.best && (!best || (others.isNamed && !isNamed(best.number, sought, words))));
+  const taken = best && !isOther ? { name: nameOf(best.number), go: () => ways[0]?.go(best.number) } : others?.best;
 
   const onSearchKey = (event: KeyboardEvent) => {
     if (event.key === "Enter" && found && taken) {
@@ -165,7 +170,7 @@ export function useCycleChooser({
             key={cycle.number}
             cycle={cycle}
             ways={ways}
-            first={i === 0}
+            first={i === 0 && !isOther}
             grouped
             inTurn={cycle.number === (found.some(({ number }) => number === turn) ? turn : best?.number)}
           />
@@ -185,5 +190,6 @@ export function useCycleChooser({
       </>
     ),
     others: others?.shown,
+    startsWithOthers: isOther,
   };
 }

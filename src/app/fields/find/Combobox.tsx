@@ -64,7 +64,8 @@ export function ComboboxInput({
   const onKey = (event: KeyboardEvent) => {
     const step = STEPS[event.key];
     if (event.key === "Enter") {
-      event.preventDefault();
+      // With nothing typed and nothing chosen, Enter is that of the form around the field.
+      if (at >= 0 || box.typed !== "") event.preventDefault();
       if (at >= 0) take(at);
     } else if (step !== undefined && count > 0) {
       event.preventDefault();

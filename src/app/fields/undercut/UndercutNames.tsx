@@ -46,7 +46,9 @@ export function UndercutNames({
   const [open, setOpen] = useState(false);
   const [said, say] = useState("");
   useEffect(() => {
-    if (isNew) input.current?.focus();
+    // Shown late, while another value is typed already, it leaves the focus there.
+    const at = document.activeElement;
+    if (isNew && !(at instanceof HTMLInputElement)) input.current?.focus();
   }, [isNew]);
   const write = (n: number) => formatNumber(language, n, 3);
   const { sizes, notes } = undercutsNamed(box.typed, place);
@@ -98,7 +100,7 @@ export function UndercutNames({
         />
       </div>
       {open && usable.length > 0 && (
-        <ul id={box.id} role="listbox" aria-label={t.sizes} className="undercut-sizes">
+        <ul id={box.id} role="listbox" tabIndex={-1} aria-label={t.sizes} className="undercut-sizes">
           {usable.map((each, i) => (
             <li key={each.name} {...optionOf(box, i, usable.length)} onClick={() => take(each)}>
               <strong>{nameText(each.name, write)}</strong>

@@ -36,7 +36,7 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
   useEffect(followComparing, []);
   const { changed } = useChanges();
   const cell = (name: ReactNode, value: ReactNode, unit = "", compared: ComparedNumber | null = null) => (
-    <div className={`effect-cell${compared === "residual" ? " stays" : ""}`}>
+    <div className={`effect-cell${compared === "residual" ? " stays" : compared === "chip" ? " chip-size" : ""}`}>
       <dt>{name}</dt>
       <dd {...(compared && changed(compared))}>
         <span className="number">{value}</span>

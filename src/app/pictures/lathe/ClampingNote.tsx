@@ -9,6 +9,8 @@ import type { Viewport } from "./viewport.ts";
 
 /** Distance of the text from the short lines, and its height, pixels. */
 const [GAP, HIGH] = [6, 12];
+/** Longest half of the note, as a share of the height of the picture. */
+const MOST_OF_HALF = 0.4;
 
 /** Note at the plane of the rear end that the clamping is not stated. */
 export function ClampingNote({
@@ -28,8 +30,11 @@ export function ClampingNote({
   const place = Math.max(SCALE_LEFT + HIGH, x - GAP);
   // A text over the workpiece would not refer to its end, and one longer than the picture would be cut.
   const half = textWidth(note, HIGH) / 2,
-    lowest = viewport.size().height - SCALE_BELOW - half;
+    high = viewport.size().height - SCALE_BELOW,
+    lowest = high - half;
   const middle = Math.min(y, lowest);
+  // Along most of a low picture it would cover what is beside it; the legend says it, too.
+  if (half > high * MOST_OF_HALF) return null;
   if (place > toScreen(camera, top).x || middle < half) return null;
   return (
     <text

@@ -44,6 +44,7 @@ export function handOffer({ hand }: InsertTexts, site: Site, onTake: (work: Hand
     const [first] = found;
     return {
       count: found.length,
+      isNamed: true,
       best: first ? { name: nameOf(hand, first), go: () => onTake(first) } : null,
       shown: rows(found),
     };

@@ -54,7 +54,7 @@ export const contour = {
   modeShort: { move: "Schieben", draw: "Zeichnen", round: "Runden", chamfer: "Fasen" },
   canvas: "Konturzeichnung",
   canvasKeys:
-    "Pfeiltasten wählen ein Element, Tab geht durch seine Maße, Enter öffnet eines. R rundet die Ecke, C fast sie, Plus und Minus zoomen, 0 zeigt alles, Umschalt mit Pfeilen verschiebt die Zeichnung.",
+    "Pfeiltasten wählen ein Element, mit Alt schieben sie seinen Punkt um ein Raster. N fügt einen Punkt ein, Entf löscht das Element. Tab geht durch seine Maße, Enter öffnet eines. R rundet die Ecke, C fast sie, U setzt einen Freistich hinein, Plus und Minus zoomen, 0 zeigt alles, Umschalt mit Pfeilen verschiebt die Zeichnung.",
   dimension: (name, value) => `${name}: ${value}`,
   inDrawing: (name) => `${name}, in der Zeichnung`,
   emptyDrawing: "Ersten Punkt der Kontur hier setzen oder eingeben.",

@@ -54,7 +54,7 @@ export const contour = {
   modeShort: { move: "Move", draw: "Draw", round: "Round", chamfer: "Chamfer" },
   canvas: "Contour drawing",
   canvasKeys:
-    "Arrow keys choose an element, Tab goes through its dimensions, Enter opens one. R rounds the corner, C chamfers the corner, plus and minus zoom, 0 shows all, Shift with arrows moves the drawing.",
+    "Arrow keys choose an element, with Alt they move its point by the grid. N adds a point, Delete removes the element. Tab goes through its dimensions, Enter opens one. R rounds the corner, C chamfers the corner, U puts an undercut there, plus and minus zoom, 0 shows all, Shift with arrows moves the drawing.",
   dimension: (name: string, value: string) => `${name}: ${value}`,
   inDrawing: (name: string) => `${name}, in the drawing`,
   emptyDrawing: "Set the first point of the contour here, or type it.",

@@ -54,7 +54,7 @@ export const contour = {
   modeShort: { move: "Déplacer", draw: "Dessiner", round: "Arrondir", chamfer: "Chanfreiner" },
   canvas: "Dessin du contour",
   canvasKeys:
-    "Les flèches choisissent un élément, Tab parcourt ses cotes, Entrée en ouvre une. R arrondit l’angle, C le chanfreine, plus et moins zooment, 0 montre tout, Maj avec les flèches déplace le dessin.",
+    "Les flèches choisissent un élément, avec Alt elles déplacent son point d’un pas de grille. N ajoute un point, Suppr supprime l’élément. Tab parcourt ses cotes, Entrée en ouvre une. R arrondit l’angle, C le chanfreine, U y met un dégagement, plus et moins zooment, 0 montre tout, Maj avec les flèches déplace le dessin.",
   dimension: (name, value) => `${name} : ${value}`,
   inDrawing: (name) => `${name}, dans le dessin`,
   emptyDrawing: "Placer ici le premier point du contour, ou le saisir.",

@@ -53,7 +53,7 @@ export const contour = {
   modeShort: { move: "移动", draw: "绘制", round: "倒圆", chamfer: "倒角" },
   canvas: "轮廓图",
   canvasKeys:
-    "方向键选择元素，Tab 依次到各尺寸，回车打开尺寸。R 倒圆拐角，C 倒角，加减号缩放，0 显示全部，Shift 加方向键移动图形。",
+    "方向键选择元素，Alt 加方向键按栅格移动其点。N 添加点，Delete 删除元素。Tab 依次到各尺寸，回车打开尺寸。R 倒圆拐角，C 倒角，U 加退刀槽，加减号缩放，0 显示全部，Shift 加方向键移动图形。",
   dimension: (name, value) => `${name}：${value}`,
   inDrawing: (name) => `${name}，图中`,
   emptyDrawing: "在此处设定轮廓的第一个点，或输入坐标。",
