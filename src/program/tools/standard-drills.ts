@@ -67,7 +67,8 @@ const BEHIND = 30;
 /** Usual drills, taps and centre drills as rows of a table, and those of a thread, each with a free number. */
 export function standardDrills(list: ToolList, thread: NamedThread | null = null): readonly Cells[] {
   let last = BEHIND;
-  return [...ROWS, ...(thread ? tapRows(thread) : [])].map((cells) => ({
+  const ofThread = (thread ? tapRows(thread) : []).filter((row) => !ROWS.some(({ NAME }) => NAME === row.NAME));
+  return [...ROWS, ...ofThread].map((cells) => ({
     T: String((last = freeNumber(list, last))),
     ...cells,
   }));

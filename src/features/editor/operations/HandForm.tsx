@@ -3,7 +3,7 @@ import { catalogue } from "../../../cycles/index.ts";
 import type { Site } from "../../../cycles/shape-request.ts";
 import type { InsertTexts } from "../../../i18n/en/insert.ts";
 import type { Tool } from "../../../kernel/plan/tool.ts";
-import { length, toDiameter } from "../../../kernel/units.ts";
+import { length } from "../../../kernel/units.ts";
 import type { Statement } from "../../../nc/statement.ts";
 import {
   canDo,
@@ -17,7 +17,7 @@ import {
 } from "../../../program/edits/hand-operation.ts";
 import { exampleJob, type SetJob, type SpindleDraft } from "../../../program/job/job.ts";
 import { cylinderAround } from "../../../program/job/requested-shape.ts";
-import { hasFreeEdge, longestOf, surfacesOf, type StockSurface } from "../../../program/job/stock-surface.ts";
+import { hasFreeEdge, longestOf, boreOf, surfacesOf, type StockSurface } from "../../../program/job/stock-surface.ts";
 import { countsInches, typedInMillimetres } from "../../../program/edits/program-unit.ts";
 import { anyNumber, readText, type Field } from "../../../program/values/field.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
@@ -94,8 +94,7 @@ export function HandForm({ words, work, thread: given, site, before, onBack, onI
   const thread = read && hasTap(read) ? read : null;
   const name = hole ? named : thread ? words.hand.tapOf(thread.name).replace("×", "x") : words.hand.of[work];
   const title = titled ?? name.toUpperCase();
-  const [borehole] = useMemo(() => (work === "tap" ? surfacesOf(stock, "inside") : []), [work, stock]);
-  const bore = borehole ? toDiameter(borehole.from.r) : null;
+  const bore = useMemo(() => (work === "tap" ? boreOf(stock) : null), [work, stock]);
   const needed = { isInside: surface?.site === "inside", depth: surface ? wallOf(stock, surface) : 0, hole };
   const turning = useToolList();
   const drills = useDrills(thread);

@@ -89,6 +89,7 @@ export function InsertOperation({ behind }: { readonly behind: number | null }) 
 function Opened({ words, behind }: { readonly words: InsertTexts; readonly behind: number | null }) {
   const t = useTexts();
   const { insert, which: whichName, choose } = t.operations;
+  const language = useSettings((s) => s.language);
   const dialog = useRef<HTMLDialogElement>(null);
   const newest = useOutcome((s) => s.newest);
   const program = useSession((s) => s.reading.program);
@@ -167,11 +168,14 @@ function Opened({ words, behind }: { readonly words: InsertTexts; readonly behin
                 if (taken === "undercut" && site === "face") setSite("outside");
                 setWork(taken);
               },
-              (named, way) => {
-                nameThread(named);
-                if (way === "tap") return setWork("tap");
-                setSite(way.site);
-                setCycle(way.cycle);
+              {
+                language,
+                onThread: (named, way) => {
+                  nameThread(named);
+                  if (way === "tap") return setWork("tap");
+                  setSite(way.site);
+                  setCycle(way.cycle);
+                },
               },
             )}
             ways={[{ name: choose, short: choose, go: take }]}

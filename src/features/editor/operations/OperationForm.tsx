@@ -35,6 +35,7 @@ import { hasAngleOf } from "../../../program/tools/thread-tool.ts";
 import type { ThreadFill } from "../../../cycles/thread-values.ts";
 import type { NamedThread } from "../../../kernel/thread/named-thread.ts";
 import { formatNumber } from "../../../i18n/number.ts";
+import { designationIn } from "../../../app/fields/dialog/thread-numbers.ts";
 import { CrestNote } from "./CrestNote.tsx";
 import { fillFor } from "./thread-rows.tsx";
 import { StockPlace } from "./StockPlace.tsx";
@@ -282,7 +283,12 @@ export function OperationForm({ words, cycle, thread, site, before, onSite, onBa
         {made && (
           <p className="small operation-sizes" role="status">
             {thread && fill && (
-              <span>{words.fromThread(thread.name, listed(draftForProgram(cycle, ofThread, inches)))}</span>
+              <span>
+                {words.fromThread(
+                  designationIn(language, thread.name),
+                  listed(draftForProgram(cycle, ofThread, inches)),
+                )}
+              </span>
             )}
             {listed(placed) !== "" && <span>{words.fromSurface(listed(placed))}</span>}
             {listed(sizes) !== "" && <span>{words.fromStock(listed(sizes))}</span>}

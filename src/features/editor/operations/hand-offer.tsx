@@ -1,5 +1,6 @@
 import type { Site } from "../../../cycles/shape-request.ts";
 import type { InsertTexts } from "../../../i18n/en/insert.ts";
+import type { Language } from "../../../i18n/languages.ts";
 import type { NamedThread } from "../../../kernel/thread/named-thread.ts";
 import { HAND_WORKS, isOnAxis, type HandWork as PathWork } from "../../../program/edits/hand-operation.ts";
 import type { OtherRows } from "../../../app/fields/chooser/use-cycle-chooser.tsx";
@@ -27,7 +28,7 @@ export function handOffer(
   words: InsertTexts,
   site: Site,
   onTake: (work: HandWork) => void,
-  onThread: (thread: NamedThread, way: ThreadWay) => void,
+  { language, onThread }: { language: Language; onThread: (thread: NamedThread, way: ThreadWay) => void },
 ): OtherRows {
   const { hand } = words;
   const rows = (works: readonly HandWork[]) =>
@@ -47,7 +48,7 @@ export function handOffer(
     );
   return (sought) => {
     if (sought === null) return { count: 0, best: null, shown: rows(WORKS.filter((work) => belongsTo(work, site))) };
-    const thread = threadRows(words, sought, { site, onTake: onThread });
+    const thread = threadRows(words, sought, { site, language, onTake: onThread });
     if (thread) return thread;
     const terms = withoutAccents(sought).split(/\s+/);
     const found = WORKS.filter((work) => terms.every((word) => withoutAccents(nameOf(hand, work)).includes(word)));

@@ -3,10 +3,12 @@ import type { Cycle } from "../../../cycles/define.ts";
 import type { Site } from "../../../cycles/shape-request.ts";
 import { valuesOfThread, type ThreadFill } from "../../../cycles/thread-values.ts";
 import type { InsertTexts } from "../../../i18n/en/insert.ts";
+import type { Language } from "../../../i18n/languages.ts";
 import type { NamedThread } from "../../../kernel/thread/named-thread.ts";
 import { readThread } from "../../../kernel/thread/threads.ts";
 import type { Draft } from "../../../program/job/read-draft.ts";
 import { hasTap } from "../../../program/tools/tap-of-thread.ts";
+import { designationIn } from "../../../app/fields/dialog/thread-numbers.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 
 /** How a thread is made: with a cycle on a side, or with a tap. */
@@ -38,22 +40,31 @@ function waysOf(thread: NamedThread, first: Site): readonly ThreadWay[] {
 export function threadRows(
   { sites, hand }: InsertTexts,
   sought: string,
-  { site, onTake }: { readonly site: Site; readonly onTake: (thread: NamedThread, way: ThreadWay) => void },
+  {
+    site,
+    language,
+    onTake,
+  }: {
+    readonly site: Site;
+    readonly language: Language;
+    readonly onTake: (thread: NamedThread, way: ThreadWay) => void;
+  },
 ) {
   const thread = readThread(sought);
   if (!thread) return null;
+  const name = designationIn(language, thread.name);
   const nameOf = (way: ThreadWay) =>
-    way === "tap" ? hand.tapOf(thread.name) : hand.threadOf(thread.name, sites[way.site], way.cycle.number);
+    way === "tap" ? hand.tapOf(name) : hand.threadOf(name, sites[way.site], way.cycle.number);
   const rows = waysOf(thread, site).map((way) => ({ name: nameOf(way), go: () => onTake(thread, way) }));
   return {
     count: rows.length,
     best: rows[0] ?? null,
     shown: (
       <ul className="hand-works" aria-label={hand.threads}>
-        {rows.map(({ name, go }) => (
-          <li key={name}>
+        {rows.map(({ name: text, go }) => (
+          <li key={text}>
             <button type="button" className="button" onClick={go}>
-              <Icon name="add" /> {name}
+              <Icon name="add" /> {text}
             </button>
           </li>
         ))}
