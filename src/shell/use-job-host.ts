@@ -12,7 +12,6 @@ import { useSettings } from "../app/base/settings/settings.ts";
 import { useTexts } from "../app/base/settings/use-texts.ts";
 import { closeStep } from "../app/document/steps.ts";
 import { isAboutTool, type FindingEntry } from "../app/findings/entry.ts";
-import { retryImport } from "../app/base/parts.ts";
 import { nearestOf, type FindingsHost, type Fix, type Target } from "../app/findings/host.ts";
 
 /** Decimals of a start point. */
@@ -114,10 +113,8 @@ export function useJobHost(read: JobReading): FindingsHost {
     return {
       targetOf,
       fixesOf,
-      trialsOf: ({ issue }) =>
-        issue.code === "threadOverruns"
-          ? retryImport(() => import("./job-trials.ts")).then(({ jobTrials }) => jobTrials(read, issue, t.findings))
-          : null,
+      // The stock of a job is no part that a trial could spare.
+      trialsOf: () => null,
       cycleOf: () => job.cycle,
       point: () => undefined,
       toFirstOpen,

@@ -17,7 +17,6 @@ import { addTool } from "../../app/document/add-tool.ts";
 import { outputInUse } from "../../app/document/output.ts";
 import { listInUse } from "../../app/document/work-tools.ts";
 import { withPrompt } from "../../app/fields/blocks/block-prompts.ts";
-import { threadEndOf } from "../../app/fields/blocks/thread-cures.ts";
 import { editProgram } from "../../app/fields/blocks/session.ts";
 import type { ProgramWork } from "../../app/document/work.ts";
 import type { FindingEntry } from "../../app/findings/entry.ts";
@@ -61,7 +60,7 @@ export function reliefTrials(
 ): readonly Trial[] {
   const operation = newest.run.operations[index ?? -1];
   const cycle = operation && cycleByNumber(operation.cycle);
-  const endQ = cycle && threadEndOf(cycle, "Z");
+  const endQ = cycle && Object.keys(cycle.params).find((q) => cycle.params[q]?.text === "endZ");
   if (!cycle || endQ === undefined || operation.definedFile || newest.run.datums.length > 0) return [];
   const defined = startLines(program).indexOf(operation.definedLine);
   const unit = operationAt(program, defined) ?? -1;

@@ -1,4 +1,6 @@
 import { cycleByNumber } from "../../../cycles/index.ts";
+import type { Param } from "../../../cycles/params.ts";
+import type { Issue } from "../../../kernel/plan/issue.ts";
 import { withInserted } from "../../../nc/edit.ts";
 import type { Program } from "../../../nc/program.ts";
 import type { Statement } from "../../../nc/statement.ts";
@@ -6,7 +8,13 @@ import { valueInProgram } from "../../../program/blocks/cycle-values.ts";
 import { countsInches } from "../../../program/edits/program-unit.ts";
 import { inProgram, withPrompt } from "./block-prompts.ts";
 import type { Repair } from "./repair.ts";
-import { promptOf, threadCures, type Overrun } from "./thread-cures.ts";
+
+type Overrun = Extract<Issue, { code: "threadOverruns" }>;
+
+/** How much earlier a thread is ended, in overruns. */
+const EARLIER = [0.5, 1, 1.5, 2];
+/** Decimals of a new end, mm. */
+const TENTH = 10;
 
 const lastCycle = ({ blocks }: Program, index: number) =>
   blocks.slice(0, index + 1).findLastIndex(({ statement: s }) => s.kind === "cycle");
@@ -42,27 +50,42 @@ function faceBehind({ blocks }: Program, diameter: number, isThere: (z: number) 
  * Repairs for a thread that overruns into the part, to be tried: a run-out, an earlier end, an undercut of DIN 76 in the
  * corner of its contour.
  */
-export function threadRepairs(program: Program, index: number, overrun: Overrun): readonly Repair[] {
+export function threadRepairs(program: Program, index: number, { data }: Overrun): readonly Repair[] {
   const defined = lastCycle(program, index);
   const s = program.blocks[defined]?.statement;
   const cycle = s?.kind === "cycle" ? cycleByNumber(s.cycle) : undefined;
   if (!cycle) return [];
-  const { data } = overrun;
-  const [open, block] = [defined, ""];
-  const runOut = promptOf(cycle, "threadRunOut");
-  const cures = threadCures(cycle, overrun, !!(runOut !== undefined && numberOf(s, runOut)), (q, mm) =>
-    String(valueInProgram(cycle.params[q], mm, countsInches(program))),
-  );
-  const repairs = cures.map(({ kind, text, prompts }): Repair => {
-    const next = () =>
-      Object.entries(prompts).reduce((made, [q, value]) => withPrompt(made, defined, q, value), program);
-    return { kind, text, block, open, trial: kind, next };
-  });
-  const [diameter, pitch] = [
-    numberOf(s, promptOf(cycle, "threadDiameter") ?? ""),
-    numberOf(s, promptOf(cycle, "threadPitch") ?? ""),
-  ];
-  const reach = inProgram(program, 2 * Math.abs(data.to - data.end));
+  const named = (text: Param["text"]) => Object.keys(cycle.params).find((q) => cycle.params[q]?.text === text);
+  const [end, runOut] = [named(data.axis === "Z" ? "endZ" : "threadEndDiameter"), named("threadRunOut")];
+  const way = Math.sign(data.to - data.end);
+  const overrun = Math.abs(data.to - data.end);
+  const asTyped = (q: string, mm: number) => String(valueInProgram(cycle.params[q], mm, countsInches(program)));
+  const block = "";
+  const repairs: Repair[] = [];
+  const withRunOut = (made: Program) =>
+    runOut === undefined ? made : withPrompt(made, defined, runOut, asTyped(runOut, overrun));
+  const open = defined;
+  if (runOut !== undefined && !numberOf(s, runOut))
+    repairs.push({
+      kind: "runOut",
+      text: `${runOut} ${asTyped(runOut, overrun)}`,
+      block,
+      open,
+      trial: "runOut",
+      next: () => withRunOut(program),
+    });
+  const earlierEnds =
+    end === undefined
+      ? []
+      : EARLIER.map((share) => {
+          const earlier = asTyped(end, Math.round((data.end - way * share * overrun) * TENTH) / TENTH);
+          return { text: `${data.axis}${earlier}`, next: () => withPrompt(program, defined, end, earlier) };
+        });
+  for (const adapt of [(made: Program) => made, withRunOut])
+    for (const { text, next } of earlierEnds)
+      repairs.push({ kind: "endThread", text, block, open, trial: "endThread", next: () => adapt(next()) });
+  const [diameter, pitch] = [numberOf(s, named("threadDiameter") ?? ""), numberOf(s, named("threadPitch") ?? "")];
+  const reach = inProgram(program, 2 * overrun);
   const from = inProgram(program, data.end);
   const face =
     data.axis === "Z" && diameter !== null && pitch !== null
@@ -78,11 +101,7 @@ export function threadRepairs(program: Program, index: number, overrun: Overrun)
       trial: "relief",
       next: () => withInserted(program, face, relief),
     });
-    // In an undercut a thread needs no run-out.
-    const ends = repairs.filter(
-      ({ kind }, i) => kind === "endThread" && Object.keys(cures[i]?.prompts ?? {}).length === 1,
-    );
-    for (const earlier of ends)
+    for (const earlier of earlierEnds)
       repairs.push({
         kind: "relief",
         text: earlier.text,

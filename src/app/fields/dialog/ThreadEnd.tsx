@@ -42,7 +42,7 @@ function PartFinding({
   const tried = useTriedFixes(entry, host, all);
   const isHeldBack = useFixesHeldBack();
   return (
-    <Message tone={entry.issue.severity} as="div" className="thread-end small">
+    <Message tone={entry.issue.severity} as="div" className="thread-note small">
       <div>
         <p>{issueText(t, lengths, entry.issue, host.cycleOf(entry))}</p>
         {!isHeldBack &&

@@ -162,15 +162,17 @@ export function ThreadFacts({ thread, read, roles, tool, how, takeTool, short }:
           : t.angleOf(numbers.plain(thread.angle))}
       </p>
       {isUnfit && (
-        <Message tone="warning">
-          {t.noInsert(numbers.plain(tool.T), numbers.plain(pointAngle(tool)), numbers.plain(thread.angle))}{" "}
-          <button
-            type="button"
-            className="button small"
-            onClick={() => takeTool?.(suitable ?? addThreadTool(thread, fill))}
-          >
-            {suitable === undefined ? t.addTool(numbers.plain(thread.angle)) : t.useTool(numbers.plain(suitable))}
-          </button>
+        <Message tone="warning" as="div" className="thread-note">
+          <div>
+            <p>{t.noInsert(numbers.plain(tool.T), numbers.plain(pointAngle(tool)), numbers.plain(thread.angle))}</p>
+            <button
+              type="button"
+              className="button small"
+              onClick={() => takeTool?.(suitable ?? addThreadTool(thread, fill))}
+            >
+              {suitable === undefined ? t.addTool(numbers.plain(thread.angle)) : t.useTool(numbers.plain(suitable))}
+            </button>
+          </div>{" "}
         </Message>
       )}
       <p className="soft">
