@@ -172,7 +172,7 @@ export function ThreadFacts({ thread, read, roles, tool, how, takeTool, short }:
             >
               {suitable === undefined ? t.addTool(numbers.plain(thread.angle)) : t.useTool(numbers.plain(suitable))}
             </button>
-          </div>{" "}
+          </div>
         </Message>
       )}
       <p className="soft">
