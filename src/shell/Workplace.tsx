@@ -14,6 +14,7 @@ import { Working } from "../app/calculation/Working.tsx";
 import { useOutcome } from "../app/calculation/outcome.ts";
 import { ContourViews } from "./ContourViews.tsx";
 import { useJobHost } from "./use-job-host.ts";
+import { FindingsHostContext } from "../app/findings/host-context.ts";
 import { useListed } from "../app/findings/use-findings.ts";
 import { Icon } from "../app/base/Icon.tsx";
 import { CycleInWork } from "../app/calculation/issue-text.ts";
@@ -118,19 +119,21 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
   return (
     <main className={`workplace${wide ? (folded ? " program-folded" : "") : " two-columns"}`}>
       <div className="left">
-        <SectionTabs
-          name={t.sections}
-          open={open}
-          tabs={possible.map((section) => ({
-            section,
-            name: section === "findings" ? findingsTitle : t[section],
-            content: content[section],
-            stays: section === "prompts",
-            ...(section === "findings" && findings[0]
-              ? { badge: { count: findings.length, severity: findings[0].issue.severity } }
-              : {}),
-          }))}
-        />
+        <FindingsHostContext value={host}>
+          <SectionTabs
+            name={t.sections}
+            open={open}
+            tabs={possible.map((section) => ({
+              section,
+              name: section === "findings" ? findingsTitle : t[section],
+              content: content[section],
+              stays: section === "prompts",
+              ...(section === "findings" && findings[0]
+                ? { badge: { count: findings.length, severity: findings[0].issue.severity } }
+                : {}),
+            }))}
+          />
+        </FindingsHostContext>
       </div>
       <Splitter of="cycle" side="left" />
       <DeferredUntilPaint>

@@ -113,7 +113,8 @@ export function useJobHost(read: JobReading): FindingsHost {
     return {
       targetOf,
       fixesOf,
-      trialsOf: () => [],
+      // The stock of a job is no part that a trial could spare.
+      trialsOf: () => null,
       cycleOf: () => job.cycle,
       point: () => undefined,
       toFirstOpen,

@@ -10,8 +10,8 @@ export interface Fix {
 /** A fix that only a run shows to help; of those of one group, the first that helps is offered. */
 export interface Trial extends Fix {
   readonly group: string;
-  /** The program with the fix. */
-  readonly work: () => ProgramWork;
+  /** The program with the fix; null where it turns out to be impossible. */
+  readonly work: () => ProgramWork | Promise<ProgramWork | null>;
 }
 
 /** The place where a finding is fixed by hand. */
@@ -24,7 +24,8 @@ export interface Target {
 export interface FindingsHost {
   readonly targetOf: (entry: FindingEntry) => Target | null;
   readonly fixesOf: (entry: FindingEntry) => readonly Fix[];
-  readonly trialsOf: (entry: FindingEntry) => readonly Trial[];
+  /** Null for a finding without such fixes. */
+  readonly trialsOf: (entry: FindingEntry) => Promise<readonly Trial[]> | null;
   /** The cycle whose definition has the finding: it decides what the value at its place measures. */
   readonly cycleOf: (entry: FindingEntry) => number | null;
   /** Marks the place of a finding beside the list, without leaving the list. */

@@ -75,7 +75,8 @@ function afterRest(start: (isGone: () => boolean) => void): () => void {
 
 /** Whether a run of the changed program lacks a finding, and has no other error. */
 async function helps({ work }: Trial, { issue }: FindingEntry, before: readonly FindingEntry[]): Promise<boolean> {
-  const outcome = await outcomeOfOther(work());
+  const made = await work();
+  const outcome = made && (await outcomeOfOther(made));
   if (!outcome) return false;
   const after = findingsOf(null, outcome);
   const alike = (entries: readonly FindingEntry[]) => entries.filter((each) => each.issue.code === issue.code).length;
@@ -93,11 +94,12 @@ export function useTriedFixes(
     fixes: NONE,
   });
   useEffect(() => {
-    const trials = host.trialsOf(entry);
-    if (trials.length === 0) return undefined;
+    const asked = host.trialsOf(entry);
+    if (!asked) return undefined;
     return afterRest((isGone) => void tryAll(isGone));
 
     async function tryAll(isGone: () => boolean) {
+      const trials = (await asked) ?? [];
       const worked = new Map<string, Fix>();
       for (const trial of trials) {
         if (worked.has(trial.group)) continue;

@@ -12,6 +12,7 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { duplicated, exchanged, removed } from "../../app/fields/blocks/block-edits.ts";
 import { BlockForm, NEXT_STEP } from "./BlockForm.tsx";
 import { kindOf } from "../../app/fields/blocks/block-kind.ts";
+import { retoolBlock } from "./retool-block.ts";
 import { Palette } from "./Palette.tsx";
 import { setBlockPrompt, setBlockPrompts, useOpenBlock } from "../../app/fields/blocks/open-block.ts";
 import { askForOperation } from "../../app/document/inserting.ts";
@@ -63,6 +64,7 @@ export function BlockPanel() {
         onInsert: () => askForOperation(operationAt(program, index)),
         set: setBlockPrompt,
         setAll: setBlockPrompts,
+        takeTool: (T: number) => retoolBlock(program, index, T),
       };
       return <CycleDialog key={index} read={read} block={prompted} />;
     }

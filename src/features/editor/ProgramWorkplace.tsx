@@ -9,6 +9,7 @@ import { cycleGivens } from "../../app/calculation/cycle-givens.ts";
 import { Working } from "../../app/calculation/Working.tsx";
 import { useOutcome } from "../../app/calculation/outcome.ts";
 import { FindingsPanel } from "../../app/findings/FindingsPanel.tsx";
+import { FindingsHostContext } from "../../app/findings/host-context.ts";
 import { useListed } from "../../app/findings/use-findings.ts";
 import { useDeferredUntilPaint } from "../../app/base/typing.ts";
 import { MeasuredTargetContext } from "../../app/document/measured-target-context.ts";
@@ -132,18 +133,20 @@ export function ProgramWorkplace() {
   return (
     <main className={`workplace program-work${wide ? "" : " two-columns"}`}>
       <div className="left">
-        <SectionTabs
-          name={t.sectionsName}
-          open={open}
-          tabs={possible.map((section) => ({
-            section,
-            name: section === "findings" ? words.title : t.sections[section],
-            content: content[section],
-            ...(section === "findings" && findings[0]
-              ? { badge: { count: findings.length, severity: findings[0].issue.severity } }
-              : {}),
-          }))}
-        />
+        <FindingsHostContext value={host}>
+          <SectionTabs
+            name={t.sectionsName}
+            open={open}
+            tabs={possible.map((section) => ({
+              section,
+              name: section === "findings" ? words.title : t.sections[section],
+              content: content[section],
+              ...(section === "findings" && findings[0]
+                ? { badge: { count: findings.length, severity: findings[0].issue.severity } }
+                : {}),
+            }))}
+          />
+        </FindingsHostContext>
       </div>
       <Splitter of="program" side="left" />
       <TotalsStrip />

@@ -1,6 +1,7 @@
 import { useMemo } from "react";
 import { writeTyped } from "../../app/fields/dialog/write-value.ts";
-import { useOutcome } from "../../app/calculation/outcome.ts";
+import { useOutcome, type Outcome } from "../../app/calculation/outcome.ts";
+import { retryImport } from "../../app/base/parts.ts";
 import type { FindingEntry } from "../../app/findings/entry.ts";
 import type { FindingsHost, Fix } from "../../app/findings/host.ts";
 import { askForFiles } from "../../app/records/files/file-handle.ts";
@@ -17,7 +18,7 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { fixOf } from "./diagnostics.ts";
 import { fileKey } from "../../program/state/program-files.ts";
 import { useEditor } from "../../app/document/store.ts";
-import { fileOf } from "../../app/document/work.ts";
+import { fileOf, type ProgramWork } from "../../app/document/work.ts";
 import { openPrompts } from "../../app/fields/blocks/open-block.ts";
 import { isUpToDate } from "../../app/fields/blocks/up-to-date.ts";
 import type { Repair } from "../../app/fields/blocks/repair.ts";
@@ -87,14 +88,21 @@ export function useProgramHost(): FindingsHost {
         if (repair.asks) enterSection("block");
       },
     });
+    const reliefsOf = async (entry: FindingEntry, outcome: Outcome, work: ProgramWork) => {
+      const { reliefTrials } = await retryImport(() => import("./thread-relief.ts"));
+      return reliefTrials(entry, { newest: outcome, program, work, language, t: t.findings });
+    };
     const trialsOf: FindingsHost["trialsOf"] = (entry) => {
       const work = useEditor.getState().program;
-      if (!work || !isUpToDate(newest) || beside !== null || entry.inFile) return [];
-      return repairsOf(program, entry, language, outputInUse()).flatMap((repair) =>
+      if (!work || !isUpToDate(newest) || beside !== null || entry.inFile) return null;
+      const trials = repairsOf(program, entry, language, outputInUse()).flatMap((repair) =>
         repair.trial === undefined
           ? []
           : [{ ...fixWith(repair), group: repair.trial, work: () => ({ ...work, text: print(repair.next()) }) }],
       );
+      if (newest && entry.issue.code === "threadOverruns")
+        return reliefsOf(entry, newest, work).then((own) => [...trials, ...own]);
+      return trials.length === 0 ? null : Promise.resolve(trials);
     };
     const open = (entry: FindingEntry) => openBlock(showPlace(entry), entry.at);
     const targetOf: FindingsHost["targetOf"] = (entry) => {

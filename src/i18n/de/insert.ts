@@ -22,6 +22,13 @@ export const insert: InsertTexts = {
   undrawn: "Zuerst die Kontur zeichnen.",
   unsuitable: (tools) => `Ungeeignete Werkzeuge (${tools})`,
   noTool: "Kein Werkzeug der Tabelle erreicht diese Stelle.",
+  fromThread: (name, values) => `${name}: ${values}`,
+  threadBefore: {
+    outside: (should, is) => `Das Gewinde braucht einen Zapfen ⌀${should}; hier ist ⌀${is}.`,
+    inside: (should, is) => `Das Gewinde braucht eine Bohrung ⌀${should}; hier ist ⌀${is}.`,
+  },
+  noThreadTool: (angle) => `Kein Gewindewerkzeug mit ${angle}° erreicht diese Stelle.`,
+  addThreadTool: "Anlegen",
   hand: {
     title: "Weitere Bearbeitungen",
     of: {
@@ -32,6 +39,14 @@ export const insert: InsertTexts = {
       drill: "Bohren in der Drehmitte",
       tap: "Gewindebohren in der Drehmitte",
     },
+    threads: "Gewinde",
+    threadOf: (name, site, cycle) => `${name} ${site.toLowerCase()}: Zyklus ${cycle}`,
+    tapOf: (name) => `Gewindebohren ${name}`,
+    thread: "Gewinde",
+    core: (least, greatest) => `Kernloch ⌀${least} bis ⌀${greatest}`,
+    noTap: "Kein Gewinde für einen Gewindebohrer. Beispiele: M10, M20×1,5, G1/2, 1/4-20 UNC.",
+    wrongBore: (is, least, greatest) => `Die Bohrung hat ⌀${is}; der Gewindebohrer braucht ⌀${least} bis ⌀${greatest}.`,
+    drillBefore: (across, tool) => `Vorher ⌀${across} bohren (T${tool})`,
     undercut: "Freistich nach Norm",
     undercutName: "Bezeichnung des Freistichs",
     noShoulder: "Das Rohteil hat hier keinen Absatz: Durchmesser und Position eingeben.",

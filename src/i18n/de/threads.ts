@@ -26,7 +26,6 @@ export const threadNames = {
   angleOf: (angle) => `${angle}°`,
   flanks: (angle, leading, clearing) => `${angle}° (${leading}°/${clearing}°)`,
   noInsert: (tool, is, should) => `T${tool} hat ${is}°; dieses Gewinde braucht ${should}°.`,
-  otherTools: (tools) => `Geeignet: ${tools}.`,
   useTool: (tool) => `T${tool} verwenden`,
   addTool: (angle) => `Gewindewerkzeug mit ${angle}° anlegen`,
   asymmetric: "Die Simulation rechnet mit zwei gleichen Flanken.",

@@ -23,6 +23,13 @@ export const insert = {
   undrawn: "Draw the contour to continue.",
   unsuitable: (tools: number) => `Unsuitable tools (${tools})`,
   noTool: "No tool in the table reaches this place.",
+  fromThread: (name: string, values: string) => `${name}: ${values}`,
+  threadBefore: {
+    outside: (should: string, is: string) => `The thread needs a shaft of ⌀${should}; here it is ⌀${is}.`,
+    inside: (should: string, is: string) => `The thread needs a bore of ⌀${should}; here it is ⌀${is}.`,
+  },
+  noThreadTool: (angle: string) => `No thread tool with ${angle}° reaches this place.`,
+  addThreadTool: "Add one",
   hand: {
     title: "Other operations",
     of: {
@@ -33,6 +40,15 @@ export const insert = {
       drill: "Drill on the axis",
       tap: "Tap on the axis",
     },
+    threads: "Threads",
+    threadOf: (name: string, site: string, cycle: number) => `${name} ${site.toLowerCase()}: cycle ${cycle}`,
+    tapOf: (name: string) => `Tap ${name}`,
+    thread: "Thread",
+    core: (least: string, greatest: string) => `Core ⌀${least} to ⌀${greatest}`,
+    noTap: "No thread that a tap makes. Examples: M10, M20×1.5, G1/2, 1/4-20 UNC.",
+    wrongBore: (is: string, least: string, greatest: string) =>
+      `The bore is ⌀${is}; the tap needs ⌀${least} to ⌀${greatest}.`,
+    drillBefore: (across: string, tool: number) => `Drill ⌀${across} before it (T${tool})`,
     undercut: "Undercut by name",
     undercutName: "Designation of the undercut",
     noShoulder: "The stock has no shoulder here: type diameter and position.",

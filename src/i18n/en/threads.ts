@@ -27,7 +27,6 @@ export const threadNames = {
   angleOf: (angle: string) => `${angle}°`,
   flanks: (angle: string, leading: string, clearing: string) => `${angle}° (${leading}°/${clearing}°)`,
   noInsert: (tool: string, is: string, should: string) => `T${tool} has ${is}°; this thread requires ${should}°.`,
-  otherTools: (tools: string) => `Suitable: ${tools}.`,
   useTool: (tool: string) => `Use T${tool}`,
   addTool: (angle: string) => `Add a thread tool with ${angle}°`,
   asymmetric: "The simulation uses an insert with two equal flanks.",

@@ -22,6 +22,13 @@ export const insert: InsertTexts = {
   undrawn: "Dessiner d’abord le contour.",
   unsuitable: (tools) => `Outils inadaptés (${tools})`,
   noTool: "Aucun outil du tableau n’atteint cet endroit.",
+  fromThread: (name, values) => `${name} : ${values}`,
+  threadBefore: {
+    outside: (should, is) => `Le filetage demande un arbre de ⌀${should} ; ici ⌀${is}.`,
+    inside: (should, is) => `Le filetage demande un alésage de ⌀${should} ; ici ⌀${is}.`,
+  },
+  noThreadTool: (angle) => `Aucun outil à fileter de ${angle}° n’atteint cet endroit.`,
+  addThreadTool: "Ajouter",
   hand: {
     title: "Autres opérations",
     of: {
@@ -32,6 +39,14 @@ export const insert: InsertTexts = {
       drill: "Percer dans l’axe",
       tap: "Tarauder dans l’axe",
     },
+    threads: "Filetages",
+    threadOf: (name, site, cycle) => `${name} ${site.toLowerCase()} : cycle ${cycle}`,
+    tapOf: (name) => `Taraudage ${name}`,
+    thread: "Filetage",
+    core: (least, greatest) => `Avant-trou ⌀${least} à ⌀${greatest}`,
+    noTap: "Aucun filetage pour un taraud. Exemples : M10, M20×1,5, G1/2, 1/4-20 UNC.",
+    wrongBore: (is, least, greatest) => `L’alésage a ⌀${is} ; le taraud demande ⌀${least} à ⌀${greatest}.`,
+    drillBefore: (across, tool) => `Percer ⌀${across} avant (T${tool})`,
     undercut: "Dégagement normalisé",
     undercutName: "Désignation du dégagement",
     noShoulder: "Le brut n’a pas d’épaulement ici : saisir le diamètre et la position.",

@@ -26,7 +26,6 @@ export const threadNames = {
   angleOf: (angle) => `${angle}°`,
   flanks: (angle, leading, clearing) => `${angle}° (${leading}°/${clearing}°)`,
   noInsert: (tool, is, should) => `T${tool} a ${is}° ; ce filetage demande ${should}°.`,
-  otherTools: (tools) => `Outils adaptés : ${tools}.`,
   useTool: (tool) => `Utiliser T${tool}`,
   addTool: (angle) => `Ajouter un outil à fileter de ${angle}°`,
   asymmetric: "La simulation utilise une plaquette à deux flancs égaux.",

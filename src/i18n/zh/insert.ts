@@ -22,6 +22,13 @@ export const insert: InsertTexts = {
   undrawn: "请先绘制轮廓。",
   unsuitable: (tools) => `不适用的刀具（${tools}）`,
   noTool: "刀具表中没有刀具能到达此处。",
+  fromThread: (name, values) => `${name}：${values}`,
+  threadBefore: {
+    outside: (should, is) => `此螺纹需要轴径⌀${should}；此处为⌀${is}。`,
+    inside: (should, is) => `此螺纹需要孔径⌀${should}；此处为⌀${is}。`,
+  },
+  noThreadTool: (angle) => `没有${angle}°螺纹刀能到达此处。`,
+  addThreadTool: "添加",
   hand: {
     title: "其他工序",
     of: {
@@ -32,6 +39,14 @@ export const insert: InsertTexts = {
       drill: "轴线钻孔",
       tap: "轴线攻丝",
     },
+    threads: "螺纹",
+    threadOf: (name, site, cycle) => `${name} ${site}：循环${cycle}`,
+    tapOf: (name) => `攻丝 ${name}`,
+    thread: "螺纹",
+    core: (least, greatest) => `底孔⌀${least}至⌀${greatest}`,
+    noTap: "没有可用丝锥加工的此螺纹。示例：M10、M20×1.5、G1/2、1/4-20 UNC。",
+    wrongBore: (is, least, greatest) => `孔径为⌀${is}；丝锥需要⌀${least}至⌀${greatest}。`,
+    drillBefore: (across, tool) => `先钻⌀${across}（T${tool}）`,
     undercut: "按标准的退刀槽",
     undercutName: "退刀槽代号",
     noShoulder: "毛坯此处没有台阶：请输入直径和位置。",

@@ -25,7 +25,6 @@ export const threadNames = {
   angleOf: (angle) => `${angle}°`,
   flanks: (angle, leading, clearing) => `${angle}° (${leading}°/${clearing}°)`,
   noInsert: (tool, is, should) => `T${tool}为${is}°；此螺纹需要${should}°。`,
-  otherTools: (tools) => `适用：${tools}。`,
   useTool: (tool) => `使用 T${tool}`,
   addTool: (angle) => `添加${angle}°螺纹刀`,
   asymmetric: "仿真按两侧牙侧角相等计算。",

@@ -1,6 +1,7 @@
 import type { Site } from "../../cycles/shape-request.ts";
 import { boxOf } from "../../kernel/area/box.ts";
 import { at, type Pt, type Ring } from "../../kernel/geometry/point.ts";
+import { SAME } from "../../kernel/tolerance.ts";
 import { axial, diameter, toDiameter, toRadius } from "../../kernel/units.ts";
 
 /**
@@ -105,6 +106,14 @@ export function reliefBehind(
 export function hasFreeEdge({ site, from }: StockSurface, stock: readonly Ring[]): boolean {
   const into = site === "inside" ? -1 : 1;
   return stock.flat().every(({ z, r }) => z <= from.z + FLAT || (r - from.r) * into <= RELIEF);
+}
+
+/** Diameter of the bore in the front face of a stock, mm; null where it is solid there. */
+export function boreOf(stock: readonly Ring[]): number | null {
+  const points = stock.flat();
+  if (points.length === 0 || points.some(({ z, r }) => r < SAME && z > frontOf(stock) - SAME)) return null;
+  const [bore] = surfacesOf(stock, "inside");
+  return bore ? toDiameter(bore.from.r) : null;
 }
 
 /** The longest surface; the frontmost among equals. */

@@ -37,14 +37,25 @@ describe("designations as drawings have them", () => {
     ["DIN 76-1 B P1.5", "B", 1.5],
     ["C 1,75", "C", 1.75],
     ["DIN76-Ax2", "A", 2],
+    ["DIN 76", null, null],
+    ["Gewindefreistich DIN 76-1", null, null],
+    ["DIN 76 P1,5", null, 1.5],
   ])("%s", (typed, form, pitch) => {
     expect(readUndercutName(typed)).toEqual({ standard: "DIN 76", form, pitch });
   });
 
-  it.each(["", "DIN 471", "DIN 76-E", "DIN 76-2 A", "DIN 509-A 0.8x0.3", "F 0.8", "0.8x0.3", "E 0,8x0,3x1"])(
-    "no designation: %s",
-    (typed) => expect(readUndercutName(typed)).toBeNull(),
-  );
+  it.each([
+    "",
+    "DIN 471",
+    "DIN 76-E",
+    "DIN 76-2 A",
+    "DIN 76-2",
+    "DIN 76-1.5",
+    "DIN 509-A 0.8x0.3",
+    "F 0.8",
+    "0.8x0.3",
+    "E 0,8x0,3x1",
+  ])("no designation: %s", (typed) => expect(readUndercutName(typed)).toBeNull());
 
   it("reads anything at all, in time", () => {
     fc.assert(
@@ -209,6 +220,15 @@ describe("reliefs of DIN 76", () => {
       "DIN 76-A P1",
     ]);
     expect(pitchesFor(bore(18.376))).toContain(1.5);
+  });
+
+  it.each([
+    ["DIN 76", shaft(20), ["DIN 76-A P1.5", "DIN 76-B P1.5"]],
+    ["DIN 76", bore(18.4), ["DIN 76-C P1.5", "DIN 76-D P1.5"]],
+    ["DIN 76-B", shaft(20), ["DIN 76-B P1.5"]],
+    ["DIN 76-A 2", shaft(20), ["DIN 76-A P2"]],
+  ] as const)("%s at a thread takes its pitch", (typed, place, names) => {
+    expect(undercutsNamed(typed, { ...place, pitch: 1.5 }).sizes.map(({ name }) => name)).toEqual(names);
   });
 
   it("names the neighbours of a pitch between two", () => {

@@ -26,6 +26,10 @@ import { diameter, radians, rounded, type Diameter } from "../../kernel/units.ts
 export interface UndercutPlace {
   readonly diameter: Diameter;
   readonly isInside: boolean;
+  /** Position of the face, mm. */
+  readonly z?: number;
+  /** Pitch of the thread that ends here, mm. */
+  readonly pitch?: number;
 }
 
 /** A designation as a drawing has it; a part that is not typed is null. `allowance`: material for grinding, mm. */
@@ -36,13 +40,13 @@ export type UndercutName =
       readonly size: { readonly r: number; readonly t1: number } | null;
       readonly allowance: number;
     }
-  | { readonly standard: "DIN 76"; readonly form: ReliefForm; readonly pitch: number | null };
+  | { readonly standard: "DIN 76"; readonly form: ReliefForm | null; readonly pitch: number | null };
 
 const NUMBER = String.raw`(\d+(?:\.\d*)?|\.\d+)`;
 const GROOVE = new RegExp(
   String.raw`^(?:(DIN509|ISO18388)-?)?(?:FORM)?([EFGH])(?:-?${NUMBER}[X*/]${NUMBER})?(?:Z=?${NUMBER})?$`,
 );
-const RELIEF = new RegExp(String.raw`^(?:DIN76(?:-1)?-?)(?:FORM)?([ABCD])(?:[-XP]*=?${NUMBER})?$`);
+const RELIEF = new RegExp(String.raw`^DIN76(?:-1)?(?:-?(?:FORM)?([ABCD])(?:[-XP]*=?${NUMBER})?|-?[XP]=?${NUMBER})?$`);
 const BARE_RELIEF = new RegExp(String.raw`^(?:FORM)?([ABCD])(?:[-XP]*=?${NUMBER})?$`);
 /** A trade name in front of the designation says nothing more. */
 const TITLE = /^(?:GEWINDEFREISTICH|FREISTICH|UNDERCUT|RELIEFGROOVE|THREADUNDERCUT|D[ÉE]GAGEMENT|GORGE)[-:]?/;
@@ -78,9 +82,14 @@ export function readUndercutName(typed: string): UndercutName | null {
     };
   }
   const relief = RELIEF.exec(text) ?? BARE_RELIEF.exec(text);
-  const side = reliefForm(relief?.[1]);
-  if (!relief || !side) return null;
-  return { standard: "DIN 76", form: side, pitch: relief[2] === undefined ? null : Number(relief[2]) };
+  const number = relief?.[2] ?? relief?.[3];
+  return (
+    relief && {
+      standard: "DIN 76",
+      form: reliefForm(relief[1]) ?? null,
+      pitch: number === undefined ? null : Number(number),
+    }
+  );
 }
 
 const size = ({ r, t1 }: { readonly r: number; readonly t1: number }) => `${r}×${t1}`;
@@ -181,8 +190,9 @@ function namedRelief(asked: ReliefForm, pitch: number, place: UndercutPlace | nu
   };
 }
 
-/** Pitches of the metric sizes of this diameter, the coarse one first; of a bore, of the threads with about this core. */
-export function pitchesFor({ diameter, isInside }: UndercutPlace): readonly number[] {
+/** The pitch of the thread that ends here; else those of the metric sizes with this diameter or core, the coarse one first. */
+export function pitchesFor({ diameter, isInside, pitch: known }: UndercutPlace): readonly number[] {
+  if (known !== undefined) return [known];
   return METRIC_SIZES.flatMap(([nominal, coarse, ...fine]) =>
     [...(coarse === null ? [] : [coarse]), ...fine].filter((pitch) =>
       isInside
@@ -231,15 +241,18 @@ export function undercutsNamed(typed: string, place: UndercutPlace | null): Unde
   const name = readUndercutName(typed);
   if (!name) return NONE;
   if (name.standard !== "DIN 76") return foundGroove(name, place);
-  const { form, pitch } = name;
+  const usual = place?.isInside ? (["C", "D"] as const) : (["A", "B"] as const);
+  const forms = name.form === null ? usual : [name.form];
+  const named = (p: number) => forms.flatMap((form) => namedRelief(form, p, place) ?? []);
+  const pitch = name.pitch ?? place?.pitch ?? null;
   if (pitch === null) {
     const pitches = place ? pitchesFor(place) : [];
-    return { notes: [], sizes: pitches.slice(0, LISTED).flatMap((p) => namedRelief(form, p, place) ?? []) };
+    return { notes: [], sizes: pitches.slice(0, LISTED).flatMap(named) };
   }
-  const found = namedRelief(form, pitch, place);
-  if (found) return { notes: [], sizes: [found] };
+  const found = named(pitch);
+  if (found.length > 0) return { notes: [], sizes: found };
   const near = neighboursOfPitch(pitch);
-  const sizes = [near.below, near.above].flatMap((p) => (p === undefined ? [] : (namedRelief(form, p, place) ?? [])));
+  const sizes = [near.below, near.above].flatMap((p) => (p === undefined ? [] : named(p)));
   return { notes: [{ code: "pitch", pitch, ...near }], sizes };
 }
 

@@ -15,5 +15,5 @@ export function undercutPlace(rows: readonly RowReading[], index: number, per = 
   const isAlong = (x: number) => Math.abs(x - corner.x) <= SAME;
   if (isAlong(from.x) === isAlong(to.x)) return null;
   const far = isAlong(from.x) ? to.x : from.x;
-  return { diameter: diameter(corner.x * per), isInside: far < corner.x };
+  return { diameter: diameter(corner.x * per), isInside: far < corner.x, z: corner.z * per };
 }

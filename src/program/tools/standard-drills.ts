@@ -1,5 +1,7 @@
 import { METRIC_SIZES } from "../../kernel/contour/metric-thread.ts";
 import { CENTRE_FORMS, type CentreForm } from "../../kernel/plan/tool.ts";
+import type { NamedThread } from "../../kernel/thread/named-thread.ts";
+import { tapRows } from "./tap-of-thread.ts";
 import { freeNumber, type ToolList } from "./tool-list.ts";
 import type { ToolEntry } from "./tool-entry.ts";
 
@@ -62,8 +64,12 @@ const ROWS: readonly Cells[] = [
 /** Their numbers follow this one. */
 const BEHIND = 30;
 
-/** Usual drills, taps and centre drills as rows of a table, each with a free number. */
-export function standardDrills(list: ToolList): readonly Cells[] {
+/** Usual drills, taps and centre drills as rows of a table, and those of a thread, each with a free number. */
+export function standardDrills(list: ToolList, thread: NamedThread | null = null): readonly Cells[] {
   let last = BEHIND;
-  return ROWS.map((cells) => ({ T: String((last = freeNumber(list, last))), ...cells }));
+  const ofThread = (thread ? tapRows(thread) : []).filter((row) => !ROWS.some(({ NAME }) => NAME === row.NAME));
+  return [...ROWS, ...ofThread].map((cells) => ({
+    T: String((last = freeNumber(list, last))),
+    ...cells,
+  }));
 }

@@ -1,8 +1,17 @@
 import type { ThreadFill } from "../../cycles/thread-values.ts";
 import { noseOfRoot, type NamedThread } from "../../kernel/thread/named-thread.ts";
+import { pointAngle } from "../../kernel/cutter/insert.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
 import { rounded, roundedUpTo } from "../../kernel/units.ts";
 import type { ToolEntry } from "./tool-entry.ts";
 import { freeNumber, type ToolList } from "./tool-list.ts";
+
+/** Angles of inserts this near are the same, degrees. */
+const SAME_ANGLE = 0.5;
+
+/** Whether an insert has the angle of a thread. */
+export const hasAngleOf = ({ angle }: Pick<NamedThread, "angle">, tool: Tool): boolean =>
+  tool.TYPE === "THREAD" && Math.abs(pointAngle(tool) - angle) < SAME_ANGLE;
 
 /** Height of a tooth in thread depths, in steps of half a millimetre. */
 const [HIGHER, STEP] = [1.1, 0.5];

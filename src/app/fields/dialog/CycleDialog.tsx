@@ -5,6 +5,7 @@ import { CycleInWork } from "../../calculation/issue-text.ts";
 import { lazyPart } from "../../base/parts.ts";
 import type { JobReading } from "../../document/reading.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
+import { takePlace } from "../../document/setup-edits.ts";
 import { closeStep } from "../../document/steps.ts";
 import { useEditor } from "../../document/store.ts";
 import { DialogDone } from "./DialogDone.tsx";
@@ -36,12 +37,13 @@ export function CycleDialog({
     else setPrompts(texts, setup);
     closeStep();
   };
+  const takeTool = block ? block.takeTool : (T: number) => takePlace("tool", String(T));
   const head = (
     <>
       {session.fields.length > 0 && <Unverified cycle={read.cycle} />}
       {thread && (
         <Suspense fallback={null}>
-          <ThreadName read={read} roles={thread} line={line} setAll={fill} />
+          <ThreadName read={read} roles={thread} line={line} setAll={fill} takeTool={takeTool} />
         </Suspense>
       )}
     </>

@@ -15,6 +15,7 @@ import { useTexts } from "../../base/settings/use-texts.ts";
 import type { SetupSizes } from "../../document/edits.ts";
 import type { JobReading } from "../../document/reading.ts";
 import { ComboboxInput, optionOf, useCombobox } from "../find/Combobox.tsx";
+import { ThreadEnd } from "./ThreadEnd.tsx";
 import { ThreadFacts, ThreadProposal } from "./ThreadProposal.tsx";
 import { setupOfThread } from "./thread-blank.ts";
 import { ThreadPicture } from "./ThreadPicture.tsx";
@@ -35,11 +36,13 @@ export function ThreadName({
   roles,
   line,
   setAll,
+  takeTool,
 }: {
   readonly read: JobReading;
   readonly roles: ThreadRoles;
   readonly line: number | null;
   /** Writes typed texts, and for a job sizes of its set-up, in one step of undo. */
+  readonly takeTool: ((T: number) => void) | undefined;
   readonly setAll: (texts: Readonly<Record<string, string>>, setup: SetupSizes) => void;
 }) {
   const t = useTexts("threads");
@@ -120,12 +123,14 @@ export function ThreadName({
           onAim={setAim}
           onNose={setByNose}
           isJob={line === null}
+          takeTool={takeTool}
           onFill={() => put(chosen, how)}
         />
       )}
       <p className={found.length === 0 && box.typed !== "" ? "small soft" : "unseen"} role="status">
         {box.typed !== "" && found.length === 0 ? t.none : said}
       </p>
+      {!chosen && <ThreadEnd line={line} />}
       {!chosen && (
         <FoundName
           read={read}
@@ -133,7 +138,7 @@ export function ThreadName({
           tool={tool ?? null}
           nose={nose}
           filled={filled}
-          isJob={line === null}
+          takeTool={takeTool}
           onCorrect={put}
         />
       )}
@@ -148,10 +153,10 @@ function FoundName({
   tool,
   nose,
   filled,
-  isJob,
+  takeTool,
   onCorrect,
 }: {
-  readonly isJob: boolean;
+  readonly takeTool: ((T: number) => void) | undefined;
   readonly read: JobReading;
   readonly roles: ThreadRoles;
   readonly tool: Tool | null;
@@ -197,7 +202,7 @@ function FoundName({
           {t.correct}
         </button>
       )}
-      <ThreadFacts thread={thread} read={read} roles={roles} tool={tool} how={shown} isJob={isJob} short />
+      <ThreadFacts thread={thread} read={read} roles={roles} tool={tool} how={shown} takeTool={takeTool} short />
     </div>
   );
 }

@@ -5,9 +5,10 @@ import { noseRadius, pointAngle } from "../../../kernel/cutter/insert.ts";
 import type { Tool } from "../../../kernel/plan/tool.ts";
 import { designationOf, type Aim, type NamedThread } from "../../../kernel/thread/named-thread.ts";
 import { standardOf } from "../../../kernel/thread/threads.ts";
-import { takePlace } from "../../document/setup-edits.ts";
+import { hasAngleOf } from "../../../program/tools/thread-tool.ts";
 import { Message } from "../../base/Message.tsx";
 import { useTexts } from "../../base/settings/use-texts.ts";
+import { useToolList } from "../../document/work-tools.ts";
 import type { JobReading } from "../../document/reading.ts";
 import { addThreadTool, blankOfThread } from "./thread-blank.ts";
 import { useThreadNumbers } from "./thread-numbers.ts";
@@ -18,25 +19,18 @@ interface Props {
   readonly roles: ThreadRoles;
   readonly tool: Tool | null;
   readonly how: ThreadAim;
-  /** A job has a blank, which gets the diameter before the thread, and calls one tool. */
-  readonly isJob: boolean;
+  /** Calls another tool for the thread. */
+  readonly takeTool: ((T: number) => void) | undefined;
 }
 
-/** Angles of inserts this near are the same, degrees. */
-const SAME_ANGLE = 0.5;
 /** Smaller errors of the pitch diameter are not worth a correction, mm. */
 const LEAST_ERROR = 0.01;
 /** Tip orientations that cut outside, and inside. */
 const SIDES: Readonly<Record<"outside" | "inside", readonly number[]>> = { outside: [1, 2, 3], inside: [5, 6, 7] };
-/** Most tools that are named. */
-const MOST_TOOLS = 3;
-
-const fitsAngle = (tool: Tool, angle: number) =>
-  tool.TYPE === "THREAD" && Math.abs(pointAngle(tool) - angle) < SAME_ANGLE;
 
 /** Error of the pitch diameter by the nose radius of a fitting insert, mm; 0 where none is known. */
 function errorByNose(thread: NamedThread, inside: boolean, tool: Tool | null): number {
-  if (!tool || !fitsAngle(tool, thread.angle)) return 0;
+  if (!tool || !hasAngleOf(thread, tool)) return 0;
   const off = depthForNose(thread, inside, noseRadius(tool)) * 2;
   return Math.abs(off) < LEAST_ERROR ? 0 : off;
 }
@@ -48,6 +42,8 @@ export function ThreadProposal({
   onFill,
   ...props
 }: Props & {
+  /** A job has a blank, which gets the diameter before the thread. */
+  readonly isJob: boolean;
   readonly onAim: (aim: Aim) => void;
   readonly onNose: (byNose: boolean) => void;
   readonly onFill: () => void;
@@ -128,9 +124,10 @@ export function ThreadProposal({
 }
 
 /** Shaft or bore before the thread, its pitch diameter, the insert it needs, and where the figures are from. */
-export function ThreadFacts({ thread, read, roles, tool, how, isJob, short }: Props & { readonly short?: boolean }) {
+export function ThreadFacts({ thread, read, roles, tool, how, takeTool, short }: Props & { readonly short?: boolean }) {
   const t = useTexts("threads");
   const numbers = useThreadNumbers(read);
+  const tools = useToolList();
   const fill = valuesOfThread(thread, roles, read.reading.partial, how);
   if (typeof fill === "string") return null;
   const side = fill.inside ? "inside" : "outside";
@@ -138,10 +135,8 @@ export function ThreadFacts({ thread, read, roles, tool, how, isJob, short }: Pr
   const { documents } = standardOf(thread);
   const limits = tolerance && ` (${t.limits(numbers.length(tolerance.crest[0]), numbers.length(tolerance.crest[1]))})`;
   const onPitch = tolerance && ` (${t.limits(numbers.length(tolerance.pitch[0]), numbers.length(tolerance.pitch[1]))})`;
-  const isUnfit = tool !== null && !fitsAngle(tool, thread.angle);
-  const others = read.tools
-    .filter((other) => fitsAngle(other, thread.angle) && SIDES[side].includes(other.TO))
-    .map(({ T }) => String(T));
+  const isUnfit = tool !== null && !hasAngleOf(thread, tool);
+  const suitable = tools.find((other) => hasAngleOf(thread, other) && SIDES[side].includes(other.TO))?.T;
   return (
     <div className="thread-facts small">
       <p>
@@ -167,24 +162,17 @@ export function ThreadFacts({ thread, read, roles, tool, how, isJob, short }: Pr
           : t.angleOf(numbers.plain(thread.angle))}
       </p>
       {isUnfit && (
-        <Message tone="warning">
-          {t.noInsert(numbers.plain(tool.T), numbers.plain(pointAngle(tool)), numbers.plain(thread.angle))}{" "}
-          {isJob && others[0] !== undefined ? (
-            <button type="button" className="button small" onClick={() => takePlace("tool", others[0] ?? "")}>
-              {t.useTool(others[0])}
+        <Message tone="warning" as="div" className="thread-note">
+          <div>
+            <p>{t.noInsert(numbers.plain(tool.T), numbers.plain(pointAngle(tool)), numbers.plain(thread.angle))}</p>
+            <button
+              type="button"
+              className="button small"
+              onClick={() => takeTool?.(suitable ?? addThreadTool(thread, fill))}
+            >
+              {suitable === undefined ? t.addTool(numbers.plain(thread.angle)) : t.useTool(numbers.plain(suitable))}
             </button>
-          ) : others.length > 0 ? (
-            t.otherTools(
-              others
-                .slice(0, MOST_TOOLS)
-                .map((T) => `T${T}`)
-                .join(", "),
-            )
-          ) : (
-            <button type="button" className="button small" onClick={() => addThreadTool(thread, fill, isJob)}>
-              {t.addTool(numbers.plain(thread.angle))}
-            </button>
-          )}
+          </div>
         </Message>
       )}
       <p className="soft">

@@ -5,7 +5,6 @@ import type { NamedThread } from "../../../kernel/thread/named-thread.ts";
 import { threadTool } from "../../../program/tools/thread-tool.ts";
 import { newId } from "../../../program/tools/tool-list.ts";
 import { addTool } from "../../document/add-tool.ts";
-import { takePlace } from "../../document/setup-edits.ts";
 import { listInUse } from "../../document/work-tools.ts";
 
 /** Diameter of the blank of a job that consists of this thread only, mm: its shaft or its bore. */
@@ -25,10 +24,10 @@ export function setupOfThread({ start }: SetJob, fill: ThreadFill): SetupSizes {
   return { blank: { [place]: String(size) }, ...(isWrong && { start: { x: "" } }) };
 }
 
-/** Adds a tool with the profile of a thread to the table of the open work; a job calls it. */
-export function addThreadTool(thread: NamedThread, fill: ThreadFill, isJob: boolean): void {
+/** Adds a tool with the profile of a thread to the table of the open work, and returns its number. */
+export function addThreadTool(thread: NamedThread, fill: ThreadFill): number {
   const list = listInUse();
   const cells = threadTool(list, thread, fill);
   addTool({ id: newId(list), cells });
-  if (isJob && cells.T !== undefined) takePlace("tool", cells.T);
+  return Number(cells.T);
 }

@@ -1,3 +1,4 @@
+import type { Language } from "../../../i18n/languages.ts";
 import { decimalSign, formatNumber } from "../../../i18n/number.ts";
 import { decimalsInInches, valueInProgram } from "../../../program/blocks/cycle-values.ts";
 import { useSettings } from "../../base/settings/settings.ts";
@@ -16,6 +17,10 @@ export interface ThreadNumbers {
   readonly name: (designation: string) => string;
 }
 
+/** A designation with the decimal sign of a language. */
+export const designationIn = (language: Language, designation: string): string =>
+  designation.replace(/(\d)\.(?=\d)/g, `$1${decimalSign(language)}`);
+
 /** A length that no prompt has. */
 const LENGTH = { kind: "length", decimals: 3 } as const;
 
@@ -30,6 +35,6 @@ export function useThreadNumbers({ cycle, inches }: JobReading): ThreadNumbers {
     typed: (q, value) => String(valueInProgram(paramOf(q), value, inInches)),
     length: (mm) => write(LENGTH, mm),
     plain: (n) => formatNumber(language, n),
-    name: (designation) => designation.replace(/(\d)\.(?=\d)/g, `$1${decimalSign(language)}`),
+    name: (designation) => designationIn(language, designation),
   };
 }

@@ -32,6 +32,8 @@ export interface PromptedBlock {
   readonly sizes?: Draft;
   /** Inserts an operation behind its own. */
   readonly onInsert?: () => void;
+  /** Calls another tool for its operation. */
+  readonly takeTool?: (T: number) => void;
   /** Several prompts in one step of undo. */
   readonly setAll: (texts: Readonly<Record<string, string>>) => void;
 }

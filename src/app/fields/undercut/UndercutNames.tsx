@@ -2,6 +2,8 @@ import { useEffect, useId, useRef, useState } from "react";
 import type { UndercutTexts } from "../../../i18n/en/undercuts.ts";
 import { formatNumber } from "../../../i18n/number.ts";
 import { undercutsNamed, type NamedUndercut, type UndercutPlace } from "../../../program/job/undercut-name.ts";
+import { withThreadBeside } from "../../../program/edits/thread-beside.ts";
+import { useOutcome } from "../../calculation/outcome.ts";
 import { Message } from "../../base/Message.tsx";
 import { useSettings } from "../../base/settings/settings.ts";
 import { ComboboxInput, optionOf, useCombobox } from "../find/Combobox.tsx";
@@ -51,7 +53,8 @@ export function UndercutNames({
     if (isNew && !(at instanceof HTMLInputElement)) input.current?.focus();
   }, [isNew]);
   const write = (n: number) => formatNumber(language, n, 3);
-  const { sizes, notes } = undercutsNamed(box.typed, place);
+  const operations = useOutcome((s) => s.newest?.run.operations);
+  const { sizes, notes } = undercutsNamed(box.typed, place && withThreadBeside(place, operations ?? []));
   const usable = sizes.filter(({ udc }) => udc !== null);
   const without = sizes.filter(({ udc }) => udc === null);
   const isUnknown = box.typed.trim() !== "" && sizes.length === 0 && notes.length === 0;

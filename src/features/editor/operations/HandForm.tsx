@@ -17,7 +17,7 @@ import {
 } from "../../../program/edits/hand-operation.ts";
 import { exampleJob, type SetJob, type SpindleDraft } from "../../../program/job/job.ts";
 import { cylinderAround } from "../../../program/job/requested-shape.ts";
-import { hasFreeEdge, longestOf, surfacesOf, type StockSurface } from "../../../program/job/stock-surface.ts";
+import { hasFreeEdge, longestOf, boreOf, surfacesOf, type StockSurface } from "../../../program/job/stock-surface.ts";
 import { countsInches, typedInMillimetres } from "../../../program/edits/program-unit.ts";
 import { anyNumber, readText, type Field } from "../../../program/values/field.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
@@ -28,22 +28,35 @@ import { useSession } from "../../../app/fields/blocks/session.ts";
 import { useToolList } from "../../../app/document/work-tools.ts";
 import { showTools } from "../../../app/place/place.ts";
 import { centreNamed } from "../../../kernel/cutter/centre-drill.ts";
+import { hasTap, isTapOf } from "../../../program/tools/tap-of-thread.ts";
+import type { NamedThread } from "../../../kernel/thread/named-thread.ts";
+import { readThread } from "../../../kernel/thread/threads.ts";
+import { TapField } from "./TapField.tsx";
 import { CentreField, proposedCentre } from "./CentreField.tsx";
 import { AskedNumber, isUsable, OPEN_NUMBER } from "./AskedNumber.tsx";
 import { SpindleFields, isSpindleUsable } from "./PlaceFields.tsx";
-import { addStandardDrill, useDrills } from "./drills.ts";
+import { addStandardDrill, coreDrill, useDrills } from "./drills.ts";
 import { StockPlace } from "./StockPlace.tsx";
 import { TitleField } from "./TitleField.tsx";
 import { ToolChoice } from "./ToolChoice.tsx";
-import type { StateBefore } from "./stock-before.ts";
+import { spindleLike, type StateBefore } from "./stock-before.ts";
 
 interface Props {
   readonly words: InsertTexts;
   readonly work: HandWork;
+  /** The thread that was named, for a tap. */
+  readonly thread: NamedThread | null;
   readonly site: Site;
   readonly before: StateBefore;
   readonly onBack: () => void;
-  readonly onInsert: (job: SetJob, cut: readonly Statement[], title: string) => void;
+  readonly onInsert: (made: readonly HandOperation[]) => void;
+}
+
+/** An operation without a turning cycle, as it is written. */
+export interface HandOperation {
+  readonly job: SetJob;
+  readonly cut: readonly Statement[];
+  readonly title: string;
 }
 
 const FIELDS: Readonly<Record<HandSize, Field>> = {
@@ -56,7 +69,7 @@ const UNTYPED: Readonly<Record<HandSize, string>> = { size: "", z: "" };
 const BASE = catalogue.find(({ group, contour }) => group === "longitudinal" && contour === "own");
 
 /** Asks for the sizes, spindle and tool of an operation without a turning cycle. */
-export function HandForm({ words, work, site, before, onBack, onInsert }: Props) {
+export function HandForm({ words, work, thread: given, site, before, onBack, onInsert }: Props) {
   const t = useTexts().operations;
   const inches = useSession((s) => countsInches(s.reading.program));
   const unit = useLengths().words;
@@ -76,26 +89,31 @@ export function HandForm({ words, work, site, before, onBack, onInsert }: Props)
   const surface = picked ?? (work === "chamfer" ? (surfaces[0] ?? null) : longestOf(surfaces));
   const named = centre ?? proposedCentre(stock);
   const hole = work === "centre" ? centreNamed(named) : null;
-  const title = titled ?? (hole ? named : words.hand.of[work]).toUpperCase();
+  const [threadText, nameThread] = useState(given?.name ?? "");
+  const read = useMemo(() => (work === "tap" ? readThread(threadText) : null), [work, threadText]);
+  const thread = read && hasTap(read) ? read : null;
+  const name = hole ? named : thread ? words.hand.tapOf(thread.name).replace("×", "x") : words.hand.of[work];
+  const title = titled ?? name.toUpperCase();
+  const bore = useMemo(() => (work === "tap" ? boreOf(stock) : null), [work, stock]);
   const needed = { isInside: surface?.site === "inside", depth: surface ? wallOf(stock, surface) : 0, hole };
   const turning = useToolList();
-  const drills = useDrills();
+  const drills = useDrills(thread);
   const onAxis = isOnAxis(work);
-  const able = (among: readonly Tool[]) => among.filter((tool) => canDo(work, tool, needed));
+  const able = (among: readonly Tool[]) =>
+    among.filter((tool) => canDo(work, tool, needed) && (!thread || isTapOf(tool, thread)));
   const ofTable = able(onAxis ? drills.own : turning);
   const isStandard = onAxis && ofTable.length === 0;
   const tools = isStandard ? able(drills.standard) : ofTable;
   const tool = tools.find(({ T }) => T === taken) ?? tools[0];
+  const core = thread && bore === null ? coreDrill(drills, thread) : null;
+  const [isDrilled, drillBefore] = useState(true);
   const asked = sizesOf(work);
-  const last = operations.findLast(({ spindle: of }) => of?.kind === "surface")?.spindle;
   const base = BASE && exampleJob(BASE);
   const usual: SpindleDraft | undefined =
     base &&
     (isOnAxis(work)
       ? { ...base.spindle, mode: "constant", speed: tool ? String(speedOnAxis(work, tool)) : base.spindle.speed }
-      : last?.kind === "surface"
-        ? { ...base.spindle, cuttingSpeed: String(last.cuttingSpeed), limit: String(last.limit) }
-        : base.spindle);
+      : spindleLike(base.spindle, operations));
   const turns = spindle ?? usual;
   const usable =
     tool !== undefined &&
@@ -107,8 +125,16 @@ export function HandForm({ words, work, site, before, onBack, onInsert }: Props)
     if (!usable || !base || !surface) return;
     const value = (s: HandSize) => length(readText(anyNumber, typedInMillimetres(typed[s], inches)).value ?? 0);
     const { start, cut } = handCut(work, { stock, surface, tool, sizes: { size: value("size"), z: value("z") } });
-    if (isStandard) addStandardDrill(tool.T);
-    onInsert({ ...base, tool: tool.T, spindle: turns, start, blank: cylinderAround(stock) }, cut, title);
+    if (isStandard) addStandardDrill(tool.T, thread);
+    const blank = cylinderAround(stock);
+    const own = { job: { ...base, tool: tool.T, spindle: turns, start, blank }, cut, title };
+    if (!core || !isDrilled) return onInsert([own]);
+    if (core.isStandard) addStandardDrill(core.tool.T, thread);
+    const speed = String(speedOnAxis("drill", core.tool));
+    const drilled = handCut("drill", { stock, surface, tool: core.tool, sizes: { size: length(0), z: length(0) } });
+    const spindleOfDrill: SpindleDraft = { ...base.spindle, mode: "constant", speed };
+    const job = { ...base, tool: core.tool.T, spindle: spindleOfDrill, start: drilled.start, blank };
+    onInsert([{ job, cut: drilled.cut, title: words.hand.of.drill.toUpperCase() }, own]);
   };
   useEffect(
     () =>
@@ -130,6 +156,18 @@ export function HandForm({ words, work, site, before, onBack, onInsert }: Props)
       <div className="operation-body">
         <div className="operation-ask">
           {work === "centre" && <CentreField words={words.hand.hole} text={named} hole={hole} onText={nameCentre} />}
+          {work === "tap" && (
+            <TapField
+              words={words}
+              text={threadText}
+              thread={thread}
+              bore={bore}
+              drill={core?.tool ?? null}
+              isDrilled={isDrilled}
+              onText={nameThread}
+              onDrilled={drillBefore}
+            />
+          )}
           <TitleField title={title} onTitle={setTitle} />
           {stock.length === 0 || !surface ? (
             <Message tone="warning" className="wide">

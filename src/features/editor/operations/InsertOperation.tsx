@@ -5,9 +5,8 @@ import type { Site } from "../../../cycles/shape-request.ts";
 import type { InsertTexts } from "../../../i18n/en/insert.ts";
 import { ncLanguageOf } from "../../../i18n/languages.ts";
 import { ncLabels } from "../../../i18n/nc-labels.ts";
+import type { NamedThread } from "../../../kernel/thread/named-thread.ts";
 import { startLines } from "../../../nc/program.ts";
-import type { Statement } from "../../../nc/statement.ts";
-import type { SetJob } from "../../../program/job/job.ts";
 import { withHandOperation, withOperation } from "../../../program/edits/added-operation.ts";
 import { sitesOf } from "../../../program/job/proposed-operation.ts";
 import { CycleChooser } from "../../../app/fields/chooser/CycleChooser.tsx";
@@ -29,7 +28,7 @@ import { showSection } from "../../../app/place/place.ts";
 import { useGuidedBlock } from "../../../app/place/open-call.ts";
 import { useEditor } from "../../../app/document/store.ts";
 import { fieldsOf } from "../../../app/fields/blocks/block-fields.ts";
-import { HandForm } from "./HandForm.tsx";
+import { HandForm, type HandOperation } from "./HandForm.tsx";
 import { handOffer, nameOf, type HandWork } from "./hand-offer.tsx";
 import { OperationForm, type InsertedOperation } from "./OperationForm.tsx";
 import { stateBefore, type StateBefore } from "./stock-before.ts";
@@ -59,12 +58,19 @@ function insertOperation({ job, title, contour, sizes }: InsertedOperation, behi
   openFirstOpenPrompt();
 }
 
-/** Writes the blocks of an operation without a turning cycle, and opens the first of them with a word to type. */
-function insertHandOperation(job: SetJob, cut: readonly Statement[], place: { behind: number | null; title: string }) {
+/** Writes the blocks of operations without a turning cycle, and opens the first of them with a word to type. */
+function insertHandOperations(made: readonly HandOperation[], behind: number | null) {
   showFile(null);
-  const { program } = useSession.getState().reading;
-  const next = withHandOperation(program, { ...job, output: outputInUse() }, cut, place);
-  const index = openingBlock(next, place.behind === null ? 0 : place.behind + 1);
+  const first = behind === null ? 0 : behind + 1;
+  const next = made.reduce(
+    (program, { job, cut, title }, i) =>
+      withHandOperation(program, { ...job, output: outputInUse() }, cut, {
+        behind: i === 0 ? behind : first + i - 1,
+        title,
+      }),
+    useSession.getState().reading.program,
+  );
+  const index = openingBlock(next, first);
   const s = next.blocks[index ?? -1]?.statement;
   const open = s?.kind === "cycle" ? s.parameters.find(({ value }) => value === null)?.q : undefined;
   const word = open ?? (s && fieldsOf(s)[0]?.id) ?? null;
@@ -83,12 +89,14 @@ export function InsertOperation({ behind }: { readonly behind: number | null }) 
 function Opened({ words, behind }: { readonly words: InsertTexts; readonly behind: number | null }) {
   const t = useTexts();
   const { insert, which: whichName, choose } = t.operations;
+  const language = useSettings((s) => s.language);
   const dialog = useRef<HTMLDialogElement>(null);
   const newest = useOutcome((s) => s.newest);
   const program = useSession((s) => s.reading.program);
   const [cycle, setCycle] = useState<Cycle | null>(null);
   const [site, setSite] = useState<Site>("outside");
   const [work, setWork] = useState<HandWork | null>(null);
+  const [thread, nameThread] = useState<NamedThread | null>(null);
   const [which, ask] = useState(false);
   const before = useMemo(() => (newest ? stateBefore(newest, program, behind) : NOTHING), [newest, program, behind]);
 
@@ -109,6 +117,11 @@ function Opened({ words, behind }: { readonly words: InsertTexts; readonly behin
   const sitesOfCycle = (number: number): readonly Site[] => {
     const found = cycleByNumber(number);
     return found ? sitesOf(found) : [];
+  };
+  const back = () => {
+    setCycle(null);
+    setWork(null);
+    nameThread(null);
   };
   const take = (number: number) => {
     const found = cycleByNumber(number);
@@ -148,10 +161,23 @@ function Opened({ words, behind }: { readonly words: InsertTexts; readonly behin
           <CycleChooser
             narrow
             among={(number) => sitesOfCycle(number).includes(site)}
-            more={handOffer(words, site, (taken) => {
-              if (taken === "undercut" && site === "face") setSite("outside");
-              setWork(taken);
-            })}
+            more={handOffer(
+              words,
+              site,
+              (taken) => {
+                if (taken === "undercut" && site === "face") setSite("outside");
+                setWork(taken);
+              },
+              {
+                language,
+                onThread: (named, way) => {
+                  nameThread(named);
+                  if (way === "tap") return setWork("tap");
+                  setSite(way.site);
+                  setCycle(way.cycle);
+                },
+              },
+            )}
             ways={[{ name: choose, short: choose, go: take }]}
           />
         </div>
@@ -162,13 +188,13 @@ function Opened({ words, behind }: { readonly words: InsertTexts; readonly behin
             words={words}
             site={site}
             before={before}
-            onBack={() => setWork(null)}
+            onBack={back}
             onInsert={(made) => {
               insertOperation(made, behind);
               dialog.current?.close();
             }}
             onCut={(job, cut, title) => {
-              insertHandOperation(job, cut, { behind, title });
+              insertHandOperations([{ job, cut, title }], behind);
               dialog.current?.close();
             }}
           />
@@ -178,11 +204,12 @@ function Opened({ words, behind }: { readonly words: InsertTexts; readonly behin
         <HandForm
           words={words}
           work={work}
+          thread={thread}
           site={site}
           before={before}
-          onBack={() => setWork(null)}
-          onInsert={(job, cut, title) => {
-            insertHandOperation(job, cut, { behind, title });
+          onBack={back}
+          onInsert={(made) => {
+            insertHandOperations(made, behind);
             dialog.current?.close();
           }}
         />
@@ -192,10 +219,11 @@ function Opened({ words, behind }: { readonly words: InsertTexts; readonly behin
           key={site}
           words={words}
           cycle={cycle}
+          thread={cycle.thread ? thread : null}
           site={site}
           before={before}
           onSite={setSite}
-          onBack={() => setCycle(null)}
+          onBack={back}
           onInsert={(made) => {
             insertOperation(made, behind);
             dialog.current?.close();

@@ -30,6 +30,14 @@ import { useSession } from "../../../app/fields/blocks/session.ts";
 import { contourTableSlot } from "../../../app/fields/slots.ts";
 import { OPEN_NUMBER } from "./AskedNumber.tsx";
 import { SpindleFields, StartFields, arePlaceFieldsUsable } from "./PlaceFields.tsx";
+import { addThreadTool } from "../../../app/fields/dialog/thread-blank.ts";
+import { hasAngleOf } from "../../../program/tools/thread-tool.ts";
+import type { ThreadFill } from "../../../cycles/thread-values.ts";
+import type { NamedThread } from "../../../kernel/thread/named-thread.ts";
+import { formatNumber } from "../../../i18n/number.ts";
+import { designationIn } from "../../../app/fields/dialog/thread-numbers.ts";
+import { CrestNote } from "./CrestNote.tsx";
+import { fillFor } from "./thread-rows.tsx";
 import { StockPlace } from "./StockPlace.tsx";
 import { TitleField } from "./TitleField.tsx";
 import { ToolChoice } from "./ToolChoice.tsx";
@@ -43,6 +51,15 @@ const emptied = ({ cycle, drafts }: SetJob, placed: Draft): SetJob["drafts"] => 
   ...drafts,
   [cycle]: { ...drafts[cycle], ...Object.fromEntries(Object.keys(placed).map((q) => [q, ""])) },
 });
+
+const typedValues = ({ values }: ThreadFill): Draft =>
+  Object.fromEntries(Object.entries(values).map(([q, value]) => [q, String(value)]));
+const withValues = (drafts: SetJob["drafts"], cycle: number, values: Draft): SetJob["drafts"] => ({
+  ...drafts,
+  [cycle]: { ...drafts[cycle], ...values },
+});
+const withoutValues = (sizes: Draft, values: Draft): Draft =>
+  Object.fromEntries(Object.entries(sizes).filter(([q]) => values[q] === undefined));
 
 const listed = (sizes: Draft): string =>
   Object.entries(sizes)
@@ -79,6 +96,8 @@ export interface InsertedOperation {
 interface Props {
   readonly words: InsertTexts;
   readonly cycle: Cycle;
+  /** The thread that was named, for a thread cycle. */
+  readonly thread: NamedThread | null;
   readonly site: Site;
   readonly before: StateBefore;
   readonly onSite: (site: Site) => void;
@@ -96,14 +115,16 @@ const startInMillimetres = ({ x = "", z = "" }: TypedStart, inches: boolean): Se
 const NO_ROWS: readonly ContourRow[] = [];
 
 /** Asks where an operation starts, for its contour, start point, spindle and tool. Sizes stay for its prompts. */
-export function OperationForm({ words, cycle, site, before, onSite, onBack, onInsert }: Props) {
+export function OperationForm({ words, cycle, thread, site, before, onSite, onBack, onInsert }: Props) {
   const { operations: t } = useTexts();
   const language = useSettings((s) => s.language);
   const program = useSession((s) => s.reading.program);
   const inches = countsInches(program);
   const unit = useLengths().words;
   const form = useRef<HTMLFormElement>(null);
-  const [title, setTitle] = useState(() => ncLabels(ncLanguageOf(language)).cycleName(cycle.number));
+  const [title, setTitle] = useState(
+    () => thread?.name.toUpperCase().replace("×", "x") ?? ncLabels(ncLanguageOf(language)).cycleName(cycle.number),
+  );
   const [picked, pick] = useState<StockSurface | null>(null);
   const [typed, setTyped] = useState(UNTYPED);
   const [spindle, setSpindle] = useState<SpindleDraft | null>(null);
@@ -133,11 +154,13 @@ export function OperationForm({ words, cycle, site, before, onSite, onBack, onIn
     [cycle, stock, surface, before.operations, contour, start],
   );
   const fits = useFitsOfWork(made?.likely ?? null);
-  const best = fits?.find((fit) => fit.makesContour)?.tool.T ?? null;
+  const fill = thread && made && fillFor(thread, cycle, site, { ...made.placed, ...made.sizes });
+  const ofThread = fill ? typedValues(fill) : {};
+  const best = fits?.find((fit) => fit.makesContour && (!thread || hasAngleOf(thread, fit.tool)))?.tool.T ?? null;
   const chosen = tool ?? best;
   const job = made && {
     ...made.job,
-    drafts: isKnown ? made.job.drafts : emptied(made.job, made.placed),
+    drafts: withValues(isKnown ? made.job.drafts : emptied(made.job, made.placed), cycle.number, ofThread),
     start: isKnown
       ? {
           ...made.job.start,
@@ -149,8 +172,9 @@ export function OperationForm({ words, cycle, site, before, onSite, onBack, onIn
     contour: named === null ? rows : [],
   };
   const shown = job && { ...job, start: { ...startForProgram(job.start, inches), ...typed } };
-  const placed = draftForProgram(cycle, isKnown ? (made?.placed ?? {}) : {}, inches);
-  const sizes = draftForProgram(cycle, isKnown ? (made?.sizes ?? {}) : {}, inches);
+  const open = (sizes: Draft | undefined) =>
+    draftForProgram(cycle, isKnown ? withoutValues(sizes ?? {}, ofThread) : {}, inches);
+  const [placed, sizes] = [open(made?.placed), open(made?.sizes)];
   const usable = job !== null && shown !== null && !undrawn && arePlaceFieldsUsable(shown);
   const openQs = made ? readDraft(cycle, job?.drafts[cycle.number] ?? {}).issues.flatMap(({ at }) => at ?? []) : [];
   const unknown = openQs.filter((q) => sizes[q] === undefined);
@@ -258,12 +282,30 @@ export function OperationForm({ words, cycle, site, before, onSite, onBack, onIn
         )}
         {made && (
           <p className="small operation-sizes" role="status">
+            {thread && fill && (
+              <span>
+                {words.fromThread(
+                  designationIn(language, thread.name),
+                  listed(draftForProgram(cycle, ofThread, inches)),
+                )}
+              </span>
+            )}
             {listed(placed) !== "" && <span>{words.fromSurface(listed(placed))}</span>}
             {listed(sizes) !== "" && <span>{words.fromStock(listed(sizes))}</span>}
             {unknown.length > 0 && <span className="soft">{words.open(unknown.join(", "))}</span>}
           </p>
         )}
-        {fits && best === null && <Message tone="warning">{words.noTool}</Message>}
+        {thread && fill && surface && isKnown && <CrestNote words={words} fill={fill} surface={surface} />}
+        {fits && best === null && (
+          <Message tone="warning">
+            {thread ? words.noThreadTool(formatNumber(language, thread.angle)) : words.noTool}
+            {thread && fill && (
+              <button type="button" className="button small" onClick={() => setTool(addThreadTool(thread, fill))}>
+                {words.addThreadTool}
+              </button>
+            )}
+          </Message>
+        )}
         <ToolChoice
           fits={fits}
           taken={chosen === null ? null : String(chosen)}

@@ -28,7 +28,7 @@ import { SpindleFields, isSpindleUsable } from "./PlaceFields.tsx";
 import { StockPlace } from "./StockPlace.tsx";
 import { TitleField } from "./TitleField.tsx";
 import { ToolChoice } from "./ToolChoice.tsx";
-import type { StateBefore } from "./stock-before.ts";
+import { spindleLike, type StateBefore } from "./stock-before.ts";
 
 interface Props {
   readonly words: InsertTexts;
@@ -64,8 +64,11 @@ export function UndercutForm({ words, site, before, onBack, onInsert, onCut }: P
   const inMillimetres = (text: string) => readText(anyNumber, typedInMillimetres(text, inches)).value;
   const [across, along] = [inMillimetres(x), inMillimetres(z)];
   const place = useMemo<UndercutPlace | null>(
-    () => (across === null ? null : { diameter: diameter(across), isInside: site === "inside" }),
-    [across, site],
+    () =>
+      across === null
+        ? null
+        : { diameter: diameter(across), isInside: site === "inside", ...(along !== null && { z: along }) },
+    [across, along, site],
   );
   const job = useMemo(
     () => (named && place && along !== null ? undercutJob(named, { place, z: along, stock }) : null),
@@ -79,12 +82,7 @@ export function UndercutForm({ words, site, before, onBack, onInsert, onCut }: P
   const fits = found && named && reachingFirst(found, named);
   const isStandard = isShort && fits?.[0]?.makesContour === true;
   const chosen = taken ?? fits?.find((fit) => fit.makesContour)?.tool.T ?? null;
-  const last = operations.findLast(({ spindle: of }) => of?.kind === "surface")?.spindle;
-  const turns =
-    spindle ??
-    (job && last?.kind === "surface"
-      ? { ...job.spindle, cuttingSpeed: String(last.cuttingSpeed), limit: String(last.limit) }
-      : job?.spindle);
+  const turns = spindle ?? (job ? spindleLike(job.spindle, operations) : undefined);
   const usable = job !== null && turns !== undefined && isSpindleUsable(turns) && chosen !== null;
   const own = named?.name.toUpperCase().replace("×", "x") ?? words.hand.undercut.toUpperCase();
   const insert = () => {

@@ -1,7 +1,9 @@
 import { useMemo } from "react";
+import type { NamedThread } from "../../../kernel/thread/named-thread.ts";
 import type { Tool } from "../../../kernel/plan/tool.ts";
 import { drillOf } from "../../../program/tools/drill-of.ts";
 import type { ShopTools } from "../../../program/tools/read-tools.ts";
+import { isCoreDrill } from "../../../program/tools/tap-of-thread.ts";
 import { standardDrills } from "../../../program/tools/standard-drills.ts";
 import { newId, readList, type ToolList } from "../../../program/tools/tool-list.ts";
 import { addTool } from "../../../app/document/add-tool.ts";
@@ -18,15 +20,24 @@ export interface Drills {
   readonly standard: readonly Tool[];
 }
 
-/** The drills of the open work's table, and standard ones with free numbers; follows the work and the table. */
-export function useDrills(): Drills {
+/** The drills of the open work's table, and standard ones with free numbers, those of a thread among them; follows the work and the table. */
+export function useDrills(thread: NamedThread | null): Drills {
   const shop = useTools((s) => s.list);
   const own = useEditor((s) => bundleOf(s).tools);
   return useMemo(() => {
     const list = own ?? shop;
-    const rows = standardDrills(list).map((cells, i) => ({ id: `standard ${i}`, cells }));
+    const rows = standardDrills(list, thread).map((cells, i) => ({ id: `standard ${i}`, cells }));
     return { own: drillsIn(toolsOnDevice(list).table), standard: drillsIn(readList(rows).table) };
-  }, [own, shop]);
+  }, [own, shop, thread]);
+}
+
+/** The drill for the hole before a tap: one of the table, else a standard one. */
+export function coreDrill(
+  { own, standard }: Drills,
+  thread: NamedThread,
+): { readonly tool: Tool; readonly isStandard: boolean } | null {
+  const tool = [...own, ...standard].find((each) => isCoreDrill(each, thread));
+  return tool ? { tool, isStandard: !own.includes(tool) } : null;
 }
 
 type StandardRows = (list: ToolList) => readonly ToolList[number]["cells"][];
@@ -49,5 +60,6 @@ export function addStandardTool(rowsOf: StandardRows, T: number): void {
   addTool({ id: newId(list), cells });
 }
 
-/** Adds a standard drill to the table of the open work. */
-export const addStandardDrill = (T: number): void => addStandardTool(standardDrills, T);
+/** Adds a standard drill, or a drill or tap of a thread, to the table of the open work. */
+export const addStandardDrill = (T: number, thread: NamedThread | null): void =>
+  addStandardTool((list) => standardDrills(list, thread), T);

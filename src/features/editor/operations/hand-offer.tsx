@@ -1,8 +1,11 @@
 import type { Site } from "../../../cycles/shape-request.ts";
 import type { InsertTexts } from "../../../i18n/en/insert.ts";
+import type { Language } from "../../../i18n/languages.ts";
+import type { NamedThread } from "../../../kernel/thread/named-thread.ts";
 import { HAND_WORKS, isOnAxis, type HandWork as PathWork } from "../../../program/edits/hand-operation.ts";
 import type { OtherRows } from "../../../app/fields/chooser/use-cycle-chooser.tsx";
 import { withoutAccents } from "../../../app/fields/chooser/search.ts";
+import { threadRows, type ThreadWay } from "./thread-rows.tsx";
 import { Icon } from "../../../app/base/Icon.tsx";
 
 /** Operations beside the cycles: by path blocks, on the axis, and by the name of a standard. */
@@ -21,7 +24,13 @@ export const nameOf = (hand: InsertTexts["hand"], work: HandWork): string =>
   work === "undercut" ? hand.undercut : hand.of[work];
 
 /** Operations without a turning cycle, as rows of the chooser. */
-export function handOffer({ hand }: InsertTexts, site: Site, onTake: (work: HandWork) => void): OtherRows {
+export function handOffer(
+  words: InsertTexts,
+  site: Site,
+  onTake: (work: HandWork) => void,
+  { language, onThread }: { language: Language; onThread: (thread: NamedThread, way: ThreadWay) => void },
+): OtherRows {
+  const { hand } = words;
   const rows = (works: readonly HandWork[]) =>
     works.length > 0 && (
       <section aria-label={hand.title}>
@@ -39,8 +48,10 @@ export function handOffer({ hand }: InsertTexts, site: Site, onTake: (work: Hand
     );
   return (sought) => {
     if (sought === null) return { count: 0, best: null, shown: rows(WORKS.filter((work) => belongsTo(work, site))) };
-    const words = withoutAccents(sought).split(/\s+/);
-    const found = WORKS.filter((work) => words.every((word) => withoutAccents(nameOf(hand, work)).includes(word)));
+    const thread = threadRows(words, sought, { site, language, onTake: onThread });
+    if (thread) return thread;
+    const terms = withoutAccents(sought).split(/\s+/);
+    const found = WORKS.filter((work) => terms.every((word) => withoutAccents(nameOf(hand, work)).includes(word)));
     const [first] = found;
     return {
       count: found.length,

@@ -4,12 +4,21 @@ import { startLines } from "../../../nc/program.ts";
 import { operationsOf } from "../../../program/edits/operations.ts";
 import type { Operation, Run } from "../../../program/state/run-types.ts";
 import { playerOf } from "../../../sim/stock.ts";
+import type { SpindleDraft } from "../../../program/job/job.ts";
 import type { Outcome } from "../../../app/calculation/outcome.ts";
 
 /** The state of a program before an inserted operation. */
 export interface StateBefore {
   readonly stock: readonly Ring[];
   readonly operations: readonly Operation[];
+}
+
+/** A spindle with the surface speed of the operations before. */
+export function spindleLike(spindle: SpindleDraft, operations: readonly Operation[]): SpindleDraft {
+  const last = operations.findLast(({ spindle: of }) => of?.kind === "surface")?.spindle;
+  return last?.kind === "surface"
+    ? { ...spindle, cuttingSpeed: String(last.cuttingSpeed), limit: String(last.limit) }
+    : spindle;
 }
 
 /** Index of the first step of the main program at or behind a block. */

@@ -29,6 +29,7 @@ export const findings = {
   runOut: (value) => `Auslauf ${value}`,
   endThread: (place) => `Gewindeende auf ${place} legen`,
   relief: "Freistich (DIN 76) einfügen",
+  reliefBefore: (name) => `Freistich ${name} vor dem Gewinde einfügen`,
   createTool: (tool: string) => `Werkzeug ${tool} anlegen`,
   remove: (text) => `${text} entfernen`,
   residue: {

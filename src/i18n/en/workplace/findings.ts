@@ -31,6 +31,7 @@ export const findings = {
   runOut: (value: string) => `Run-out ${value}`,
   endThread: (place: string) => `End the thread at ${place}`,
   relief: "Insert undercut (DIN 76)",
+  reliefBefore: (name: string) => `Insert undercut ${name} before the thread`,
   createTool: (tool: string) => `Create tool ${tool}`,
   remove: (text: string) => `Remove ${text}`,
   residue: {

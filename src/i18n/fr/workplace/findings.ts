@@ -28,6 +28,7 @@ export const findings = {
   runOut: (value) => `Sortie de filetage ${value}`,
   endThread: (place) => `Finir le filetage à ${place}`,
   relief: "Insérer un dégagement (DIN 76)",
+  reliefBefore: (name) => `Insérer le dégagement ${name} avant le filetage`,
   createTool: (tool: string) => `Créer l’outil ${tool}`,
   remove: (text) => `Supprimer ${text}`,
   residue: {

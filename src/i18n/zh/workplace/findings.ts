@@ -21,6 +21,7 @@ export const findings = {
   runOut: (value) => `螺纹退尾 ${value}`,
   endThread: (place) => `螺纹终点改为 ${place}`,
   relief: "插入退刀槽（DIN 76）",
+  reliefBefore: (name) => `在螺纹前插入退刀槽 ${name}`,
   createTool: (tool: string) => `新建刀具 ${tool}`,
   remove: (text) => `删除 ${text}`,
   residue: {
