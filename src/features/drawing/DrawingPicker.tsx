@@ -56,7 +56,7 @@ export function DrawingPicker({ opened, made, notes, onUnit, onChange }: Props) 
   const [activeNote, showNote] = useState<number | null>(null);
   const [said, setSaid] = useState({ text: "", times: 0 });
   const say = (text: string) => setSaid((old) => ({ text, times: old.times + 1 }));
-  const reading = readRows(contour.rows);
+  const reading = useMemo(() => readRows(contour.rows), [contour]);
   const { segments, rowOfSegment } = useMemo(() => {
     const each = segmentsOnDrawing(made.choice, reading.contour.segments);
     return {
@@ -72,7 +72,7 @@ export function DrawingPicker({ opened, made, notes, onUnit, onChange }: Props) 
   );
   const show = (n: number, decimals = 3) => formatNumber(language, n, decimals);
   const per = drawing.unit.unit === "inch" ? INCH : 1;
-  const own = boundsOfSegments(reading.contour.segments);
+  const own = useMemo(() => boundsOfSegments(reading.contour.segments), [reading]);
   const change = (next: Partial<ContourChoice>) => {
     showRow(null);
     onChange(next);
