@@ -36,7 +36,7 @@ test("a dropped drawing becomes a verified part; its contour is picked by tap an
   const dialog = page.getByRole("dialog", { name: words.title, exact: true }),
     sheet = dialog.getByRole("group", { name: words.sheet, exact: true }),
     rows = dialog.getByRole("listbox").getByRole("option"),
-    use = dialog.getByRole("button", { name: words.take, exact: true });
+    use = dialog.getByRole("button", { name: words.newProgram, exact: true });
   await expect(sheet).toBeFocused();
   await expect(dialog).toContainText(words.source.file);
   await expect(dialog.getByRole("button", { name: /0\.4 mm/ })).toBeVisible();

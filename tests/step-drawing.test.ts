@@ -2,6 +2,8 @@ import fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import { at, part, type Segment } from "../src/kernel/geometry/point.ts";
 import { readPart21 } from "../src/program/files/part21.ts";
+import { drawnContour } from "../src/program/drawing/contour-of.ts";
+import { propose } from "../src/program/drawing/propose.ts";
 import { crossingOf } from "../src/program/drawing/step/beside.ts";
 import { stepBodies } from "../src/program/drawing/step/step-body.ts";
 import { stepSurface } from "../src/program/drawing/step/step-surface.ts";
@@ -66,6 +68,7 @@ describe.each(Object.entries(PARTS))("%s", (_, outline) => {
     const lines = drawing.curves.filter((c) => c.role === "outline").map((c) => c.segment);
     expect(lines.length).toBe(outline.length);
     for (const s of outline) expect(lines.filter((l) => same(l, s)).length).toBe(1);
+    expect(drawnContour(drawing, propose(drawing)).notes).toEqual([]);
     const [axis] = drawing.curves.filter((c) => c.role === "centre");
     expect(axis?.segment).toMatchObject({ kind: "line", from: { r: 0 }, to: { r: 0 } });
   });

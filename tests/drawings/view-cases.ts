@@ -29,7 +29,8 @@ export const viewCases: readonly Case[] = [
     ]),
     REFERENCE,
   ],
-  ["side view with shoulders across the axis", mm(sideView()), FACED, ["insideLines", "otherHalf"]],
+  ["side view with shoulders across the axis", mm(sideView()), FACED, ["otherHalf"]],
+  ["an edge seen across the axis", mm([...sideView(), line(-9, -12, -9, 12)]), FACED, ["insideLines", "otherHalf"]],
   [
     "side view on a sheet: axis by its centre line, frame and end view beside it",
     mm([
@@ -46,7 +47,7 @@ export const viewCases: readonly Case[] = [
       ]),
     ]),
     FACED,
-    ["insideLines", "otherHalf", "otherPieces"],
+    ["otherHalf", "otherPieces"],
   ],
   [
     "centre line by its pattern and a name of the trade, thread and hidden lines",
@@ -61,13 +62,13 @@ export const viewCases: readonly Case[] = [
       { linetypes: ["LTYPE 2 LINIE4 70 0 3 x 72 65 73 4 40 20"] },
     ),
     FACED,
-    ["insideLines", "otherHalf", "notOutline"],
+    ["otherHalf", "notOutline"],
   ],
   [
     "thin lines by their width",
     mm([...sideView(0, 0, "8 0 370 50"), line(0, 10, -14, 10, "8 0 370 25"), line(0, -10, -14, -10, "8 0 370 25")]),
     FACED,
-    ["insideLines", "otherHalf", "notOutline"],
+    ["otherHalf", "notOutline"],
   ],
   [
     "X drawn from the origin, thick end to the right: the face is at the origin",

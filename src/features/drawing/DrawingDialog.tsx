@@ -3,6 +3,7 @@ import { noteText } from "../../i18n/drawing-note.ts";
 import { closeDrawing, openDrawing, type DrawingRequest } from "../../app/document/drawing-request.ts";
 import { askForDrawing } from "../../app/records/files/ask-for-drawing.ts";
 import { offeredCycles } from "../../app/fields/chooser/menu.ts";
+import { Icon } from "../../app/base/Icon.tsx";
 import { Message } from "../../app/base/Message.tsx";
 import { ModalDialog } from "../../app/base/ModalDialog.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
@@ -51,6 +52,18 @@ export function DrawingDialog({ request }: { readonly request: DrawingRequest })
       {...(opened && { heading: `${t.title} · ${opened.file.name}` })}
       first=".drawing-sheet, .drawing-choose"
       done={closeDrawing}
+      actions={
+        opened && (
+          <button
+            type="button"
+            className="button drawing-other"
+            aria-label={t.chooseOther}
+            onClick={() => void chooseOther()}
+          >
+            <Icon name="drawing" /> <span>{t.chooseOther}</span>
+          </button>
+        )
+      }
     >
       {opened && made ? (
         <DrawingPicker key={opened.name} opened={opened} made={made} notes={notes} onUnit={readAs} onChange={change} />
@@ -80,14 +93,7 @@ export function DrawingDialog({ request }: { readonly request: DrawingRequest })
       {/* While a drawing is read, nothing takes the focus that its picture gets then. */}
       {opening.kind !== "reading" && (made || !opened) && (
         <footer className="drawing-foot">
-          {opened && (
-            <button type="button" className="button" onClick={() => void chooseOther()}>
-              {t.chooseOther}
-            </button>
-          )}
-          <span className="small soft drawing-what">
-            {target ? (target.count > 0 ? t.replaces(target.count) : "") : t.newProgram}
-          </span>
+          <span className="small soft drawing-what">{target && target.count > 0 && t.replaces(target.count)}</span>
           {!target && (
             <label className="drawing-cycle" htmlFor={`${id}-cycle`}>
               <span className="small">{t.cycle}</span>
@@ -118,7 +124,7 @@ export function DrawingDialog({ request }: { readonly request: DrawingRequest })
               void takeContour({ target, cycle, name: opened.file.name, contour, choice: opened.choice });
             }}
           >
-            {t.take}
+            {target ? t.take : t.newProgram}
           </button>
         </footer>
       )}

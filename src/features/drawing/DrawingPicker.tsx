@@ -56,7 +56,7 @@ export function DrawingPicker({ opened, made, notes, onUnit, onChange }: Props) 
   const [activeNote, showNote] = useState<number | null>(null);
   const [said, setSaid] = useState({ text: "", times: 0 });
   const say = (text: string) => setSaid((old) => ({ text, times: old.times + 1 }));
-  const reading = readRows(contour.rows);
+  const reading = useMemo(() => readRows(contour.rows), [contour]);
   const { segments, rowOfSegment } = useMemo(() => {
     const each = segmentsOnDrawing(made.choice, reading.contour.segments);
     return {
@@ -65,9 +65,14 @@ export function DrawingPicker({ opened, made, notes, onUnit, onChange }: Props) 
     };
   }, [made, reading]);
   const whole = useMemo(() => boundsOfSegments(drawing.curves.map((c) => c.segment)), [drawing]);
+  // The overhang of a centre line is no size.
+  const drawn = useMemo(
+    () => extent(boundsOfSegments(drawing.curves.filter((c) => c.role !== "centre").map((c) => c.segment))),
+    [drawing],
+  );
   const show = (n: number, decimals = 3) => formatNumber(language, n, decimals);
   const per = drawing.unit.unit === "inch" ? INCH : 1;
-  const own = boundsOfSegments(reading.contour.segments);
+  const own = useMemo(() => boundsOfSegments(reading.contour.segments), [reading]);
   const change = (next: Partial<ContourChoice>) => {
     showRow(null);
     onChange(next);
@@ -160,11 +165,7 @@ export function DrawingPicker({ opened, made, notes, onUnit, onChange }: Props) 
         />
         <p className="drawing-facts small">
           <span>
-            {t.size(
-              show((whole.right - whole.left) / per),
-              show((whole.high - whole.low) / per),
-              drawing.unit.unit === "inch" ? "inch" : "mm",
-            )}
+            {t.size(show(drawn.wide / per), show(drawn.tall / per), drawing.unit.unit === "inch" ? "inch" : "mm")}
           </span>
           {segments.length > 0 && (
             <b className="number">{t.partSize(show(toDiameter(own.high as Pt["r"])), show(own.right - own.left))}</b>

@@ -12,7 +12,7 @@ export const drawingImport = {
     elements === 1
       ? "Ersetzt das Element der Tabelle; Rückgängig stellt es wieder her."
       : `Ersetzt die ${elements} Elemente der Tabelle; Rückgängig stellt sie wieder her.`,
-  newProgram: "Legt ein neues Programm mit dieser Kontur an.",
+  newProgram: "Programm anlegen",
   cycle: "Zyklus",
   sheet: "Zeichnung",
   sheetKeys:
@@ -49,7 +49,7 @@ export const drawingImport = {
     assumed: "angenommen: Die Datei nennt keine Einheit",
     chosen: "gewählt",
   },
-  size: (width, height, unit) => `Größe der Zeichnung ${width} × ${height} ${unit}`,
+  size: (width, height, unit) => `Zeichnung ${width} × ${height} ${unit}`,
   partSize: (across, length) => `⌀ ${across} × ${length} mm`,
   axis: "Drehachse",
   level: "Waagrecht",

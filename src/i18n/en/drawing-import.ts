@@ -13,7 +13,7 @@ export const drawingImport = {
     elements === 1
       ? "Replaces the element in the table; undo restores it."
       : `Replaces the ${elements} elements in the table; undo restores them.`,
-  newProgram: "Creates a new program with this contour.",
+  newProgram: "Create program",
   cycle: "Cycle",
   sheet: "Drawing",
   sheetKeys:
@@ -50,7 +50,7 @@ export const drawingImport = {
     assumed: "assumed: the file states no unit",
     chosen: "selected",
   },
-  size: (width: string, height: string, unit: string) => `Drawing size ${width} × ${height} ${unit}`,
+  size: (width: string, height: string, unit: string) => `Drawing ${width} × ${height} ${unit}`,
   partSize: (across: string, length: string) => `⌀ ${across} × ${length} mm`,
   axis: "Axis of rotation",
   level: "Horizontal",

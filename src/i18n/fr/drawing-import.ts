@@ -12,7 +12,7 @@ export const drawingImport = {
     elements === 1
       ? "Remplace l’élément du tableau ; Annuler le rétablit."
       : `Remplace les ${elements} éléments du tableau ; Annuler les rétablit.`,
-  newProgram: "Crée un nouveau programme avec ce contour.",
+  newProgram: "Créer le programme",
   cycle: "Cycle",
   sheet: "Dessin",
   sheetKeys:
@@ -49,7 +49,7 @@ export const drawingImport = {
     assumed: "supposée : le fichier n’indique pas d’unité",
     chosen: "choisie",
   },
-  size: (width, height, unit) => `Taille du dessin ${width} × ${height} ${unit}`,
+  size: (width, height, unit) => `Dessin ${width} × ${height} ${unit}`,
   partSize: (across, length) => `⌀ ${across} × ${length} mm`,
   axis: "Axe de rotation",
   level: "Horizontal",

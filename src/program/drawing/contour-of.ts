@@ -106,11 +106,8 @@ const none = (notes: readonly DrawingNote[]): DrawnContour => ({
 function notesOf(graph: Graph, piece: Piece, outline: Outline, run: BoundaryRun, choice: ContourChoice): DrawingNote[] {
   const back = backPlacingOf(choice),
     spot = (p: Pt) => ({ x: toDiameter(p.r), z: p.z });
-  const onRun = new Set(run.nodes);
-  const inside =
-    piece.sources.length -
-    run.sources.size -
-    (outline.bore ? (run === outline.bore ? outline.outside : outline.bore).sources.size : 0);
+  const onRun = new Set(run.nodes),
+    inside = piece.sources.filter((source) => !outline.around.has(source)).length;
   return [
     ...openGaps(graph, piece, choice.gap).map(({ width, at }): DrawingNote => ({
       code: "gapOpen",

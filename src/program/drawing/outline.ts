@@ -20,7 +20,8 @@ export interface BoundaryRun {
 export interface Outline {
   readonly outside: BoundaryRun;
   readonly bore: BoundaryRun | null;
-  readonly closed: boolean;
+  /** Sources of all lines around the piece, the faces at its ends included. */
+  readonly around: ReadonlySet<number>;
   /** Place of a face at the rear end that leads to the axis and is left out; null where there is none. */
   readonly rearFace: number | null;
 }
@@ -163,6 +164,9 @@ function boundaryOf(edges: readonly Edge[], place: (n: number) => Pt): Boundary 
   return { edges, walk, start, isEnd, closed };
 }
 
+const sourcesAround = ({ edges, walk }: Boundary): number[] =>
+  withoutSpurs(edges, walk).flatMap((way) => edges[edgeIndex(way)]?.source ?? []);
+
 /**
  * The outside and the bore of a connected piece of a half: what is inside of it (shoulders, edges seen through a bore,
  * threads) is not part of them. Runs begin at the right end, nearest to the axis; the outside of a part without a
@@ -183,10 +187,13 @@ export function outlineOf(all: readonly Edge[], nodes: readonly Pt[]): Outline |
       solid.closed && place(solid.start).r > TOUCHING
         ? withoutSpurs(edges, until(edges, back, solid.start, isInside))
         : [];
+  const outside = runOf(outer.edges, ways),
+    bore = inside.length > 0 ? runOf(edges, inside) : null;
   return {
-    outside: runOf(outer.edges, ways),
-    bore: inside.length > 0 ? runOf(edges, inside) : null,
-    closed: solid.closed,
+    outside,
+    bore,
+    // The walk around an open run only goes and comes back.
+    around: new Set([...outside.sources, ...(bore?.sources ?? []), ...[outer, solid].flatMap(sourcesAround)]),
     rearFace: face,
   };
 }
