@@ -1,6 +1,7 @@
 import { readFile } from "node:fs/promises";
 import type { Locator, Page } from "@playwright/test";
 import { device as t } from "../src/i18n/en/device.ts";
+import { guide } from "../src/i18n/en/guide.ts";
 import { expectAccessible, expectFineInBothThemes } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
@@ -183,16 +184,16 @@ test("a full disk and refused storage are reported, editing continues, and unsav
 
 test("an error of the page keeps the work, offers an export, and stores a local report", async ({ page, context }) => {
   await context.grantPermissions(["clipboard-read", "clipboard-write"]);
-  await page.route(/assets\/ToolPage-.*\.js/, (route) =>
+  await page.route(/assets\/GuidePage-.*\.js/, (route) =>
     route.fulfill({
       contentType: "text/javascript",
-      body: 'export const ToolPage = () => { throw new Error("planted fault"); };',
+      body: 'export const GuidePage = () => { throw new Error("planted fault"); };',
     }),
   );
   const turnwise = await Turnwise.open(page);
   await turnwise.start.beginWithExample(812);
   await turnwise.dialog.set("Q493", "51.25");
-  await button(page, turnwise.t.page.tools.openLong).click();
+  await page.getByRole("button", { name: guide.moreAbout("Q") }).click();
   const crash = page.getByRole("main");
   await expect(page.getByRole("alert")).toContainText(turnwise.t.page.notice.crash);
   const text = crash.getByRole("textbox", { name: t.reports.text });

@@ -42,7 +42,7 @@ export const toolFiles: ToolFileTexts = {
   sheetHint: "Alle Spalten und Halter; Trennzeichen für Tabellenprogramme in Ihrer Sprache.",
   jsonHint: "Alle Spalten und Halter, nichts gerundet; auch für den Befehl verify.",
   noTools: "keine Werkzeuge",
-  importLong: "Werkzeuge aus Dateien importieren: Tabellen der Steuerung, CSV oder JSON",
+  importLong: "Werkzeuge aus Dateien importieren: Werkzeugtabellen, Listen und Bibliotheken",
   notATable: (file) =>
     `${file} enthält keine Werkzeuge in bekannter Form: Tabelle der Steuerung, JSON, Liste mit Spalte T, LinuxCNC, Fusion, HSMWorks, FreeCAD, DIN 4000 oder ISO 13399.`,
 };

@@ -38,7 +38,7 @@ export const toolFiles: ToolFileTexts = {
   sheetHint: "All columns and holders; separators for spreadsheets in your language.",
   jsonHint: "All columns and holders, nothing rounded; the verify command reads it.",
   noTools: "no tools",
-  importLong: "Import tools from files: tables of the control, CSV or JSON",
+  importLong: "Import tools from files: tool tables, sheets and tool libraries",
   notATable: (file) =>
     `${file} has no tools in a known form: a table of the control, JSON, a sheet with a column T, LinuxCNC, Fusion, HSMWorks, FreeCAD, DIN 4000 or ISO 13399.`,
 };

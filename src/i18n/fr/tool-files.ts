@@ -42,7 +42,7 @@ export const toolFiles = typeset<ToolFileTexts>({
   sheetHint: "Toutes les colonnes et les porte-outils ; séparateurs pour les tableurs de votre langue.",
   jsonHint: "Toutes les colonnes et les porte-outils, rien d’arrondi ; lu par la commande verify.",
   noTools: "aucun outil",
-  importLong: "Importer des outils de fichiers : tables de la commande, CSV ou JSON",
+  importLong: "Importer des outils de fichiers : tables d’outils, listes et bibliothèques",
   notATable: (file) =>
     `${file} ne contient pas d’outils sous une forme connue : tableau de la commande, JSON, liste avec une colonne T, LinuxCNC, Fusion, HSMWorks, FreeCAD, DIN 4000 ou ISO 13399.`,
 });

@@ -37,7 +37,7 @@ export const toolFiles: ToolFileTexts = {
   sheetHint: "所有列和刀杆；分隔符适合您语言的电子表格。",
   jsonHint: "所有列和刀杆，不取整；verify 命令可读取。",
   noTools: "没有刀具",
-  importLong: "从文件导入刀具：数控系统的表、CSV 或 JSON",
+  importLong: "从文件导入刀具：刀具表、表格和刀具库",
   notATable: (file) =>
     `${file} 中没有已知格式的刀具：数控系统刀具表、JSON、含 T 列的表格、LinuxCNC、Fusion、HSMWorks、FreeCAD、DIN 4000 或 ISO 13399。`,
 };
