@@ -27,7 +27,8 @@ export const drawing: DrawingTexts = {
   paperUsed: () => "L’espace objet est vide : la présentation est lue. Vérifier son échelle.",
   skipped: ({ kind, count }) => `Non utilisé : ${count} × ${kind}.`,
   broken: ({ count }) => `Omis, nombres incomplets : ${entities(count)}.`,
-  missingBlock: ({ block }) => `L’élément BLOCK ${block} manque dans le fichier ; lier d’abord les références externes.`,
+  missingBlock: ({ block }) =>
+    `L’élément BLOCK ${block} manque dans le fichier ; lier d’abord les références externes.`,
   recursiveBlock: ({ block }) => `L’élément BLOCK ${block} se contient lui-même ; omis.`,
   otherPlane: ({ count }) => `Hors du plan du dessin, omis : ${entities(count)}.`,
   plane: ({ plane }) =>
