@@ -9,6 +9,9 @@ import { readTools, type ShopTools } from "../src/program/tools/read-tools.ts";
 import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 import type { CellName } from "../src/program/tools/tool-columns.ts";
 import { readEntry } from "../src/program/tools/tool-entry.ts";
+import { isLength, proposedAssignment, toolsOfSheet } from "../src/program/tool-sheets/assignment.ts";
+import { unitIn } from "../src/program/tool-sheets/column-words.ts";
+import { readSheet } from "../src/program/tool-sheets/sheet.ts";
 import { unknownToolKeys } from "../src/program/tools/tool-keys.ts";
 import { readList } from "../src/program/tools/tool-list.ts";
 
@@ -50,6 +53,34 @@ const notesOf = ({ tools, refused, assumedUnit }: ForeignTools): readonly string
   ...refused.map(({ label, why, kind }) => `not read: ${label}: ${toolForeign.refusals[why](kind)}`),
 ];
 
+/** Columns that a sheet needs to be one of tools: what each tool is. */
+const SAYS_KIND: ReadonlySet<string> = new Set(["TYPE", "CODE"]);
+
+/** A sheet with titles of its own, its columns as the page proposes them; null when they say nothing about tools. */
+function sheetTools(text: string, unit: LengthUnit): ReadShopTools | null {
+  const sheet = readSheet(text);
+  if (!sheet) return null;
+  const { columns, words } = proposedAssignment(sheet);
+  if (!columns.some((column) => column && SAYS_KIND.has(column.cell))) return null;
+  const titleOf = (at: number) => sheet.titles[at] ?? "";
+  const inUnit = columns.map((column, at) =>
+    column && isLength(column.cell) && unitIn(titleOf(at)) === null ? { ...column, inch: unit === "inch" } : column,
+  );
+  const taken = new Set<number>(shippedTools.map(({ T }) => T));
+  const { rows, twice, unused } = toolsOfSheet(sheet, { columns: inUnit, words }, taken);
+  const read = columns.flatMap((column, at) => (column ? [`${titleOf(at)} as ${column.cell}`] : []));
+  const { table } = readList(rows.map(({ cells }, i) => ({ id: `r${i}`, cells })));
+  const notes = [
+    `columns read by their titles and values, lengths in ${unit} where no unit stands (--tools-unit): ${read.join(", ")}`,
+    ...(unused.length > 0 ? [`columns not read: ${unused.join(", ")}`] : []),
+    ...(twice.length > 0 ? [`numbers that stand twice, the last one counts: ${twice.join(", ")}`] : []),
+    ...rows.flatMap(({ cells, line, isNumbered }) =>
+      isNumbered ? [] : [`line ${line} without a number: proposed T${cells.T ?? ""}`],
+    ),
+  ];
+  return { tools: table, notes };
+}
+
 /** Reads the file of `--tools`: the JSON of this app, a table of the control, a sheet, or a file of another system. */
 export function readShopTools(name: string, data: Uint8Array, unit: LengthUnit): ReadShopTools {
   let texts: ReturnType<typeof textsOfFile>;
@@ -64,7 +95,8 @@ export function readShopTools(name: string, data: Uint8Array, unit: LengthUnit):
   const isForeign = all.some(({ content }) => "foreign" in content);
   if (only && !isForeign && /^\s*[{[]/.test(only.text)) return ownTools(only.text);
   const read = all.filter(({ content }) => !("problem" in content));
-  if (read.length === 0) return { problem: "not a table of tools in a known format" };
+  if (read.length === 0)
+    return (only && sheetTools(only.text, unit)) ?? { problem: "not a table of tools in a known format" };
   const foreign = read.flatMap(({ content }) => ("foreign" in content ? [content.foreign] : []));
   const rows = read.flatMap(({ content }) => ("table" in content ? content.table.rows : []));
   const taken = new Set([...shippedTools.map(({ T }) => T as number), ...rows.map(({ T }) => Number(T))]);
