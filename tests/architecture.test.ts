@@ -18,7 +18,8 @@ const RULES: Record<string, Rule> = {
   sim: { values: ["kernel"] },
   view: { values: ["kernel", "sim"], types: ["cycles"] },
   report: { values: ["kernel", "cycles", "nc", "program", "sim", "i18n"] },
-  course: { values: ["kernel", "cycles", "nc", "program", "sim", "report", "i18n", "zod"] },
+  planning: { values: ["kernel", "cycles", "nc", "program", "sim", "report", "zod"], types: ["i18n"] },
+  course: { values: ["kernel", "cycles", "nc", "program", "sim", "report", "i18n", "planning", "zod"] },
   i18n: { values: ["nc"], types: ["kernel", "cycles", "program"] },
   examples: { values: [] },
 };
