@@ -1,7 +1,7 @@
 import { rangeOf, standardTolerance, TOLERANCE_RANGES } from "./standard-tolerance.ts";
 
 /*
- * Fundamental deviations of ISO 286-1 up to 500 mm (tag S, sources in decision 0056), µm. The rare letters cd, ef, fg, y,
+ * Fundamental deviations of ISO 286-1 up to 500 mm (tag S, sources in decision 0056), mm. The rare letters cd, ef, fg, y,
  * za, zb and zc are left out.
  */
 
@@ -19,81 +19,66 @@ const FINE: readonly number[] = [
 /** Distance of the upper deviation es of shafts below the nominal size, by range. */
 const BELOW: Readonly<Record<string, readonly number[]>> = {
   a: [
-    270, 270, 280, 290, 290, 300, 300, 310, 320, 340, 360, 380, 410, 460, 520, 580, 660, 740, 820, 920, 1050, 1200,
-    1350, 1500, 1650,
+    0.27, 0.27, 0.28, 0.29, 0.29, 0.3, 0.3, 0.31, 0.32, 0.34, 0.36, 0.38, 0.41, 0.46, 0.52, 0.58, 0.66, 0.74, 0.82,
+    0.92, 1.05, 1.2, 1.35, 1.5, 1.65,
   ],
   b: [
-    140, 140, 150, 150, 150, 160, 160, 170, 180, 190, 200, 220, 240, 260, 280, 310, 340, 380, 420, 480, 540, 600, 680,
-    760, 840,
+    0.14, 0.14, 0.15, 0.15, 0.15, 0.16, 0.16, 0.17, 0.18, 0.19, 0.2, 0.22, 0.24, 0.26, 0.28, 0.31, 0.34, 0.38, 0.42,
+    0.48, 0.54, 0.6, 0.68, 0.76, 0.84,
   ],
   c: [
-    60, 70, 80, 95, 95, 110, 110, 120, 130, 140, 150, 170, 180, 200, 210, 230, 240, 260, 280, 300, 330, 360, 400, 440,
-    480,
+    0.06, 0.07, 0.08, 0.095, 0.095, 0.11, 0.11, 0.12, 0.13, 0.14, 0.15, 0.17, 0.18, 0.2, 0.21, 0.23, 0.24, 0.26, 0.28,
+    0.3, 0.33, 0.36, 0.4, 0.44, 0.48,
   ],
-  d: [20, 30, 40, 50, 65, 80, 100, 120, 145, 170, 190, 210, 230],
-  e: [14, 20, 25, 32, 40, 50, 60, 72, 85, 100, 110, 125, 135],
-  f: [6, 10, 13, 16, 20, 25, 30, 36, 43, 50, 56, 62, 68],
-  g: [2, 4, 5, 6, 7, 9, 10, 12, 14, 15, 17, 18, 20],
+  d: [0.02, 0.03, 0.04, 0.05, 0.065, 0.08, 0.1, 0.12, 0.145, 0.17, 0.19, 0.21, 0.23],
+  e: [0.014, 0.02, 0.025, 0.032, 0.04, 0.05, 0.06, 0.072, 0.085, 0.1, 0.11, 0.125, 0.135],
+  f: [0.006, 0.01, 0.013, 0.016, 0.02, 0.025, 0.03, 0.036, 0.043, 0.05, 0.056, 0.062, 0.068],
+  g: [0.002, 0.004, 0.005, 0.006, 0.007, 0.009, 0.01, 0.012, 0.014, 0.015, 0.017, 0.018, 0.02],
   h: [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 };
 
-/** Distance of the lower deviation ei of shafts above the nominal size, by range; NaN where the letter has none. */
+/** Distance of the lower deviation ei of shafts above the nominal size, by range; t begins above 24 mm. */
 const ABOVE: Readonly<Record<string, readonly number[]>> = {
-  k: [0, 1, 1, 1, 2, 2, 2, 3, 3, 4, 4, 4, 5],
-  m: [2, 4, 6, 7, 8, 9, 11, 13, 15, 17, 20, 21, 23],
-  n: [4, 8, 10, 12, 15, 17, 20, 23, 27, 31, 34, 37, 40],
-  p: [6, 12, 15, 18, 22, 26, 32, 37, 43, 50, 56, 62, 68],
-  r: [10, 15, 19, 23, 23, 28, 28, 34, 34, 41, 43, 51, 54, 63, 65, 68, 77, 80, 84, 94, 98, 108, 114, 126, 132],
-  s: [14, 19, 23, 28, 28, 35, 35, 43, 43, 53, 59, 71, 79, 92, 100, 108, 122, 130, 140, 158, 170, 190, 208, 232, 252],
+  k: [0, 0.001, 0.001, 0.001, 0.002, 0.002, 0.002, 0.003, 0.003, 0.004, 0.004, 0.004, 0.005],
+  m: [0.002, 0.004, 0.006, 0.007, 0.008, 0.009, 0.011, 0.013, 0.015, 0.017, 0.02, 0.021, 0.023],
+  n: [0.004, 0.008, 0.01, 0.012, 0.015, 0.017, 0.02, 0.023, 0.027, 0.031, 0.034, 0.037, 0.04],
+  p: [0.006, 0.012, 0.015, 0.018, 0.022, 0.026, 0.032, 0.037, 0.043, 0.05, 0.056, 0.062, 0.068],
+  r: [
+    0.01, 0.015, 0.019, 0.023, 0.023, 0.028, 0.028, 0.034, 0.034, 0.041, 0.043, 0.051, 0.054, 0.063, 0.065, 0.068,
+    0.077, 0.08, 0.084, 0.094, 0.098, 0.108, 0.114, 0.126, 0.132,
+  ],
+  s: [
+    0.014, 0.019, 0.023, 0.028, 0.028, 0.035, 0.035, 0.043, 0.043, 0.053, 0.059, 0.071, 0.079, 0.092, 0.1, 0.108, 0.122,
+    0.13, 0.14, 0.158, 0.17, 0.19, 0.208, 0.232, 0.252,
+  ],
   t: [
-    NaN,
-    NaN,
-    NaN,
-    NaN,
-    NaN,
-    NaN,
-    41,
-    48,
-    54,
-    66,
-    75,
-    91,
-    104,
-    122,
-    134,
-    146,
-    166,
-    180,
-    196,
-    218,
-    240,
-    268,
-    294,
-    330,
-    360,
+    0.041, 0.048, 0.054, 0.066, 0.075, 0.091, 0.104, 0.122, 0.134, 0.146, 0.166, 0.18, 0.196, 0.218, 0.24, 0.268, 0.294,
+    0.33, 0.36,
   ],
   u: [
-    18, 23, 28, 33, 33, 41, 48, 60, 70, 87, 102, 124, 144, 170, 190, 210, 236, 258, 284, 315, 350, 390, 435, 490, 540,
+    0.018, 0.023, 0.028, 0.033, 0.033, 0.041, 0.048, 0.06, 0.07, 0.087, 0.102, 0.124, 0.144, 0.17, 0.19, 0.21, 0.236,
+    0.258, 0.284, 0.315, 0.35, 0.39, 0.435, 0.49, 0.54,
   ],
   x: [
-    20, 28, 34, 40, 45, 54, 64, 80, 97, 122, 146, 178, 210, 248, 280, 310, 350, 385, 425, 475, 525, 590, 660, 740, 820,
+    0.02, 0.028, 0.034, 0.04, 0.045, 0.054, 0.064, 0.08, 0.097, 0.122, 0.146, 0.178, 0.21, 0.248, 0.28, 0.31, 0.35,
+    0.385, 0.425, 0.475, 0.525, 0.59, 0.66, 0.74, 0.82,
   ],
   z: [
-    26, 35, 42, 50, 60, 73, 88, 112, 136, 172, 210, 258, 310, 365, 415, 465, 520, 575, 640, 710, 790, 900, 1000, 1100,
-    1250,
+    0.026, 0.035, 0.042, 0.05, 0.06, 0.073, 0.088, 0.112, 0.136, 0.172, 0.21, 0.258, 0.31, 0.365, 0.415, 0.465, 0.52,
+    0.575, 0.64, 0.71, 0.79, 0.9, 1, 1.1, 1.25,
   ],
 };
 
 /** By grade: lower deviation of shafts j, and upper deviation of holes J, by range; no formula gives them. */
 const J_SHAFT: Readonly<Record<number, readonly number[]>> = {
-  5: [-2, -2, -2, -3, -4, -5, -7, -9, -11, -13, -16, -18, -20],
-  6: [-2, -2, -2, -3, -4, -5, -7, -9, -11, -13, -16, -18, -20],
-  7: [-4, -4, -5, -6, -8, -10, -12, -15, -18, -21, -26, -28, -32],
+  5: [-0.002, -0.002, -0.002, -0.003, -0.004, -0.005, -0.007, -0.009, -0.011, -0.013, -0.016, -0.018, -0.02],
+  6: [-0.002, -0.002, -0.002, -0.003, -0.004, -0.005, -0.007, -0.009, -0.011, -0.013, -0.016, -0.018, -0.02],
+  7: [-0.004, -0.004, -0.005, -0.006, -0.008, -0.01, -0.012, -0.015, -0.018, -0.021, -0.026, -0.028, -0.032],
 };
 const J_HOLE: Readonly<Record<number, readonly number[]>> = {
-  6: [2, 5, 5, 6, 8, 10, 13, 16, 18, 22, 25, 29, 33],
-  7: [4, 6, 8, 10, 12, 14, 18, 22, 26, 30, 36, 39, 43],
-  8: [6, 10, 12, 15, 20, 24, 28, 34, 41, 47, 55, 60, 66],
+  6: [0.002, 0.005, 0.005, 0.006, 0.008, 0.01, 0.013, 0.016, 0.018, 0.022, 0.025, 0.029, 0.033],
+  7: [0.004, 0.006, 0.008, 0.01, 0.012, 0.014, 0.018, 0.022, 0.026, 0.03, 0.036, 0.039, 0.043],
+  8: [0.006, 0.01, 0.012, 0.015, 0.02, 0.024, 0.028, 0.034, 0.041, 0.047, 0.055, 0.06, 0.066],
 };
 
 /** Smallest size without the wide clearances of a, b and of holes N above grade 8, and range of the correction, mm. */
@@ -102,11 +87,13 @@ const FIRST_RANGE = 3;
 /** Last grades whose K, M, N, and whose P and above, are corrected; last grade with a transition k. */
 const LAST_KMN = 8;
 const LAST_P = 7;
+/** What holes M6 above 250 to 315 mm are above the formula, mm. */
+const EXCEPTION = 0.002;
 
 const valueIn = (table: Readonly<Record<string, readonly number[]>>, letter: string, size: number): number | null => {
-  const values = table[letter];
-  const value = values?.[rangeOf(size, values.length === FINE.length ? FINE : TOLERANCE_RANGES)];
-  return value === undefined || Number.isNaN(value) ? null : value;
+  const values = table[letter] ?? [];
+  const ends = values.length === TOLERANCE_RANGES.length ? TOLERANCE_RANGES : FINE;
+  return values[rangeOf(size, ends) - (ends.length - values.length)] ?? null;
 };
 
 /** A deviation and the side of the tolerance zone that it limits. */
@@ -145,13 +132,14 @@ function ofHole(letter: string, grade: number, size: number): Fundamental | null
     return letter === "k" && size > FIRST_RANGE ? null : { upper: -above };
   }
   const delta = grade <= (isTransition ? LAST_KMN : LAST_P) ? correction(grade, size) : 0;
-  // The standard prints this one zone out of its own formula.
+  // The standard prints M6 in this range out of its own formula.
   const isException = letter === "m" && grade === 6 && size > 250 && size <= 315;
-  return { upper: delta - above + (isException ? 2 : 0) };
+  return { upper: delta - above + (isException ? EXCEPTION : 0) };
 }
 
-/** Digits of a micrometre in a millimetre. */
-const inMm = (micrometres: number): number => (Math.round(micrometres * 10) || 0) / 10_000;
+/** Deviations are whole or half micrometres. */
+const STEPS = 10_000;
+const exact = (size: number): number => Math.round(size * STEPS) / STEPS || 0;
 
 /**
  * Limit deviations of a tolerance class such as h6 (shaft) or H7 (hole) for a nominal size in mm; null for a letter, grade
@@ -161,10 +149,10 @@ export function deviationsOf(letters: string, grade: number, size: number): Devi
   const it = grade >= 5 ? standardTolerance(grade, size) : null;
   if (it === null) return null;
   const letter = letters.toLowerCase();
-  if (letter === "js") return { upper: inMm(it / 2), lower: inMm(-it / 2) };
+  if (letter === "js") return { upper: exact(it / 2), lower: exact(-it / 2) };
   if (letters !== letter && letters !== letters.toUpperCase()) return null;
   const found = letters === letter ? ofShaft(letter, grade, size) : ofHole(letter, grade, size);
   if (!found) return null;
   const upper = found.upper ?? (found.lower ?? 0) + it;
-  return { upper: inMm(upper), lower: inMm(found.lower ?? upper - it) };
+  return { upper: exact(upper), lower: exact(found.lower ?? upper - it) };
 }

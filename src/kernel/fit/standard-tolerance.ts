@@ -1,30 +1,30 @@
 /*
  * Standard tolerances of ISO 286-1 up to 500 mm (tag S: public transcriptions of the standard; the sources are in
- * decision 0056). µm.
+ * decision 0056), mm.
  */
 
 /** Upper ends of the ranges of sizes, mm: above the one before, up to this. */
 export const TOLERANCE_RANGES: readonly number[] = [3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500];
 
-/** By grade; one value for each range, µm. Grade 4 only serves the deviations of holes of grade 5. */
+/** By grade; one value for each range. Grade 4 only serves the deviations of holes of grade 5. */
 const GRADES: Readonly<Record<number, readonly number[]>> = {
-  4: [3, 4, 4, 5, 6, 7, 8, 10, 12, 14, 16, 18, 20],
-  5: [4, 5, 6, 8, 9, 11, 13, 15, 18, 20, 23, 25, 27],
-  6: [6, 8, 9, 11, 13, 16, 19, 22, 25, 29, 32, 36, 40],
-  7: [10, 12, 15, 18, 21, 25, 30, 35, 40, 46, 52, 57, 63],
-  8: [14, 18, 22, 27, 33, 39, 46, 54, 63, 72, 81, 89, 97],
-  9: [25, 30, 36, 43, 52, 62, 74, 87, 100, 115, 130, 140, 155],
-  10: [40, 48, 58, 70, 84, 100, 120, 140, 160, 185, 210, 230, 250],
-  11: [60, 75, 90, 110, 130, 160, 190, 220, 250, 290, 320, 360, 400],
-  12: [100, 120, 150, 180, 210, 250, 300, 350, 400, 460, 520, 570, 630],
-  13: [140, 180, 220, 270, 330, 390, 460, 540, 630, 720, 810, 890, 970],
-  14: [250, 300, 360, 430, 520, 620, 740, 870, 1000, 1150, 1300, 1400, 1550],
+  4: [0.003, 0.004, 0.004, 0.005, 0.006, 0.007, 0.008, 0.01, 0.012, 0.014, 0.016, 0.018, 0.02],
+  5: [0.004, 0.005, 0.006, 0.008, 0.009, 0.011, 0.013, 0.015, 0.018, 0.02, 0.023, 0.025, 0.027],
+  6: [0.006, 0.008, 0.009, 0.011, 0.013, 0.016, 0.019, 0.022, 0.025, 0.029, 0.032, 0.036, 0.04],
+  7: [0.01, 0.012, 0.015, 0.018, 0.021, 0.025, 0.03, 0.035, 0.04, 0.046, 0.052, 0.057, 0.063],
+  8: [0.014, 0.018, 0.022, 0.027, 0.033, 0.039, 0.046, 0.054, 0.063, 0.072, 0.081, 0.089, 0.097],
+  9: [0.025, 0.03, 0.036, 0.043, 0.052, 0.062, 0.074, 0.087, 0.1, 0.115, 0.13, 0.14, 0.155],
+  10: [0.04, 0.048, 0.058, 0.07, 0.084, 0.1, 0.12, 0.14, 0.16, 0.185, 0.21, 0.23, 0.25],
+  11: [0.06, 0.075, 0.09, 0.11, 0.13, 0.16, 0.19, 0.22, 0.25, 0.29, 0.32, 0.36, 0.4],
+  12: [0.1, 0.12, 0.15, 0.18, 0.21, 0.25, 0.3, 0.35, 0.4, 0.46, 0.52, 0.57, 0.63],
+  13: [0.14, 0.18, 0.22, 0.27, 0.33, 0.39, 0.46, 0.54, 0.63, 0.72, 0.81, 0.89, 0.97],
+  14: [0.25, 0.3, 0.36, 0.43, 0.52, 0.62, 0.74, 0.87, 1, 1.15, 1.3, 1.4, 1.55],
 };
 
 /** Index of the range of a size in a list of upper ends; −1 for 0, less, or more than the last. */
 export const rangeOf = (size: number, ends: readonly number[]): number =>
   size > 0 ? ends.findIndex((end) => size <= end) : -1;
 
-/** Standard tolerance IT of a grade for a nominal size in mm, µm; null for a grade or size that is not in the table. */
+/** Standard tolerance IT of a grade for a nominal size, mm; null for a grade or size that is not in the table. */
 export const standardTolerance = (grade: number, size: number): number | null =>
   GRADES[grade]?.[rangeOf(size, TOLERANCE_RANGES)] ?? null;

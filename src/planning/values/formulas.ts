@@ -1,3 +1,5 @@
+import { SAME_STEP } from "../../kernel/tolerance.ts";
+
 /**
  * The formulas of cutting values in standard symbols: ap depth, f feed, vc cutting speed, n rpm, rε nose radius, l edge
  * length, b width of a blade, d diameter, P pitch, h depth of a thread, i passes, kc specific force, δ allowed
@@ -77,7 +79,7 @@ export const leastOf = (first: ReasonedNumber, ...others: readonly (ReasonedNumb
 
 /** Rounded down to a step that an operator types; a value below one step stays as it is. */
 export function typedDown(value: ReasonedNumber, step: number): ReasonedNumber {
-  const down = Number((Math.floor(value.value / step + 1e-9) * step).toFixed(4));
+  const down = Number((Math.floor(value.value / step + SAME_STEP) * step).toFixed(4));
   return { ...value, value: down > 0 ? down : value.value };
 }
 
