@@ -2,7 +2,7 @@ import { z } from "zod";
 import { partSchema } from "../src/planning/part/part-file.ts";
 import { machineSchema } from "../src/program/machine/machine-file.ts";
 
-const jsonSchema = (title: string, schema: Parameters<typeof z.toJSONSchema>[0]): string =>
+const jsonSchema = (title: string, schema: z.core.$ZodType): string =>
   `${JSON.stringify({ title, ...z.toJSONSchema(schema, { io: "input", unrepresentable: "any" }) }, null, 2)}\n`;
 
 /**
