@@ -45,7 +45,7 @@ describe("a program", () => {
       drawn = drawnProgram(answer, made);
     const finished = drawn && partOfDrawn(drawn, { name });
     const planned = finished && plannedPart(finished);
-    expect(planned?.problems.filter((p) => p.code !== "front")).toEqual([]);
+    expect(planned?.problems.filter((p) => p.severity === "error")).toEqual([]);
     const nominal = finished && plannedPart({ ...finished, marks: {} });
     expect(unshared(nominal?.part?.rings ?? [], drawn?.rings ?? [])).toBeLessThan(0.5);
   });
@@ -61,7 +61,7 @@ describe("an exercise with a workshop drawing", () => {
     const drawn = drawnTask(task);
     const finished = drawn && partOfDrawn(drawn, { name: id });
     const planned = finished && plannedPart(finished);
-    expect(planned?.problems.filter((p) => p.code !== "front")).toEqual([]);
+    expect(planned?.problems.filter((p) => p.severity === "error")).toEqual([]);
     // Without its marks: their sizes are at the middle of the tolerances.
     const nominal = finished && plannedPart({ ...finished, marks: {} });
     expect(unshared(nominal?.part?.rings ?? [], drawn?.rings ?? [])).toBeLessThan(0.05);

@@ -8,6 +8,9 @@ import { readRows } from "../../program/job/contour-rows.ts";
 import { cylinder, rotation } from "../../program/state/blank-form.ts";
 import { anyNumber, readText } from "../../program/values/field.ts";
 import { areaOf } from "../../kernel/area/area.ts";
+import { boxAround } from "../../kernel/area/box.ts";
+import { SAME } from "../../kernel/tolerance.ts";
+import type { BlankDraft } from "../../program/job/job.ts";
 import type { FinishedPart } from "./finished-part.ts";
 import { partProblem, type PartProblem } from "./part-problem.ts";
 
@@ -16,15 +19,28 @@ const ON_DIAMETER = 2,
   SAWN = 1,
   BEHIND = 30;
 
+const typedOf = ({ blank }: FinishedPart, name: keyof BlankDraft, problems: PartProblem[]): number | null => {
+  const read = readText(
+    { ...anyNumber, id: `blank.${name}` },
+    blank && name in blank ? (blank as BlankDraft)[name] : "",
+  );
+  if (read.issue) problems.push(partProblem("wrong", { at: `blank.${name}` }));
+  return read.value;
+};
+
+/** Radius of the hole of a blank, mm; 0 where it is solid. `stated`: the blank, where it needs no proposal. */
+export function holeOf(part: FinishedPart, stated: readonly Ring[] | null): number {
+  if (stated === null) return toRadius(diameter(Math.max(0, typedOf(part, "bore", []) ?? 0)));
+  const low = stated.length > 0 ? boxAround(stated).low : 0;
+  return low > SAME ? low : 0;
+}
+
 /**
  * The blank of a part. Fields that are empty are proposed from the box of the part; null while that is needed and
  * unknown.
  */
-export function blankOfPart(
-  { blank, partsOff, unmachinedBehind }: FinishedPart,
-  box: Box | null,
-  problems: PartProblem[],
-): readonly Ring[] | null {
+export function blankOfPart(part: FinishedPart, box: Box | null, problems: PartProblem[]): readonly Ring[] | null {
+  const { blank, partsOff, unmachinedBehind } = part;
   if (blank && "outline" in blank) {
     const { contour, issues } = readRows(blank.outline),
       wrong = issues.find(({ issue }) => issue.severity === "error");
@@ -33,11 +49,7 @@ export function blankOfPart(
     problems.push(partProblem("blankWrong", {}, { side: "blank" }));
     return [];
   }
-  const typed = (name: "outside" | "bore" | "length" | "allowance") => {
-    const read = readText({ ...anyNumber, id: `blank.${name}` }, blank?.[name] ?? "");
-    if (read.issue) problems.push(partProblem("wrong", { at: `blank.${name}` }));
-    return read.value;
-  };
+  const typed = (name: keyof BlankDraft) => typedOf(part, name, problems);
   const needsPart =
     !blank || blank.outside.trim() === "" || blank.length.trim() === "" || blank.allowance.trim() === "";
   if (needsPart && !box) return null;

@@ -123,6 +123,13 @@ test("a tube keeps its own bore", () => {
   expect(counterbored.part && written(counterbored.part.inside)).toBe("26,0 > 26,-8 i2 > 20,-8 i2 > 20,-30 i2");
 });
 
+test("a contour that ends in a face ends in the blank", () => {
+  const { part, blank, problems } = plannedPart(partWith("L 20 0 | L - -10 | L 30 -"));
+  expect(problems).toEqual([]);
+  expect(areaOf(part?.rings ?? [])).toBeCloseTo(10 * 10 + 16 * 30, 3);
+  expect(areaOf(blank)).toBeCloseTo(16 * 41, 3);
+});
+
 test("what is not machined behind the contour stays as the blank is", () => {
   const blank = { outside: "50", bore: "0", length: "62", allowance: "2" };
   const { part } = plannedPart(partWith("L 20 0 | L - -10 | L 30 - | L - -30", "", { blank, unmachinedBehind: true }));

@@ -21,7 +21,7 @@ import {
   type Links,
 } from "./chain-links.ts";
 import type { FinishedPart } from "./finished-part.ts";
-import { blankOfPart, clampingOfPart } from "./part-blank.ts";
+import { blankOfPart, clampingOfPart, holeOf } from "./part-blank.ts";
 import { partProblem, type PartProblem } from "./part-problem.ts";
 import { markedRows } from "./marked-rows.ts";
 
@@ -48,7 +48,15 @@ const onAxisAt = ({ z }: Pt): Pt => at(z, 0);
 interface Sides {
   readonly outside: Links;
   readonly inside: Links;
+  /** The outside has no rear end: the part goes on as the blank is. */
+  readonly isOpen: boolean;
 }
+
+/** Whether an outside ends in a face that rises out of the part, as contours that end in the blank do. */
+const endsInBlank = (outside: Links): boolean => {
+  const s = outside.at(-1)?.segment;
+  return s?.kind === "line" && Math.abs(s.from.z - s.to.z) <= SAME && s.to.r > s.from.r;
+};
 
 /** The outside from the axis on: a missing front face is added. */
 function withFrontFace(outside: Links): Links {
@@ -66,7 +74,8 @@ function withFloor(inside: Links, rearZ: number, hole: number): Links {
   return hole > SAME ? [...links, lineTo(floor, at(rearZ, floor.r), end)] : links;
 }
 
-function sidesOf(part: FinishedPart, blank: readonly Ring[], problems: PartProblem[]): Sides | null {
+/** `hole`: radius of the hole of the blank, 0 where it is solid. */
+function sidesOf(part: FinishedPart, hole: number, problems: PartProblem[]): Sides | null {
   const read = (side: "outside" | "inside") => {
     const { links, problems: found } = markedRows(part, side);
     problems.push(...found);
@@ -85,21 +94,20 @@ function sidesOf(part: FinishedPart, blank: readonly Ring[], problems: PartProbl
     problems.push(partProblem("noOutside", {}));
     return null;
   }
-  const low = blank.length > 0 ? boxAround(blank).low : 0,
-    hole = low > SAME ? low : 0;
+  const isOpen = part.unmachinedBehind || (!part.partsOff && endsInBlank(bare));
   // A part made of a tube without a word on its bore has that of the tube.
   const own = bore.length === 0 && hole > 0 ? [lineTo(at(first.z, hole), at(last.z, hole), begin)] : bore;
-  if (own.length === 0) return { outside, inside: [] };
+  if (own.length === 0) return { outside, inside: [], isOpen };
   const joined = joinedAtFront(outside, own);
   const from = firstPoint(own) ?? first;
   if (!joined) {
     problems.push(partProblem("openFront", spot(from), { side: "inside", ...(own[0] && { row: own[0].mark.row }) }));
     return null;
   }
-  const rear = part.unmachinedBehind ? -Infinity : last.z;
-  const ended = part.unmachinedBehind ? joined.inside : endedAt(joined.inside, lineTo(last, onAxisAt(last), end));
-  if (part.unmachinedBehind && hole > 0) return { ...joined, inside: ended };
-  return { outside: joined.outside, inside: withFloor(ended, rear, hole) };
+  const rear = isOpen ? -Infinity : last.z;
+  const ended = isOpen ? joined.inside : endedAt(joined.inside, lineTo(last, onAxisAt(last), end));
+  const inside = isOpen && hole > 0 ? ended : withFloor(ended, rear, hole);
+  return { outside: joined.outside, inside, isOpen };
 }
 
 /** The closed half section of both sides. */
@@ -123,8 +131,8 @@ function remaining({ outside, inside }: Sides, blank: readonly Ring[]): readonly
   return difference(blank, solid);
 }
 
-/** Where the outline of a part crosses itself; null where it does not. `isOpen`: it has no rear face. */
-function crossingOf({ outside, inside }: Sides, isOpen: boolean): PartProblem | null {
+/** Where the outline of a part crosses itself; null where it does not. */
+function crossingOf({ outside, inside, isOpen }: Sides): PartProblem | null {
   const last = lastPoint(outside),
     end = outside.at(-1),
     to = lastPoint(inside);
@@ -153,13 +161,13 @@ export function plannedPart(part: FinishedPart): PlannedPartResult {
   const problems: PartProblem[] = [];
   const stated = blankOfPart(part, null, problems);
   const none = (blank: readonly Ring[] = []): PlannedPartResult => ({ part: null, blank, clamping: null, problems });
-  const sides = sidesOf(part, stated ?? [], problems);
+  const sides = sidesOf(part, holeOf(part, stated), problems);
   if (!sides) return none(stated ?? []);
   const ring = ringOf(sides),
-    crossing = crossingOf(sides, part.unmachinedBehind);
+    crossing = crossingOf(sides);
   if (crossing) problems.push(crossing);
-  const blank = stated ?? blankOfPart(part, boxAround([ring]), problems) ?? [],
-    rings = part.unmachinedBehind ? remaining(sides, blank) : [ring];
+  const blank = stated ?? blankOfPart({ ...part, unmachinedBehind: sides.isOpen }, boxAround([ring]), problems) ?? [],
+    rings = sides.isOpen ? remaining(sides, blank) : [ring];
   if (!crossing && areaOf(rings) < LEAST_AREA)
     problems.push(
       sides.inside.length > 0
@@ -170,8 +178,7 @@ export function plannedPart(part: FinishedPart): PlannedPartResult {
   const front = boxAround([ring]).right;
   if (Math.abs(front) > SAME) problems.push(partProblem("front", { z: front }, { severity: "warning" }));
   const beyond = blank.length > 0 ? areaOf(difference([ring], blank)) : 0;
-  if (beyond > BEYOND && !part.unmachinedBehind)
-    problems.push(partProblem("beyondBlank", { area: beyond }, { severity: "warning" }));
+  if (beyond > BEYOND) problems.push(partProblem("beyondBlank", { area: beyond }, { severity: "warning" }));
   const clamping = clampingOfPart(part, problems),
     { ra, rz } = part.general,
     general = { ...(ra !== undefined && { roughness: ra }), ...(rz !== undefined && { rz }) };
