@@ -2,6 +2,7 @@ import { toleranceMiddle } from "../../kernel/fit/typed-tolerance.ts";
 import { cutThread, type NamedThread } from "../../kernel/thread/named-thread.ts";
 import { readThread } from "../../kernel/thread/threads.ts";
 import { SAME } from "../../kernel/tolerance.ts";
+import { radians, radiusOf } from "../../kernel/units.ts";
 import { readRows, type RowReading } from "../../program/job/contour-rows.ts";
 import type { ContourRow } from "../../program/job/job.ts";
 import type { FinishedPart, RowMark } from "./finished-part.ts";
@@ -12,11 +13,17 @@ type Side = "outside" | "inside";
 /** A coordinate as text, finer than the resolution of a control. */
 const text = (n: number) => String(Number(n.toFixed(6)) || 0);
 
-/** Ends of the elements, X as ⌀; null for corners, recesses and centres. */
-type Ends = readonly ({ x: number; z: number } | null)[];
+/** End of an element, X as ⌀. */
+interface End {
+  x: number;
+  z: number;
+}
+/** Ends of the elements; null for corners, recesses and centres. */
+type Ends = readonly (End | null)[];
+type IsLine = (row: number) => boolean;
 
 /** A row whose end is absolute: nothing of it is solved any more, so that the end may be moved. */
-function plain(row: ContourRow, { radius, turn }: RowReading, end: { x: number; z: number }): ContourRow {
+function plain(row: ContourRow, { radius, turn }: RowReading, end: End): ContourRow {
   const at = { x: text(end.x), z: text(end.z), incrementalX: false, incrementalZ: false };
   const bare = { ...row, ...at, angle: "", length: "", tangent: false, second: false, words: {} };
   return radius === null || turn === null
@@ -33,8 +40,22 @@ function crestOf(thread: NamedThread, side: Side): number | null {
   return own && thread.taper === 0 ? cutThread(own, "middle").crest : null;
 }
 
-/** Moves the ends of a run of elements that share a coordinate: a cylinder in several rows stays a cylinder. */
-function moveRun(ends: Ends, axis: "x" | "z", from: number, to: number, by: number): void {
+/** Slopes of lines that keep their angle when a cylinder beside them moves: chamfers and flanks, not tapers. */
+const [LEAST_SLOPE, MOST_SLOPE] = [Math.tan(radians(15)), Math.tan(radians(75))];
+
+/** Distance along Z by which the end of a chamfer moves when its cylinder moves by `by` (⌀), mm; 0 for other elements. */
+function slide(end: End | null | undefined, other: End | null | undefined, isLine: boolean, by: number): number {
+  if (!end || !other || !isLine) return 0;
+  const [across, along] = [end.x - other.x, end.z - other.z],
+    slope = Math.abs(radiusOf(across) / along);
+  return slope > LEAST_SLOPE && slope < MOST_SLOPE ? (by * along) / across : 0;
+}
+
+/**
+ * Moves the ends of a run of elements that share a coordinate: a cylinder in several rows stays a cylinder. `isLine`: of
+ * the element that ends at an index.
+ */
+function moveRun(ends: Ends, axis: "x" | "z", [from, to]: readonly [number, number], by: number, isLine: IsLine): void {
   const now = ends[to]?.[axis] ?? 0,
     isSame = (i: number) => {
       const end = ends[i];
@@ -43,7 +64,20 @@ function moveRun(ends: Ends, axis: "x" | "z", from: number, to: number, by: numb
   let [first, last] = [from, to];
   while (first > 0 && isSame(first - 1)) first -= 1;
   while (last + 1 < ends.length && isSame(last + 1)) last += 1;
-  for (const end of ends.slice(first, last + 1)) if (end) end[axis] += by;
+  const run = ends.slice(first, last + 1).filter((end) => end !== null),
+    [begin, end] = [run[0], run.at(-1)];
+  if (axis === "x" && begin && end) {
+    const begins = ends.indexOf(begin),
+      [before, after] = [
+        slide(begin, ends[first - 1], isLine(begins), by),
+        slide(end, ends[last + 1], isLine(last + 1), by),
+      ];
+    if (Math.abs(before) + Math.abs(after) < Math.abs(begin.z - end.z)) {
+      begin.z += before;
+      end.z += after;
+    }
+  }
+  for (const each of run) each[axis] += by;
 }
 
 /** The breadth of a recess in the middle of its tolerance. */
@@ -66,6 +100,7 @@ export function middleRows(
   if (!rows.some((row) => isSized(marks[row.id]))) return rows;
   const reading = readRows(rows);
   const ends: Ends = reading.rows.map(({ end }) => (end ? { ...end } : null));
+  const isLine = (i: number) => reading.rows[i]?.radius === null;
   const isCentre = (i: number) => rows[i]?.kind === "CC";
   const isOpen = rows.some(({ kind }, i) => !ends[i] && !["RND", "CHF", "UDC", "GRV", "CC"].includes(kind));
   // The rows are not finished: their own issues say so.
@@ -85,8 +120,7 @@ export function middleRows(
       continue;
     }
     const axis = from && to && (["x", "z"] as const).find((each) => Math.abs(from[each] - to[each]) <= SAME);
-    const isLine = reading.rows[i]?.radius === null;
-    if (!to || !axis || !isLine) {
+    if (!to || !axis || !isLine(i)) {
       if (tolerance !== undefined) problems.push(partProblem("tolerancePlace", { text: tolerance }, place));
       continue;
     }
@@ -95,13 +129,13 @@ export function middleRows(
       const isDrawn =
         crest !== null &&
         [named.nominal, crest, named[side]?.crest ?? crest].some((x) => Math.abs(x - to.x) <= named.pitch / 4);
-      if (isDrawn) moveRun(ends, "x", before, i, crest - to.x);
+      if (isDrawn) moveRun(ends, "x", [before, i], crest - to.x, isLine);
       else if (crest !== null) problems.push(partProblem("threadSize", { text: thread ?? "", x: to.x, crest }, place));
     } else if (tolerance !== undefined) {
       const size = axis === "x" ? to.x : Math.abs(to.z),
         middle = middleOf(tolerance, size);
       if (middle === null) problems.push(partProblem("toleranceText", { text: tolerance }, place));
-      else moveRun(ends, axis, before, i, (middle - size) * (axis === "z" && to.z < 0 ? -1 : 1));
+      else moveRun(ends, axis, [before, i], (middle - size) * (axis === "z" && to.z < 0 ? -1 : 1), isLine);
     }
   }
   return rows.flatMap((row, i) => {
