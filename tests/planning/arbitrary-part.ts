@@ -141,10 +141,11 @@ function insideOf(steps: readonly Inner[], length: number, through: boolean) {
     row({ x: across(halves), ...(i === 0 && { z: "0" }) });
     const broken = i === 0 ? null : edge(step, room);
     if (broken) row(broken);
+    // Drawn at its nominal ⌀: the part has the core.
     const isThread = step.feature === "thread" && halves >= 12;
     row(
       { z: text(end) },
-      isThread ? { ...markOf({ ...step, tolerance: null }) } : markOf({ ...step, tolerance: null }),
+      isThread ? { thread: `M${across(halves)}x${text(pitchFor(halves))}` } : markOf({ ...step, tolerance: null }),
     );
     if (step.feature === "groove" && z - end > 6)
       row({
