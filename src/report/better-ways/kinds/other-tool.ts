@@ -1,0 +1,26 @@
+import { changeOf, type Change } from "../change.ts";
+import { retooled } from "../edits.ts";
+import type { Fits } from "../fits.ts";
+import { LEAST } from "../measure.ts";
+import type { Situation } from "../situation.ts";
+
+/** What a saved tool change is expected to be worth, s. */
+const CHANGE = 8;
+
+/** Another tool for one operation: faster, or one that is in the spindle already. */
+export function otherTool({ program, units, run, uses }: Situation, fits: Fits): readonly Change[] {
+  const used = new Set(uses.tools);
+  return units.flatMap((of) => {
+    const { unit, index, operation } = of;
+    const [before, after] = [run.operations[index - 1]?.tool.T, run.operations[index + 1]?.tool.T];
+    return fits(of)
+      .filter(({ tool, makesContour }) => makesContour && used.has(tool.T))
+      .flatMap(({ tool, seconds }) => {
+        const faster = operation.seconds - seconds;
+        const expected = faster + (tool.T === before || tool.T === after ? CHANGE : 0);
+        if (expected < LEAST.seconds) return [];
+        const subject = { kind: "otherTool", units: [unit], tool: tool.T, instead: operation.tool.T } as const;
+        return changeOf(program, subject, retooled(program, unit, of, tool), expected);
+      });
+  });
+}
