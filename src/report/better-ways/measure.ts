@@ -1,7 +1,7 @@
 import type { Run } from "../../program/state/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 
-/** The tools of a run in the order of their first use, and the number of changes between them. */
+/** The tools of a run in the order of their first use, and the number of tool changes, the first tool included. */
 export interface Uses {
   readonly tools: readonly number[];
   readonly changes: number;
@@ -9,13 +9,13 @@ export interface Uses {
 
 export function usesOf({ steps }: Pick<Run, "steps">): Uses {
   const tools = new Set<number>();
-  let [changes, last] = [-1, NaN];
+  let [changes, last] = [0, NaN];
   for (const { tool } of steps) {
     if (tool.T !== last) changes += 1;
     last = tool.T;
     tools.add(last);
   }
-  return { tools: [...tools], changes: Math.max(0, changes) };
+  return { tools: [...tools], changes };
 }
 
 /** What a way is measured by: s, tools, tool changes, residual material in mm². */

@@ -1,5 +1,5 @@
 import { cutLength, isBar, tipDirection } from "../../../kernel/cutter/insert.ts";
-import { IN_MM, roundedDown, roundedUpTo, toDiameter } from "../../../kernel/units.ts";
+import { IN_MM, rounded, roundedUpTo, toDiameter } from "../../../kernel/units.ts";
 import { valueInProgram } from "../../../program/blocks/cycle-values.ts";
 import { powerAt } from "../../../program/machine/machine-data.ts";
 import { depthForPower, EDGE_USED } from "../../advice/formulas.ts";
@@ -31,7 +31,8 @@ function greatest(of: TurningUnit, { power, material, run: { timing } }: Situati
       : [spindle.speed * around, spindle.speed];
   const given = (timing.turning && powerAt(timing.turning, rpm)) ?? power;
   const byEdge = tool.TYPE === "FINISH" ? FINISHING_DEPTH : edge * EDGE_USED * SHARE;
-  return roundedDown(Math.min(byEdge, depthForPower(material, given, feed, speed)));
+  const most = Math.min(byEdge, depthForPower(material, given, feed, speed));
+  return rounded(Math.floor(most / STEP + 1e-6) * STEP);
 }
 
 /** A greater infeed with fewer passes, within what edge and spindle take. */
