@@ -125,7 +125,11 @@ function Ways({
   const { search, stop, again } = useBetterWays(program, conditions);
   const knowsChanges = useOutcome((s) => s.newest?.run.timing.contains.includes("toolChange") ?? true);
   const [opened, open] = useState<string | null>(null);
-  const [used, note] = useState<{ readonly what: string; readonly step: HistoryStep | null } | null>(null);
+  const [used, note] = useState<{
+    readonly key: string;
+    readonly what: string;
+    readonly step: HistoryStep | null;
+  } | null>(null);
   const canUndo = useIsLastStep(used?.step) && used?.step !== null;
   const top = useRef<HTMLDivElement>(null);
   const operations = useMemo(() => operationsIn(search.of.text), [search.of.text]);
@@ -135,7 +139,9 @@ function Ways({
   const fresh = new Set(search.ways.map(keyOf));
   const rows = [
     ...search.ways.map((way) => ({ way, isStale: !isPresent })),
-    ...search.stale.filter((way) => !fresh.has(keyOf(way))).map((way) => ({ way, isStale: true })),
+    ...search.stale
+      .filter((way) => !fresh.has(keyOf(way)) && keyOf(way) !== used?.key)
+      .map((way) => ({ way, isStale: true })),
   ];
   const noTime = !knowsChanges && rows.some(({ way: { gains } }) => gains.includes("changes"));
 
@@ -155,7 +161,7 @@ function Ways({
     });
     closeStep();
     open(null);
-    note({ what, step });
+    note({ key: keyOf(way), what, step });
     top.current?.focus();
   };
   const undoUsed = () => {
@@ -241,7 +247,9 @@ function Ways({
           })}
         </ol>
       )}
+      {search.isFaulty && <p className="small soft">{words.faulty}</p>}
       {noTime && <p className="small soft">{words.noTime}</p>}
+      {own === undefined && <p className="small soft">{words.noMaterial}</p>}
     </>
   );
 }

@@ -9,9 +9,11 @@ import type { Conditions } from "../../report/better-ways/situation.ts";
 export interface WaySearch {
   readonly of: ProgramWork;
   readonly state: "preparing" | "trying" | "done" | "stopped" | "failed";
+  /** The program has faults: only a better check result counts. */
+  readonly isFaulty: boolean;
   readonly tried: number;
   readonly count: number;
-  /** The best of what was found, the best first. */
+  /** The best of what was found; the best first once the search has ended. */
   readonly ways: readonly BetterWay[];
   /** What was offered for the program before, until this search ends: to be tried again. */
   readonly stale: readonly BetterWay[];
@@ -20,6 +22,7 @@ export interface WaySearch {
 const begun = (of: ProgramWork, stale: readonly BetterWay[]): WaySearch => ({
   of,
   state: "preparing",
+  isFaulty: false,
   tried: 0,
   count: 0,
   ways: [],
@@ -42,16 +45,18 @@ export function useBetterWays(
       const found = await searchBetterWays(program, conditions);
       if (!isNewest()) return;
       if (!found) return tell({ state: "failed", stale: [] });
-      const { candidates } = found;
-      tell({ state: "trying", count: candidates.length });
+      const { candidates, baseline } = found;
+      tell({ state: "trying", count: candidates.length, isFaulty: baseline.verdict === "faults" });
       const better: BetterWay[] = [];
       for (const [i, candidate] of candidates.entries()) {
         const way = await tryBetterWay(program, found, candidate);
         if (!isNewest()) return;
         if (way) better.push(way);
-        tell({ tried: i + 1, ways: bestWays(better) });
+        // In the order in which they were found: a row must not move away under the pointer.
+        const best = new Set(bestWays(better));
+        tell({ tried: i + 1, ways: better.filter((each) => best.has(each)) });
       }
-      tell({ state: "done", stale: [] });
+      tell({ state: "done", stale: [], ways: bestWays(better) });
     };
     void tryAll();
     return () => void begin();

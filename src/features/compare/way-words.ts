@@ -101,7 +101,7 @@ export function subjectWords(wording: WayWording, { subject }: BetterWay): strin
     case "otherChoice":
       return kinds.otherChoice(first, valueWords(wording, subject));
     case "infeed": {
-      const most = `${writeTyped(lengths.language, value?.most ?? 0, 2)} ${lengths.unit}`;
+      const most = `${number(value?.most)} ${lengths.unit}`;
       return kinds.infeed(first, valueWords(wording, subject), String(tool), most);
     }
     case "start":

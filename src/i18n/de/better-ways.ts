@@ -20,6 +20,8 @@ export const betterWays: BetterWaysTexts = {
   undo: "Rückgängig",
   updating: "Das geänderte Programm wird neu geprüft …",
   noTime: "Die Maschinendaten nennen keine Werkzeugwechselzeit: Ein Wechsel zählt 0 s.",
+  faulty: "Das Programm hat Fehler: Vorgeschlagen wird nur, was das Prüfergebnis verbessert.",
+  noMaterial: "Das Programm nennt keinen Werkstoff: keine Vorschläge zu Schnittdaten.",
   and: (first, last) => `${first} und ${last}`,
   operation: (n, title) => (title === "" ? `Bearbeitung ${n}` : `Bearbeitung ${n} „${title}“`),
   gains: {

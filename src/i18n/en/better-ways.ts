@@ -21,6 +21,8 @@ export const betterWays = {
   undo: "Undo",
   updating: "Trying again with the changed program …",
   noTime: "The machine data state no tool change time: a change counts 0 s.",
+  faulty: "The program has errors: only changes with a better check result are suggested.",
+  noMaterial: "The program states no material: no cutting data are suggested.",
   and: (first: string, last: string) => `${first} and ${last}`,
   operation: (n: number, title: string) => (title === "" ? `Operation ${n}` : `Operation ${n} “${title}”`),
   gains: {

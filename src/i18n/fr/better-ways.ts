@@ -22,6 +22,9 @@ export const betterWays = typeset<BetterWaysTexts>({
   undo: "Annuler",
   updating: "Nouvelle simulation avec le programme modifié…",
   noTime: "Les données machine n’indiquent pas de temps de changement d’outil : un changement compte 0 s.",
+  faulty:
+    "Le programme comporte des erreurs : seules sont proposées les modifications qui améliorent le résultat du contrôle.",
+  noMaterial: "Le programme n’indique pas de matière : aucune proposition de données de coupe.",
   and: (first, last) => `${first} et ${last}`,
   operation: (n, title) => (title === "" ? `Usinage ${n}` : `Usinage ${n} « ${title} »`),
   gains: {

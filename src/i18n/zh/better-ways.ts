@@ -19,6 +19,8 @@ export const betterWays: BetterWaysTexts = {
   undo: "撤销",
   updating: "正在用更改后的程序重新仿真…",
   noTime: "机床数据中没有换刀时间：换刀按 0 s 计。",
+  faulty: "程序有错误：只建议能改善检查结果的更改。",
+  noMaterial: "程序未注明材料：不建议切削数据。",
   and: (first, last) => `${first}和${last}`,
   operation: (n, title) => (title === "" ? `工序 ${n}` : `工序 ${n}“${title}”`),
   gains: {

@@ -208,6 +208,13 @@ describe("better ways", () => {
     expect(waysOf(text, { isStated: false }).map(({ subject }) => subject)).toEqual([]);
   });
 
+  test("an operation that cuts nothing because the part came off before is not deleted", () => {
+    const part =
+      "TOOL CALL 9\nFUNCTION TURNDATA SPIN VCONST:ON VC:140 SMAX2000\nM136\nL X+84 Z-60 FMAX M303\nL X-1 F0.1\nL X+84 FMAX\n";
+    const text = program([part, section(1, 190, cut(812, "X+80 Z+2", shoulder(70, -40, 0)))]);
+    expect(waysOf(text).filter(({ subject }) => subject.kind === "noCut")).toEqual([]);
+  });
+
   test("without a stated material no speed or feed is offered", () => {
     const text = program([section(1, 80, rough({ Q478: 0.12 })), section(3, 240, finish())]);
     const kinds = waysOf(text, { isStated: false }).map(({ subject }) => subject.kind);

@@ -16,8 +16,6 @@ export interface Fit {
 }
 export type Fits = (of: TurningUnit) => readonly Fit[];
 
-/** Most tools that are planned for an operation, those that the program uses first. */
-const MOST_TOOLS = 24;
 /** Most plans of one search. */
 const MOST_PLANS = 600;
 /** Most material that a finishing insert takes, mm per side. */
@@ -58,22 +56,19 @@ function bears(of: TurningUnit, tool: Tool, { infeed }: Plan): boolean {
   return (feed ?? 0) <= FEED_OF_NOSE * noseRadius(tool) && (edge === undefined || infeed <= EDGE_USED * edge);
 }
 
-/** Plans operations with the other tools of the table, each operation once. */
+/** Plans operations with the other tools that the program calls, each operation once. */
 export function fitter({ tools, uses }: Pick<Situation, "tools" | "uses">): Fits {
   const known = new Map<number, readonly Fit[]>();
   const used = new Set(uses.tools);
-  const sorted = tools
-    .filter((tool) => checkTool(tool).length === 0)
-    .toSorted((a, b) => Number(used.has(b.T)) - Number(used.has(a.T)));
+  const called = tools.filter((tool) => used.has(tool.T) && checkTool(tool).length === 0);
   let plans = 0;
   const fitsOf = (of: TurningUnit): readonly Fit[] => {
     const { cycle, operation, call } = of;
     if (cycle.group === "thread") return [];
     const { tool: own, feedUnit, plan, seconds } = operation;
     const turns = feedTurns(plan, call.start);
-    return sorted
+    return called
       .filter((tool) => tool.T !== own.T && isUsualTool(cycle.group, tool))
-      .slice(0, MOST_TOOLS)
       .flatMap((tool): readonly Fit[] => {
         plans += 1;
         if (plans > MOST_PLANS) return [];

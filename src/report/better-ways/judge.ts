@@ -130,6 +130,8 @@ export function judged(before: Baseline, attempt: Attempt): Judged | null {
   const [more, longer] = [measure.tools > was.tools || measure.changes > was.changes, measure.seconds - was.seconds];
   // Without data of the machine a change of the tool costs no time: time alone must not be bought with one.
   if (gains.length === 0 || (more && !cleaner)) return null;
+  // A program with faults is first put right.
+  if (before.verdict === "faults" && !gains.includes("verdict")) return null;
   if (!cleaner && longer > MOST_LONGER * was.seconds) return null;
   if (!isSamePart(before, simulation.final) || !isAsSmooth(before.surface, surfaceOf(attempt))) return null;
   return { measure, gains };

@@ -50,7 +50,12 @@ export const infeed = (situation: Situation): readonly Change[] =>
     const { unit: length } = situation.run.program;
     if (!param || fewest >= passes || to > param.range[1]) return [];
     const inProgram = (mm: number) => valueInProgram(param, mm, length === "inch");
-    const value = { at: written.q, from: written.value, to: inProgram(to), most: most / IN_MM[length] };
+    const value = {
+      at: written.q,
+      from: written.value,
+      to: inProgram(to),
+      most: Math.floor((most / IN_MM[length]) * 1000 + 1e-6) / 1000,
+    };
     if (value.to <= value.from) return [];
     return changeOf(
       situation.program,

@@ -22,7 +22,7 @@ import { cutsAir, stockBefore } from "../stock-before.ts";
 import { isSameContour } from "./one-call.ts";
 
 /** Most operations that are looked at, the longest first; most tools per cycle that are planned and that are tried. */
-const MOST = { operations: 20, planned: 8, tried: 2 } as const;
+const MOST = { operations: 20, planned: 5, tried: 2 } as const;
 /** A blade turns at most this share of its width deep (Ingersoll: 0.8), here with a margin. */
 const BLADE_DEPTH = 0.5;
 /** Step of an allowance, mm. */
@@ -127,6 +127,10 @@ export function otherCycle(situation: Situation): readonly Change[] {
     const turns = feedTurns(plan, call.start);
     let known: number | null = null;
     const allowance = () => (known ??= allowanceOf(situation, of));
+    const makesSame = (cycle: Cycle, values: Values<Params>): boolean => {
+      const { contour } = cycle.outline(values, call.given);
+      return isSameContour(contour, plan.contour) || isSameContour(reversed(contour), plan.contour);
+    };
     return others(situation, of).flatMap((cycle) => {
       const planned = usable
         .filter((tool) => isUsualTool(cycle.group, tool))
@@ -134,8 +138,7 @@ export function otherCycle(situation: Situation): readonly Change[] {
         .flatMap((tool) => {
           const values = valuesFor(cycle, of, tool, allowance);
           const read = values as Values<Params>;
-          const { contour } = cycle.outline(read, call.given);
-          if (!isSameContour(contour, plan.contour) && !isSameContour(reversed(contour), plan.contour)) return [];
+          if (!makesSame(cycle, read)) return [];
           const setting = { tool, start: call.start, feedUnit, autoFeed: call.autoFeed, stock: null };
           const made = cycle.plan(read, setting, call.given);
           if (!fitOf(tool, made).makesContour || turns <= 0) return [];

@@ -8,13 +8,12 @@ import type { Situation } from "../situation.ts";
 const CHANGE = 8;
 
 /** Another tool for one operation: faster, or one that is in the spindle already. */
-export function otherTool({ program, units, run, uses }: Situation, fits: Fits): readonly Change[] {
-  const used = new Set(uses.tools);
+export function otherTool({ program, units, run }: Situation, fits: Fits): readonly Change[] {
   return units.flatMap((of) => {
     const { unit, index, operation } = of;
     const [before, after] = [run.operations[index - 1]?.tool.T, run.operations[index + 1]?.tool.T];
     return fits(of)
-      .filter(({ tool, makesContour }) => makesContour && used.has(tool.T))
+      .filter(({ makesContour }) => makesContour)
       .flatMap(({ tool, seconds }) => {
         const faster = operation.seconds - seconds;
         const expected = faster + (tool.T === before || tool.T === after ? CHANGE : 0);
