@@ -3,10 +3,11 @@ import type { Program } from "../../nc/program.ts";
 import type { StatementOf } from "../../nc/statement.ts";
 import type { CycleParameter } from "../../nc/words.ts";
 import { operationsOf } from "../../program/edits/operations.ts";
+import { roundedDownTo } from "../../kernel/units.ts";
 import { noseRadius } from "../../kernel/cutter/insert.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { isRefused, retooledOperation, type Refusal } from "../../program/edits/operation-edits.ts";
-import { writtenNumber, type Situation, type TurningUnit } from "./situation.ts";
+import { writtenNumber, type ProgramSituation, type TurningUnit } from "./situation.ts";
 
 type CycleStatement = StatementOf<"cycle">;
 
@@ -21,7 +22,7 @@ export const withNumbers = (statement: CycleStatement, numbers: Readonly<Record<
 
 /** The program with other numbers in the cycle of an operation. */
 export const withValues = (
-  { program }: Situation,
+  { program }: ProgramSituation,
   { definition, statement }: TurningUnit,
   numbers: Readonly<Record<string, number>>,
 ): Program => withBlock(program, definition, withNumbers(statement, numbers));
@@ -47,6 +48,6 @@ export function retooled(program: Program, unit: number, of: TurningUnit, tool: 
   const written = writtenNumber(of, "finishingFeed");
   const share = Math.sqrt(noseRadius(tool) / noseRadius(of.operation.tool));
   if (isRefused(made) || !written || of.work === "rough" || !(share < 1)) return made;
-  const feed = Math.round(Math.floor((written.value * share) / FEED_STEP + 1e-6) * FEED_STEP * 1000) / 1000;
-  return withNumbersIn(made, unit, { [written.q]: Math.max(FEED_STEP, feed) });
+  const feed = Math.max(FEED_STEP, roundedDownTo(FEED_STEP, written.value * share));
+  return withNumbersIn(made, unit, { [written.q]: feed });
 }

@@ -5,7 +5,7 @@ import type { Tool } from "../../kernel/plan/tool.ts";
 import { checkTool } from "../../program/tools/check-tool.ts";
 import { fitOf, isUsualTool } from "../../program/tools/which-tool.ts";
 import { EDGE_USED, FEED_OF_NOSE } from "../advice/formulas.ts";
-import { calledNumber, type Situation, type TurningUnit } from "./situation.ts";
+import { calledNumber, type ProgramSituation, type TurningUnit } from "./situation.ts";
 
 /** Another tool for an operation, planned with its values. */
 export interface Fit {
@@ -27,7 +27,7 @@ const BLADE = { depth: 0.8, feed: 0.075 } as const;
 export function feedTurns({ moves }: Plan, start: Pt): number {
   let [from, turns] = [start, 0];
   for (const move of moves) {
-    if (move.kind === "feed" || move.kind === "arc") turns += part.apart(from, move.to) / Math.max(move.feed, 1e-6);
+    if ((move.kind === "feed" || move.kind === "arc") && move.feed > 0) turns += part.apart(from, move.to) / move.feed;
     from = move.to;
   }
   return turns;
@@ -57,7 +57,7 @@ function bears(of: TurningUnit, tool: Tool, { infeed }: Plan): boolean {
 }
 
 /** Plans operations with the other tools that the program calls, each operation once. */
-export function fitter({ tools, uses }: Pick<Situation, "tools" | "uses">): Fits {
+export function fitter({ tools, uses }: Pick<ProgramSituation, "tools" | "uses">): Fits {
   const known = new Map<number, readonly Fit[]>();
   const used = new Set(uses.tools);
   const called = tools.filter((tool) => used.has(tool.T) && checkTool(tool).length === 0);

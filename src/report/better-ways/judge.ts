@@ -105,7 +105,7 @@ const hasNoNewFaults = (before: Baseline["faults"], now: Baseline["faults"]): bo
   Object.entries(now).every(([key, count]) => count <= (before[key] ?? 0));
 
 /** What a tried program measures and gains. */
-export interface Judged {
+export interface Improvement {
   readonly measure: Measure;
   readonly gains: readonly Gain[];
 }
@@ -114,7 +114,7 @@ export interface Judged {
  * Judges a tried program; null unless it is better: the same part with the same surface, no finding more, and a
  * measurable gain that costs nothing else, apart from a little time for a tool or a cut of residual material.
  */
-export function judged(before: Baseline, attempt: Attempt): Judged | null {
+export function judged(before: Baseline, attempt: Attempt): Improvement | null {
   const { run, simulation } = attempt;
   const { verdict, reasons } = verdictOf(run, simulation);
   const measure = measureOf(run, simulation);

@@ -11,10 +11,10 @@ import { otherCycle } from "./kinds/other-cycle.ts";
 import { otherTool } from "./kinds/other-tool.ts";
 import { restOperation } from "./kinds/rest-operation.ts";
 import { start } from "./kinds/start.ts";
-import type { Situation } from "./situation.ts";
+import type { ProgramSituation } from "./situation.ts";
 
 /** What finds the changes of each kind. */
-export const KINDS: Readonly<Record<ChangeKind, (situation: Situation, fits: Fits) => readonly Change[]>> = {
+export const KINDS: Readonly<Record<ChangeKind, (situation: ProgramSituation, fits: Fits) => readonly Change[]>> = {
   noCut,
   fewerTools,
   fewerChanges,

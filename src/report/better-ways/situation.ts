@@ -50,7 +50,7 @@ export interface TurningUnit {
 }
 
 /** A program with its result, ready for changes. */
-export interface Situation extends Attempt, Conditions {
+export interface ProgramSituation extends Attempt, Conditions {
   readonly program: Program;
   readonly all: Operations;
   readonly units: readonly TurningUnit[];
@@ -97,7 +97,7 @@ function turningUnits(program: Program, all: Operations, { operations }: Run): r
 }
 
 /** Reads a program and its result as a situation. */
-export function situationOf(program: Program, attempt: Attempt, conditions: Conditions): Situation {
+export function situationOf(program: Program, attempt: Attempt, conditions: Conditions): ProgramSituation {
   const all = operationsOf(program);
   return {
     ...attempt,

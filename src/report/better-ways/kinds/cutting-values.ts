@@ -1,13 +1,16 @@
 import { isBar, noseRadius } from "../../../kernel/cutter/insert.ts";
+import { roundedDownTo } from "../../../kernel/units.ts";
 import { withBlock } from "../../../nc/edit.ts";
 import { valueInProgram } from "../../../program/blocks/cycle-values.ts";
 import { cuttingPower, FEED_OF_NOSE } from "../../advice/formulas.ts";
 import { changeOf, type Change } from "../change.ts";
 import { withValues } from "../edits.ts";
-import { calledNumber, writtenNumber, type Situation, type TurningUnit } from "../situation.ts";
+import { calledNumber, writtenNumber, type ProgramSituation, type TurningUnit } from "../situation.ts";
 
 /** A value counts as low below the value of the table divided by this: the factor of the advice (decision 0032). */
 const FAR = 1.6;
+/** Step of a feed, mm/rev. */
+const FEED_STEP = 0.01;
 
 const turns = ({ cycle, operation }: TurningUnit) =>
   (cycle.group === "longitudinal" || cycle.group === "transverse") &&
@@ -15,12 +18,12 @@ const turns = ({ cycle, operation }: TurningUnit) =>
   operation.feedUnit === "mm/rev";
 
 /** Power that roughing takes with other values, kW; 0 for finishing. */
-function powerOf(of: TurningUnit, { material }: Situation, speed: number, feed: number): number {
+function powerOf(of: TurningUnit, { material }: ProgramSituation, speed: number, feed: number): number {
   return of.work === "finish" ? 0 : cuttingPower(material, of.operation.plan.infeed, feed, speed);
 }
 
 /** Cutting speed of a section of operations, far below that of the material. */
-export const cuttingSpeed = (situation: Situation): readonly Change[] => {
+export const cuttingSpeed = (situation: ProgramSituation): readonly Change[] => {
   const { program, all, units, material, power } = situation;
   if (!situation.isStated || situation.run.program.unit === "inch") return [];
   return all.sections.flatMap((section, s): readonly Change[] => {
@@ -47,7 +50,7 @@ export const cuttingSpeed = (situation: Situation): readonly Change[] => {
 };
 
 /** A roughing feed far below that of the material, up to what the nose takes. */
-export const feed = (situation: Situation): readonly Change[] => {
+export const feed = (situation: ProgramSituation): readonly Change[] => {
   const { program, units, material, power, run } = situation;
   if (!situation.isStated) return [];
   return units.filter(turns).flatMap((of): readonly Change[] => {
@@ -56,7 +59,7 @@ export const feed = (situation: Situation): readonly Change[] => {
     const [called, spindle] = [calledNumber(of, "roughingFeed"), operation.spindle];
     const param = written && cycle.params[written.q];
     if (work === "finish" || !written || !param || called === null || called <= 0 || !spindle) return [];
-    const most = Math.floor(Math.min(material.roughFeed, FEED_OF_NOSE * noseRadius(operation.tool)) * 100 + 1e-6) / 100;
+    const most = roundedDownTo(FEED_STEP, Math.min(material.roughFeed, FEED_OF_NOSE * noseRadius(operation.tool)));
     const speed = spindle.kind === "surface" ? spindle.cuttingSpeed : 0;
     if (called * FAR > most || powerOf(of, situation, speed, most) > power) return [];
     const to = valueInProgram(param, most, run.program.unit === "inch");

@@ -1,6 +1,6 @@
 import { movedOperation } from "../../../program/edits/operation-edits.ts";
 import { changeOf, type Change } from "../change.ts";
-import type { Situation, TurningUnit } from "../situation.ts";
+import type { ProgramSituation, TurningUnit } from "../situation.ts";
 
 /** What a saved tool change is expected to be worth, s. */
 const CHANGE = 12;
@@ -8,7 +8,7 @@ const CHANGE = 12;
 const isRoughing = ({ work, cycle }: TurningUnit): boolean => cycle.group !== "thread" && work !== "finish";
 
 /** Operations with one tool side by side. Finishing and threads stay behind the roughing that they follow. */
-export function fewerChanges({ program, units }: Situation): readonly Change[] {
+export function fewerChanges({ program, units }: ProgramSituation): readonly Change[] {
   return units.flatMap((first, i) =>
     units.slice(i + 2).flatMap((second, k): readonly Change[] => {
       const between = units.slice(i + 1, i + 2 + k);

@@ -2,10 +2,10 @@ import { isRefused } from "../../../program/edits/operation-edits.ts";
 import { changeOf, type Change } from "../change.ts";
 import { retooled } from "../edits.ts";
 import type { Fits } from "../fits.ts";
-import type { Situation } from "../situation.ts";
+import type { ProgramSituation } from "../situation.ts";
 
 /** A tool can go when one that the program calls anyway does all its operations. */
-export function fewerTools({ program, all, units, uses, run }: Situation, fits: Fits): readonly Change[] {
+export function fewerTools({ program, all, units, uses, run }: ProgramSituation, fits: Fits): readonly Change[] {
   return uses.tools.flatMap((gone) => {
     const own = units.filter(({ operation }) => operation.tool.T === gone);
     // Every move with the tool belongs to an operation that can be changed.

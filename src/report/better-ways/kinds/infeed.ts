@@ -1,11 +1,11 @@
 import { cutLength, isBar, tipDirection } from "../../../kernel/cutter/insert.ts";
-import { IN_MM, rounded, roundedUpTo, toDiameter } from "../../../kernel/units.ts";
+import { IN_MM, rounded, roundedDown, roundedDownTo, roundedUpTo, toDiameter } from "../../../kernel/units.ts";
 import { valueInProgram } from "../../../program/blocks/cycle-values.ts";
 import { powerAt } from "../../../program/machine/machine-data.ts";
 import { depthForPower, EDGE_USED } from "../../advice/formulas.ts";
 import { changeOf, type Change } from "../change.ts";
 import { withValues } from "../edits.ts";
-import { calledNumber, writtenNumber, type Situation, type TurningUnit } from "../situation.ts";
+import { calledNumber, writtenNumber, type ProgramSituation, type TurningUnit } from "../situation.ts";
 
 /**
  * Share of the depth that advice allows for an edge: chip breaker and overhang are unknown, so that an offer stays well
@@ -18,7 +18,7 @@ const FINISHING_DEPTH = 1;
 const STEP = 0.1;
 
 /** The greatest infeed to offer, mm: by the edge and the power; null for bars, bores and tools without CUTLENGTH. */
-function greatest(of: TurningUnit, { power, material, run: { timing } }: Situation): number | null {
+function greatest(of: TurningUnit, { power, material, run: { timing } }: ProgramSituation): number | null {
   const { tool, spindle, feedUnit, start } = of.operation;
   const edge = cutLength(tool);
   const feed = calledNumber(of, "roughingFeed");
@@ -31,12 +31,11 @@ function greatest(of: TurningUnit, { power, material, run: { timing } }: Situati
       : [spindle.speed * around, spindle.speed];
   const given = (timing.turning && powerAt(timing.turning, rpm)) ?? power;
   const byEdge = tool.TYPE === "FINISH" ? FINISHING_DEPTH : edge * EDGE_USED * SHARE;
-  const most = Math.min(byEdge, depthForPower(material, given, feed, speed));
-  return rounded(Math.floor(most / STEP + 1e-6) * STEP);
+  return roundedDownTo(STEP, Math.min(byEdge, depthForPower(material, given, feed, speed)));
 }
 
 /** A greater infeed with fewer passes, within what edge and spindle take. */
-export const infeed = (situation: Situation): readonly Change[] =>
+export const infeed = (situation: ProgramSituation): readonly Change[] =>
   situation.units.flatMap((of): readonly Change[] => {
     const { cycle, operation, unit, work } = of;
     const written = writtenNumber(of, "infeed");
@@ -44,7 +43,7 @@ export const infeed = (situation: Situation): readonly Change[] =>
     const { passes, infeed: depth } = operation.plan;
     const most = greatest(of, situation);
     if (most === null || passes < 2 || depth >= most) return [];
-    const fewest = Math.ceil((passes * depth) / most - 1e-6);
+    const fewest = Math.ceil(rounded((passes * depth) / most));
     const to = Math.min(most, roundedUpTo(STEP, (passes * depth) / fewest));
     const param = cycle.params[written.q];
     const { unit: length } = situation.run.program;
@@ -54,7 +53,7 @@ export const infeed = (situation: Situation): readonly Change[] =>
       at: written.q,
       from: written.value,
       to: inProgram(to),
-      most: Math.floor((most / IN_MM[length]) * 1000 + 1e-6) / 1000,
+      most: roundedDown(most / IN_MM[length]),
     };
     if (value.to <= value.from) return [];
     return changeOf(

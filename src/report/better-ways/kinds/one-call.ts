@@ -3,7 +3,7 @@ import { SAME } from "../../../kernel/tolerance.ts";
 import { isRefused, withoutOperation } from "../../../program/edits/operation-edits.ts";
 import { changeOf, type Change } from "../change.ts";
 import { withNumbers } from "../edits.ts";
-import { writtenNumber, type Situation } from "../situation.ts";
+import { writtenNumber, type ProgramSituation } from "../situation.ts";
 import { withBlock } from "../../../nc/edit.ts";
 
 /** Q215 for roughing and finishing. */
@@ -23,7 +23,7 @@ export const isSameContour = (a: readonly Segment[], b: readonly Segment[]): boo
   });
 
 /** Roughing and finishing with one tool in one call. */
-export const oneCall = ({ program, units }: Situation): readonly Change[] =>
+export const oneCall = ({ program, units }: ProgramSituation): readonly Change[] =>
   units.flatMap((rough, i): readonly Change[] => {
     const finish = units[i + 1];
     if (!finish || rough.work !== "rough" || finish.work !== "finish" || finish.unit !== rough.unit + 1) return [];

@@ -2,7 +2,7 @@ import type { Param, Topic } from "../../../cycles/params.ts";
 import { hasNoEffect, type SomeValues } from "../../../cycles/effect.ts";
 import { changeOf, type Change } from "../change.ts";
 import { withValues } from "../edits.ts";
-import type { Situation } from "../situation.ts";
+import type { ProgramSituation } from "../situation.ts";
 
 /**
  * Choices of a cycle that change its path over the same contour. Smoothing is none of them: without it roughing leaves
@@ -13,7 +13,7 @@ const TOPICS: ReadonlySet<Topic> = new Set<Topic>(["direction", "cuttingLines", 
 const SAVED = 0.08;
 
 /** Another choice of a cycle: direction, order of cuts, comb. */
-export const otherChoice = (situation: Situation): readonly Change[] =>
+export const otherChoice = (situation: ProgramSituation): readonly Change[] =>
   situation.units.flatMap((of) => {
     const { cycle, statement, operation, unit, call } = of;
     return Object.entries<Param>(cycle.params).flatMap(([q, param]) => {

@@ -17,7 +17,7 @@ import { checkTool } from "../../../program/tools/check-tool.ts";
 import { fitOf, isUsualTool } from "../../../program/tools/which-tool.ts";
 import { changeOf, type Change } from "../change.ts";
 import { feedTurns } from "../fits.ts";
-import { calledNumber, qOf, type Situation, type TurningUnit } from "../situation.ts";
+import { calledNumber, qOf, type ProgramSituation, type TurningUnit } from "../situation.ts";
 import { cutsAir, stockBefore } from "../stock-before.ts";
 import { isSameContour } from "./one-call.ts";
 
@@ -61,7 +61,7 @@ const FAMILY: Readonly<Record<Group, "turning" | "grooving" | null>> = {
 };
 
 /** The cycles that could make the same contour; parallel passes only where the stock already has its shape. */
-const others = (situation: Situation, of: TurningUnit): readonly Cycle[] =>
+const others = (situation: ProgramSituation, of: TurningUnit): readonly Cycle[] =>
   cuttingCycles.filter(
     (each) =>
       each.number !== of.cycle.number &&
@@ -71,7 +71,7 @@ const others = (situation: Situation, of: TurningUnit): readonly Cycle[] =>
   );
 
 /** The thickness of the stock above the contour, mm, rounded up as it is typed. */
-function allowanceOf(situation: Situation, of: TurningUnit): number {
+function allowanceOf(situation: ProgramSituation, of: TurningUnit): number {
   const { contour } = of.operation.plan;
   const chords = contour.flatMap((segment) => part.flattened(segment, CHORD));
   const from = (p: Pt) => Math.min(...chords.map((q, i) => (i === 0 ? Infinity : fromLine(p, chords[i - 1] ?? q, q))));
@@ -91,7 +91,7 @@ function fromLine(p: Pt, a: Pt, b: Pt): number {
 }
 
 /** Another cycle for the same contour, with the tools that do it fastest. */
-export function otherCycle(situation: Situation): readonly Change[] {
+export function otherCycle(situation: ProgramSituation): readonly Change[] {
   const { program, run, tools, uses } = situation;
   const labels = ncLabels(situation.ncLanguage);
   const used = new Set(uses.tools);

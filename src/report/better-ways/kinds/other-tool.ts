@@ -2,13 +2,13 @@ import { changeOf, type Change } from "../change.ts";
 import { retooled } from "../edits.ts";
 import type { Fits } from "../fits.ts";
 import { LEAST } from "../measure.ts";
-import type { Situation } from "../situation.ts";
+import type { ProgramSituation } from "../situation.ts";
 
 /** What a saved tool change is expected to be worth, s. */
 const CHANGE = 8;
 
 /** Another tool for one operation: faster, or one that is in the spindle already. */
-export function otherTool({ program, units, run }: Situation, fits: Fits): readonly Change[] {
+export function otherTool({ program, units, run }: ProgramSituation, fits: Fits): readonly Change[] {
   return units.flatMap((of) => {
     const { unit, index, operation } = of;
     const [before, after] = [run.operations[index - 1]?.tool.T, run.operations[index + 1]?.tool.T];

@@ -4,7 +4,7 @@ import { changeOf, type Change } from "../change.ts";
 import { retooled, withNumbersIn } from "../edits.ts";
 import { depthOf, suitsWork } from "../fits.ts";
 import { LEAST } from "../measure.ts";
-import { qOf, type Situation, type TurningUnit } from "../situation.ts";
+import { qOf, type ProgramSituation, type TurningUnit } from "../situation.ts";
 
 /** Most regions and tools per region that are looked at: each costs a cut per tool. */
 const MOST_REGIONS = 8;
@@ -21,7 +21,7 @@ function best(found: readonly Remedy[], used: ReadonlySet<number>): readonly Rem
 }
 
 /** Residual material goes with another tool: in the operation that leaves it, or in one more behind it. */
-export function restOperation(situation: Situation): readonly Change[] {
+export function restOperation(situation: ProgramSituation): readonly Change[] {
   const { program, units, tools, uses, simulation } = situation;
   const used = new Set(uses.tools);
   const find = remedies(tools);

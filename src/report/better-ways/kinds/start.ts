@@ -1,14 +1,15 @@
 import { boxAround } from "../../../kernel/area/box.ts";
-import { IN_MM, rounded, roundedUpTo } from "../../../kernel/units.ts";
+import { IN_MM, radius, roundedDownTo, roundedUpTo, toDiameter } from "../../../kernel/units.ts";
 import { withBlock } from "../../../nc/edit.ts";
 import type { Program } from "../../../nc/program.ts";
 import { callsCycle } from "../../../program/edits/operations.ts";
 import { changeOf, type Change } from "../change.ts";
-import type { Situation, TurningUnit } from "../situation.ts";
+import type { ProgramSituation, TurningUnit } from "../situation.ts";
 import { cutsAir, stockBefore } from "../stock-before.ts";
 
-/** Step of a start point, mm; nearer moves save nothing. */
-const STEP = 0.1;
+/** Step of a start point in the unit of the program, and the least way that is worth a change, mm. */
+const STEPS = { mm: 0.1, inch: 0.005 } as const;
+const LEAST_WAY = 0.1;
 /** Clearance that stays above stock, mm; beside it none is needed. */
 const CLEARANCE = 1;
 /** Most operations whose stock is cut again to look for it. */
@@ -27,7 +28,7 @@ function positioningOf({ blocks }: Program, { definition }: TurningUnit, from: n
 }
 
 /** The way by which an operation can begin nearer to the stock that it cuts, mm, along its infeed. */
-function spareWay(situation: Situation, of: TurningUnit): number {
+function spareWay(situation: ProgramSituation, of: TurningUnit): number {
   const { plan, start } = of.operation;
   const { whole, inArea } = stockBefore(situation, of);
   if (inArea.length === 0) return 0;
@@ -46,7 +47,7 @@ function spareWay(situation: Situation, of: TurningUnit): number {
 }
 
 /** Passes in the air in front of the stock: the cycle begins nearer. */
-export function start(situation: Situation): readonly Change[] {
+export function start(situation: ProgramSituation): readonly Change[] {
   const { program, all, units, simulation, run } = situation;
   const inAir = units.filter((of) => cutsAir(situation, of));
   return inAir.slice(0, MOST).flatMap((of): readonly Change[] => {
@@ -55,11 +56,13 @@ export function start(situation: Situation): readonly Change[] {
     const axis = openSide.r !== 0 ? "X" : "Z";
     const found = positioningOf(program, of, all.units[unit]?.from ?? 0, axis);
     const way = spareWay(situation, of);
-    if (!found || way < STEP) return [];
-    // X is a diameter; the step is rounded away from the stock.
-    const away = (axis === "X" ? 2 * openSide.r : openSide.z) / IN_MM[run.program.unit];
-    const near = found.value - way * away;
-    const to = rounded(away > 0 ? roundedUpTo(STEP, near) : -roundedUpTo(STEP, -near));
+    if (!found || way < LEAST_WAY) return [];
+    // X is a diameter; the start is rounded away from the stock.
+    const nearer = axis === "X" ? toDiameter(radius(way)) * openSide.r : way * openSide.z;
+    const { unit: length } = run.program;
+    const near = found.value - nearer / IN_MM[length];
+    const to = (nearer > 0 ? roundedUpTo : roundedDownTo)(STEPS[length], near);
+    if ((found.value - to) * nearer <= 0) return [];
     const words = {
       ...found.s.words,
       axes: found.s.words.axes.map((each) => (each.axis === axis ? { ...each, value: to } : each)),
