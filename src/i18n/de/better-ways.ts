@@ -38,7 +38,8 @@ export const betterWays: BetterWaysTexts = {
     noCut: (operation) => `${operation} zerspant nichts und wird gelöscht.`,
     fewerTools: (operations, tool) => `${operations} mit Werkzeug ${tool}, das im Programm ohnehin vorkommt.`,
     fewerChanges: (operation, next) => `${operation} wird neben ${next} verschoben: Beide haben dasselbe Werkzeug.`,
-    restOperation: (operation, tool) => `Nach ${operation} wird der Rest mit Werkzeug ${tool} bearbeitet.`,
+    restOperation: (operation, tool) =>
+      `${operation}, danach eine weitere Bearbeitung mit Werkzeug ${tool} für das Restmaterial.`,
     otherTool: (operation, tool, instead) => `${operation} mit Werkzeug ${tool} statt ${instead}.`,
     otherCycle: (operation, cycle) => `${operation} mit Zyklus ${cycle}.`,
     otherCycleAndTool: (operation, cycle, tool) => `${operation} mit Zyklus ${cycle} und Werkzeug ${tool}.`,

@@ -41,7 +41,7 @@ export const betterWays = {
       `${operations} with tool ${tool}, which the program calls anyway.`,
     fewerChanges: (operation: string, next: string) => `${operation} is moved to ${next}: both use the same tool.`,
     restOperation: (operation: string, tool: string) =>
-      `${operation} is followed by a cut of the rest with tool ${tool}.`,
+      `${operation}, then one more operation with tool ${tool} for the residual material.`,
     otherTool: (operation: string, tool: string, instead: string) =>
       `${operation} with tool ${tool} instead of ${instead}.`,
     otherCycle: (operation: string, cycle: string) => `${operation} with cycle ${cycle}.`,

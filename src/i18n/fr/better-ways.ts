@@ -26,7 +26,7 @@ export const betterWays = typeset<BetterWaysTexts>({
     "Le programme comporte des erreurs : seules sont proposées les modifications qui améliorent le résultat du contrôle.",
   noMaterial: "Le programme n’indique pas de matière : aucune proposition de données de coupe.",
   and: (first, last) => `${first} et ${last}`,
-  operation: (n, title) => (title === "" ? `Usinage ${n}` : `Usinage ${n} « ${title} »`),
+  operation: (n, title) => (title === "" ? `Opération ${n}` : `Opération ${n} « ${title} »`),
   gains: {
     verdict: "Meilleur résultat du contrôle",
     residualGone: (tool) => (tool === "" ? "Sans matière résiduelle" : `Sans matière résiduelle avec l’outil ${tool}`),
@@ -41,7 +41,8 @@ export const betterWays = typeset<BetterWaysTexts>({
     noCut: (operation) => `${operation} n’enlève rien : à supprimer.`,
     fewerTools: (operations, tool) => `${operations} avec l’outil ${tool}, que le programme appelle déjà.`,
     fewerChanges: (operation, next) => `${operation} à côté de ${next} : les deux ont le même outil.`,
-    restOperation: (operation, tool) => `Après ${operation}, reprise de la matière résiduelle avec l’outil ${tool}.`,
+    restOperation: (operation, tool) =>
+      `${operation}, puis une opération de plus avec l’outil ${tool} pour la matière résiduelle.`,
     otherTool: (operation, tool, instead) => `${operation} avec l’outil ${tool} au lieu de ${instead}.`,
     otherCycle: (operation, cycle) => `${operation} avec le cycle ${cycle}.`,
     otherCycleAndTool: (operation, cycle, tool) => `${operation} avec le cycle ${cycle} et l’outil ${tool}.`,

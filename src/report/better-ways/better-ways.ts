@@ -1,5 +1,5 @@
 import { print, type Program } from "../../nc/program.ts";
-import type { ChangeSubject } from "./change.ts";
+import type { ChangeKind, ChangeSubject } from "./change.ts";
 import { fitter } from "./fits.ts";
 import { baselineOf, judged, type Baseline } from "./judge.ts";
 import { KINDS } from "./kinds.ts";
@@ -62,8 +62,11 @@ export function triedWay(candidate: Candidate, baseline: Baseline, attempt: Atte
   return worth > 0 ? { ...candidate, before, after: found.measure, gains: found.gains, worth } : null;
 }
 
-/** Ways with one effect: the same kind of change of the same operations. */
-const effectOf = ({ subject: { kind, units }, gains }: BetterWay): string => JSON.stringify([kind, units, gains[0]]);
+/** Kinds that give an operation to another tool or cycle: of those only one can be used. */
+const REPLACING: ReadonlySet<ChangeKind> = new Set(["fewerTools", "otherTool", "otherCycle", "restOperation"]);
+/** Ways with one effect: the same change of the same operations, or alternatives to each other. */
+const effectOf = ({ subject: { kind, units }, gains }: BetterWay): string =>
+  JSON.stringify([REPLACING.has(kind) ? "replacing" : kind, units, gains[0]]);
 const resultOf = ({ after }: BetterWay): string => JSON.stringify(after);
 
 /** The ways to offer, the best first: of several with one effect or one result only the best. */
