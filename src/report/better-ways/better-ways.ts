@@ -1,14 +1,15 @@
 import { print, type Program } from "../../nc/program.ts";
-import type { ChangeKind, ChangeSubject } from "./change.ts";
+import { changedProgram, type ChangeKind, type ChangeSubject } from "./change.ts";
 import { fitter } from "./fits.ts";
 import { baselineOf, judged, type Baseline } from "./judge.ts";
 import { KINDS } from "./kinds.ts";
 import { worthOf, type Gain, type Measure } from "./measure.ts";
 import { situationOf, type Attempt, type Conditions } from "./situation.ts";
 
-/** Most tries of one search, and most characters of their texts. */
+/** Tries of one search: fewer for a long program, whose blocks in all tries are limited. */
 const MOST_TRIES = 80;
-const MOST_TEXT = 8_000_000;
+const LEAST_TRIES = 12;
+const MOST_EDITED = 40_000;
 /** Most blocks of a program that is searched. */
 const MOST_BLOCKS = 20_000;
 
@@ -43,12 +44,13 @@ export function searchOf(program: Program, attempt: Attempt, conditions: Conditi
   const changes = Object.values(KINDS)
     .flatMap((changesOf) => changesOf(situation, fits))
     .toSorted((a, b) => b.expected - a.expected);
-  const most = Math.min(MOST_TRIES, Math.floor(MOST_TEXT / Math.max(1, text.length)));
+  const most = Math.max(LEAST_TRIES, Math.min(MOST_TRIES, Math.floor(MOST_EDITED / program.blocks.length)));
   const candidates = new Map<string, Candidate>();
-  for (const { subject, program: changed } of changes) {
+  for (const change of changes.slice(0, 2 * most)) {
     if (candidates.size >= most) break;
-    const made = print(changed);
-    if (made !== text && !candidates.has(made)) candidates.set(made, { subject, text: made });
+    const changed = changedProgram(change);
+    const made = changed ? print(changed) : text;
+    if (made !== text && !candidates.has(made)) candidates.set(made, { subject: change.subject, text: made });
   }
   return { baseline, candidates: [...candidates.values()] };
 }

@@ -33,17 +33,20 @@ export interface ChangeSubject {
 /** A change that has not been tried yet. */
 export interface Change {
   readonly subject: ChangeSubject;
-  readonly program: Program;
+  /** Makes the changed program; null or a refusal where that is impossible. A long program makes it slow. */
+  readonly edit: () => Program | Refusal | null;
   /** Expected worth, s: the order of the tries. */
   readonly expected: number;
 }
 
-/** A change with its edited program; none where the edit is refused or changes nothing. */
-export function changeOf(
-  before: Program,
-  subject: ChangeSubject,
-  program: Program | Refusal | null,
-  expected: number,
-): readonly Change[] {
-  return program === null || isRefused(program) || program === before ? [] : [{ subject, program, expected }];
+export const changeOf = (subject: ChangeSubject, expected: number, edit: Change["edit"]): Change => ({
+  subject,
+  edit,
+  expected,
+});
+
+/** The program of a change; null where it is impossible. */
+export function changedProgram({ edit }: Change): Program | null {
+  const made = edit();
+  return made === null || isRefused(made) ? null : made;
 }

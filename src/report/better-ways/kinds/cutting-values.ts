@@ -40,18 +40,20 @@ export const cuttingSpeed = (situation: ProgramSituation): readonly Change[] => 
     const tooMuch = own.some((of) => powerOf(of, situation, to, calledNumber(of, "roughingFeed") ?? 0) > power);
     if (from * FAR > to || tooMuch) return [];
     const seconds = own.reduce((sum, { operation }) => sum + operation.seconds, 0);
-    return changeOf(
-      program,
-      { kind: "cuttingSpeed", units: own.map(({ unit }) => unit), value: { at: "VC", from, to } },
-      withBlock(program, index, { ...spin, cuttingSpeed: to }),
-      seconds * (1 - from / to),
-    );
+    const subject = {
+      kind: "cuttingSpeed",
+      units: own.map(({ unit }) => unit),
+      value: { at: "VC", from, to },
+    } as const;
+    return [
+      changeOf(subject, seconds * (1 - from / to), () => withBlock(program, index, { ...spin, cuttingSpeed: to })),
+    ];
   });
 };
 
 /** A roughing feed far below that of the material, up to what the nose takes. */
 export const feed = (situation: ProgramSituation): readonly Change[] => {
-  const { program, units, material, power, run } = situation;
+  const { units, material, power, run } = situation;
   if (!situation.isStated) return [];
   return units.filter(turns).flatMap((of): readonly Change[] => {
     const { operation, unit, work, cycle } = of;
@@ -63,11 +65,13 @@ export const feed = (situation: ProgramSituation): readonly Change[] => {
     const speed = spindle.kind === "surface" ? spindle.cuttingSpeed : 0;
     if (called * FAR > most || powerOf(of, situation, speed, most) > power) return [];
     const to = valueInProgram(param, most, run.program.unit === "inch");
-    return changeOf(
-      program,
-      { kind: "feed", units: [unit], tool: operation.tool.T, value: { at: written.q, from: written.value, to } },
-      withValues(situation, of, { [written.q]: to }),
-      operation.seconds * (1 - called / most),
-    );
+    const value = { at: written.q, from: written.value, to };
+    return [
+      changeOf(
+        { kind: "feed", units: [unit], tool: operation.tool.T, value },
+        operation.seconds * (1 - called / most),
+        () => withValues(situation, of, { [written.q]: to }),
+      ),
+    ];
   });
 };

@@ -9,23 +9,23 @@ const isRoughing = ({ work, cycle }: TurningUnit): boolean => cycle.group !== "t
 
 /** Operations with one tool side by side. Finishing and threads stay behind the roughing that they follow. */
 export function fewerChanges({ program, units }: ProgramSituation): readonly Change[] {
-  return units.flatMap((first, i) =>
-    units.slice(i + 2).flatMap((second, k): readonly Change[] => {
-      const between = units.slice(i + 1, i + 2 + k);
-      const { T } = first.operation.tool;
-      if (second.operation.tool.T !== T || between.some(({ operation }) => operation.tool.T === T)) return [];
-      const subject = (of: TurningUnit, beside: TurningUnit) =>
-        ({ kind: "fewerChanges", units: [of.unit, beside.unit], tool: T }) as const;
-      const earlier = isRoughing(second) || !between.some(isRoughing);
-      const later = !isRoughing(first) || between.every(isRoughing);
-      return [
-        ...(earlier
-          ? changeOf(program, subject(second, first), movedOperation(program, second.unit, first.unit + 1), CHANGE)
-          : []),
-        ...(later
-          ? changeOf(program, subject(first, second), movedOperation(program, first.unit, second.unit - 1), CHANGE - 1)
-          : []),
-      ];
-    }),
-  );
+  return units.flatMap((first, i): readonly Change[] => {
+    const { T } = first.operation.tool;
+    const next = units.findIndex(({ operation }, k) => k > i && operation.tool.T === T);
+    const second = units[next];
+    if (!second || next === i + 1) return [];
+    const between = units.slice(i + 1, next);
+    const subject = (of: TurningUnit, beside: TurningUnit) =>
+      ({ kind: "fewerChanges", units: [of.unit, beside.unit], tool: T }) as const;
+    const earlier = isRoughing(second) || !between.some(isRoughing);
+    const later = !isRoughing(first) || between.every(isRoughing);
+    return [
+      ...(earlier
+        ? [changeOf(subject(second, first), CHANGE, () => movedOperation(program, second.unit, first.unit + 1))]
+        : []),
+      ...(later
+        ? [changeOf(subject(first, second), CHANGE - 1, () => movedOperation(program, first.unit, second.unit - 1))]
+        : []),
+    ];
+  });
 }

@@ -1,3 +1,4 @@
+import type { Program } from "../../../nc/program.ts";
 import { isRefused } from "../../../program/edits/operation-edits.ts";
 import { changeOf, type Change } from "../change.ts";
 import { retooled } from "../edits.ts";
@@ -18,16 +19,19 @@ export function fewerTools({ program, all, units, uses, run }: ProgramSituation,
       .flatMap((tool) => {
         const found = own.map((each) => fits(each).find((fit) => fit.tool.T === tool && fit.makesContour));
         if (found.some((fit) => fit === undefined)) return [];
-        let made = program;
-        for (const [i, each] of own.entries()) {
-          const fit = found[i];
-          const next = fit ? retooled(made, each.unit, each, fit.tool) : made;
-          if (isRefused(next)) return [];
-          made = next;
-        }
+        const edit = (): Program | null => {
+          let made = program;
+          for (const [i, each] of own.entries()) {
+            const fit = found[i];
+            const next = fit ? retooled(made, each.unit, each, fit.tool) : made;
+            if (isRefused(next)) return null;
+            made = next;
+          }
+          return made;
+        };
         const slower = own.reduce((sum, { operation }, i) => sum + (found[i]?.seconds ?? 0) - operation.seconds, 0);
         const subject = { kind: "fewerTools", units: own.map(({ unit }) => unit), tool, instead: gone } as const;
-        return changeOf(program, subject, made, 60 - slower);
+        return [changeOf(subject, 60 - slower, edit)];
       });
   });
 }

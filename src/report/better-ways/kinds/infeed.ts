@@ -56,10 +56,10 @@ export const infeed = (situation: ProgramSituation): readonly Change[] =>
       most: roundedDown(most / IN_MM[length]),
     };
     if (value.to <= value.from) return [];
-    return changeOf(
-      situation.program,
-      { kind: "infeed", units: [unit], tool: operation.tool.T, value },
-      withValues(situation, of, { [written.q]: value.to }),
-      (operation.seconds * (passes - fewest)) / passes,
-    );
+    const expected = (operation.seconds * (passes - fewest)) / passes;
+    return [
+      changeOf({ kind: "infeed", units: [unit], tool: operation.tool.T, value }, expected, () =>
+        withValues(situation, of, { [written.q]: value.to }),
+      ),
+    ];
   });

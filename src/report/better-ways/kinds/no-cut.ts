@@ -16,7 +16,7 @@ export function noCut({ program, units, simulation: { proof, findings } }: Progr
       const fails = issues.some(({ severity }) => severity === "error") || isFaulty(index) || isOff(firstStep);
       return cycle.group !== "thread" && !fails && own !== undefined && !own.hasFailed && own.cut < REAL_AREA;
     })
-    .flatMap(({ unit, operation }) =>
-      changeOf(program, { kind: "noCut", units: [unit] }, withoutOperation(program, unit), operation.seconds + 60),
+    .map(({ unit, operation }) =>
+      changeOf({ kind: "noCut", units: [unit] }, operation.seconds + 60, () => withoutOperation(program, unit)),
     );
 }

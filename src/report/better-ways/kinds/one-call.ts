@@ -1,6 +1,6 @@
 import { part, type Segment } from "../../../kernel/geometry/point.ts";
 import { SAME } from "../../../kernel/tolerance.ts";
-import { isRefused, withoutOperation } from "../../../program/edits/operation-edits.ts";
+import { withoutOperation } from "../../../program/edits/operation-edits.ts";
 import { changeOf, type Change } from "../change.ts";
 import { withNumbers } from "../edits.ts";
 import { writtenNumber, type ProgramSituation } from "../situation.ts";
@@ -34,7 +34,9 @@ export const oneCall = ({ program, units }: ProgramSituation): readonly Change[]
     if (a.cycle !== b.cycle || a.tool.T !== b.tool.T || !isSameContour(a.plan.contour, b.plan.contour)) return [];
     if (!work || !feed || !finishing) return [];
     const both = withNumbers(rough.statement, { [work.q]: BOTH, [feed.q]: finishing.value });
-    const without = withoutOperation(withBlock(program, rough.definition, both), finish.unit);
-    const units2 = [rough.unit, finish.unit];
-    return changeOf(program, { kind: "oneCall", units: units2 }, isRefused(without) ? null : without, 5);
+    return [
+      changeOf({ kind: "oneCall", units: [rough.unit, finish.unit] }, 5, () =>
+        withoutOperation(withBlock(program, rough.definition, both), finish.unit),
+      ),
+    ];
   });

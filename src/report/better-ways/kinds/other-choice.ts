@@ -22,12 +22,11 @@ export const otherChoice = (situation: ProgramSituation): readonly Change[] =>
       if (hasNoEffect(param, call.values as SomeValues)) return [];
       return (param.choices ?? [])
         .filter((to) => to !== from)
-        .flatMap((to) =>
+        .map((to) =>
           changeOf(
-            situation.program,
             { kind: "otherChoice", units: [unit], cycle: cycle.number, value: { at: q, from, to } },
-            withValues(situation, of, { [q]: to }),
             operation.seconds * SAVED,
+            () => withValues(situation, of, { [q]: to }),
           ),
         );
     });

@@ -12,7 +12,7 @@ import type { Tool } from "../../../kernel/plan/tool.ts";
 import { withBlock } from "../../../nc/edit.ts";
 import type { CycleParameter } from "../../../nc/words.ts";
 import { valueInProgram } from "../../../program/blocks/cycle-values.ts";
-import { isRefused, retooledOperation } from "../../../program/edits/operation-edits.ts";
+import { retooledOperation } from "../../../program/edits/operation-edits.ts";
 import { checkTool } from "../../../program/tools/check-tool.ts";
 import { fitOf, isUsualTool } from "../../../program/tools/which-tool.ts";
 import { changeOf, type Change } from "../change.ts";
@@ -147,9 +147,11 @@ export function otherCycle(situation: ProgramSituation): readonly Change[] {
         .filter(({ saved }) => saved > 0)
         .toSorted((a, b) => b.saved - a.saved)
         .slice(0, MOST.tried);
-      return planned.flatMap(({ tool, values, saved }) => {
-        const swapped = withBlock(program, definition, statementOf(cycle, of, values));
-        const made = tool.T === operation.tool.T ? swapped : retooledOperation(swapped, unit, tool.T);
+      return planned.map(({ tool, values, saved }) => {
+        const edit = () => {
+          const swapped = withBlock(program, definition, statementOf(cycle, of, values));
+          return tool.T === operation.tool.T ? swapped : retooledOperation(swapped, unit, tool.T);
+        };
         const subject = {
           kind: "otherCycle",
           units: [unit],
@@ -157,7 +159,7 @@ export function otherCycle(situation: ProgramSituation): readonly Change[] {
           tool: tool.T,
           instead: operation.tool.T,
         } as const;
-        return changeOf(program, subject, isRefused(made) ? null : made, saved);
+        return changeOf(subject, saved, edit);
       });
     });
   });

@@ -19,7 +19,7 @@ export function otherTool({ program, units, run }: ProgramSituation, fits: Fits)
         const expected = faster + (tool.T === before || tool.T === after ? CHANGE : 0);
         if (expected < LEAST.seconds) return [];
         const subject = { kind: "otherTool", units: [unit], tool: tool.T, instead: operation.tool.T } as const;
-        return changeOf(program, subject, retooled(program, unit, of, tool), expected);
+        return [changeOf(subject, expected, () => retooled(program, unit, of, tool))];
       });
   });
 }

@@ -42,19 +42,21 @@ export function restOperation(situation: ProgramSituation): readonly Change[] {
       );
     const expected = ({ residualArea, tool }: Remedy) =>
       PER_AREA * (region.area - residualArea) + (used.has(tool.T) ? 1 : 0);
-    const instead = suiting(of.work).flatMap((remedy) => {
+    const instead = suiting(of.work).map((remedy) => {
       const { tool } = remedy;
       const subject = { kind: "otherTool", units: [unit], tool: tool.T, instead: operation.tool.T } as const;
-      return changeOf(program, subject, retooled(program, unit, of, tool), expected(remedy) + 1);
+      return changeOf(subject, expected(remedy) + 1, () => retooled(program, unit, of, tool));
     });
     const more = ([FINISH, null] as const).flatMap((work) =>
-      suiting(work === FINISH ? "finish" : of.work).flatMap((remedy) => {
-        const twice = duplicatedOperation(program, unit);
-        if (isRefused(twice) || (work !== null && q === null)) return [];
-        const worked = work !== null && q !== null ? withNumbersIn(twice, unit + 1, { [q]: work }) : twice;
-        const made = retooled(worked, unit + 1, of, remedy.tool);
+      suiting(work === FINISH ? "finish" : of.work).map((remedy) => {
+        const edit = () => {
+          const twice = duplicatedOperation(program, unit);
+          if (isRefused(twice) || (work !== null && q === null)) return null;
+          const worked = work !== null && q !== null ? withNumbersIn(twice, unit + 1, { [q]: work }) : twice;
+          return retooled(worked, unit + 1, of, remedy.tool);
+        };
         const subject = { kind: "restOperation", units: [unit], tool: remedy.tool.T } as const;
-        return changeOf(program, subject, made, expected(remedy));
+        return changeOf(subject, expected(remedy), edit);
       }),
     );
     return [...instead, ...more];

@@ -68,11 +68,11 @@ export function start(situation: ProgramSituation): readonly Change[] {
       axes: found.s.words.axes.map((each) => (each.axis === axis ? { ...each, value: to } : each)),
     };
     const air = simulation.proof.operations[index]?.airPasses ?? 0;
-    return changeOf(
-      program,
-      { kind: "start", units: [unit], value: { at: axis, from: found.value, to } },
-      withBlock(program, found.index, { ...found.s, words }),
-      (operation.seconds * air) / Math.max(1, passes),
-    );
+    const expected = (operation.seconds * air) / Math.max(1, passes);
+    return [
+      changeOf({ kind: "start", units: [unit], value: { at: axis, from: found.value, to } }, expected, () =>
+        withBlock(program, found.index, { ...found.s, words }),
+      ),
+    ];
   });
 }
