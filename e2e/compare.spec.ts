@@ -1,4 +1,5 @@
 import { readFile } from "node:fs/promises";
+import { betterWays as ways } from "../src/i18n/en/better-ways.ts";
 import { compare as words } from "../src/i18n/en/compare.ts";
 import { expectFineInBothThemes } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
@@ -67,4 +68,36 @@ test("a cycle work is compared with an earlier one by its NC program", async ({ 
   await expect(row).toContainText("3 → 2.4");
   await row.click();
   await expect(dialog).toHaveCount(0);
+});
+
+test("improvements are found, compared, used one by one, and undone", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { editor, t } = turnwise;
+  await editor.openExample("flange");
+  await editor.show("findings");
+  const changes = editor.total(t.editor.toolChanges);
+  await expect(changes).toHaveText("6");
+  await page.getByRole("button", { name: t.findings.betterWays, exact: true }).press("Enter");
+  const dialog = page.getByRole("dialog", { name: ways.title, exact: true });
+  const status = dialog.getByRole("status").first();
+  const found = new RegExp(ways.found(7, 0).replace(/\d+/g, String.raw`\d+`));
+  await expect(status).toHaveText(found, { timeout: 20_000 });
+  const rows = dialog.getByRole("list", { name: ways.list, exact: true }).getByRole("listitem");
+  const [first, gain] = [rows.first(), ways.gains.toolGone("15")];
+  await expect(first).toContainText(gain);
+  await first.getByRole("button", { expanded: false }).press("Enter");
+  await expect(first.getByRole("group", { name: words.list }).getByRole("button")).toContainText("TOOL CALL 1");
+  await expectFineInBothThemes(page, "improvements");
+  const count = await rows.count();
+
+  await first.getByRole("button", { name: ways.useLong(gain), exact: true }).press("Enter");
+  await expect(dialog.getByText(ways.used(gain))).toBeVisible();
+  await expect(changes).toHaveText("5");
+  await expect(status).toHaveText(found, { timeout: 20_000 });
+  await expect(dialog.getByText(gain, { exact: true })).toHaveCount(0);
+  await dialog.getByRole("button", { name: ways.undo, exact: true }).press("Enter");
+  await expect(changes).toHaveText("6");
+  await expect(rows).toHaveCount(count, { timeout: 20_000 });
+  await page.keyboard.press("Escape");
+  await expect(page.getByRole("button", { name: t.findings.betterWays, exact: true })).toBeFocused();
 });

@@ -5,6 +5,7 @@ import type { Shape } from "./shape.ts";
 /** The files of a language's folder. Each exports only its texts, and is fetched on first use. */
 interface English {
   readonly advice: typeof import("./en/advice.ts");
+  readonly "better-ways": typeof import("./en/better-ways.ts");
   readonly clamping: typeof import("./en/clamping.ts");
   readonly commands: typeof import("./en/commands.ts");
   readonly compare: typeof import("./en/compare.ts");

@@ -50,8 +50,9 @@ export const STEP = 1 / STEPS;
 export const rounded = (size: number) => Math.round(size * STEPS) / STEPS;
 export const roundedDown = (size: number) => Math.floor(size * STEPS + SAME_STEP) / STEPS;
 export const roundedUp = (size: number) => Math.ceil(size * STEPS - SAME_STEP) / STEPS;
-/** Rounds up to a coarser grid, as an operator types it, mm. */
+/** Rounds up or down to a coarser grid, as an operator types it. */
 export const roundedUpTo = (step: number, size: number) => rounded(Math.ceil(size / step - SAME_STEP) * step);
+export const roundedDownTo = (step: number, size: number) => rounded(Math.floor(size / step + SAME_STEP) * step);
 
 /** Steps per degree of an angle that a control displays. */
 const ANGLE_STEPS = 10_000;

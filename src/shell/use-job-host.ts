@@ -115,6 +115,7 @@ export function useJobHost(read: JobReading): FindingsHost {
       fixesOf,
       // The stock of a job is no part that a trial could spare.
       trialsOf: () => null,
+      improve: null,
       cycleOf: () => job.cycle,
       point: () => undefined,
       toFirstOpen,

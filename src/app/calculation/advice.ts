@@ -8,6 +8,16 @@ import { remedies, type Remedy } from "../../report/remedies.ts";
 import { tryWay, type TriedOption } from "../../report/which/try-way.ts";
 import { waysFor, type Proposal } from "../../report/which/ways.ts";
 import type { Residual } from "../../sim/simulation.ts";
+import { parse } from "../../nc/parse.ts";
+import {
+  searchOf,
+  triedWay,
+  type BetterWay,
+  type Candidate,
+  type Search,
+} from "../../report/better-ways/better-ways.ts";
+import type { Baseline } from "../../report/better-ways/judge.ts";
+import type { Conditions } from "../../report/better-ways/situation.ts";
 import { engine, type CalledCycle } from "./engine.ts";
 import type { Request } from "./request.ts";
 
@@ -40,5 +50,16 @@ export const advice = {
   /** Tools that would remove the residual material of a call, the one with the least left first. */
   remediesOf(called: CalledCycle, left: Residual, tools: readonly Tool[]): readonly Remedy[] {
     return remedies(tools)(called, left);
+  },
+
+  /** The changes of a program that may be better, to be tried one by one. */
+  searchBetterWays(request: Request, conditions: Omit<Conditions, "tools">): Search {
+    const { tools } = request.table;
+    return searchOf(parse(request.text), engine.update(request), { ...conditions, tools });
+  },
+
+  /** Simulates one of them; null unless it is better. */
+  tryBetterWay(candidate: Candidate, baseline: Baseline, request: Request): BetterWay | null {
+    return triedWay(candidate, baseline, engine.update({ ...request, text: candidate.text }));
   },
 };

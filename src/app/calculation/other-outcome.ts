@@ -6,23 +6,29 @@ import type { Comparer } from "./comparison.ts";
 import { filesOf, isProgram, type ProgramWork, type Work } from "../document/work.ts";
 import type { Outcome } from "./outcome.ts";
 import type { Reported } from "./reported.ts";
-import { rapidOf, USUAL_RAPID } from "./request.ts";
+import { rapidOf, USUAL_RAPID, type Request } from "./request.ts";
 import { askAgain } from "./worker-life.ts";
 
 /*
  * Requests to the worker other than the calculation of the open work.
  */
 
-/** The result of a program that is not open, with its own tools, machine and files; null if it cannot be calculated. */
+/** The request for a program that is not open, with its own tools, machine and files. */
+export async function requestOfOther(program: ProgramWork, timedAs = useEditor.getState().job): Promise<Request> {
+  const { name, text, skipMarked = false } = program;
+  const machine = await loadMachine(machineTextOf(program));
+  const rapid = timedAs ? rapidOf(timedAs) : USUAL_RAPID;
+  return { version: 0, name, text, files: filesOf(program), skipMarked, ...shopOf(program), machine, rapid };
+}
+
+/** The result of a program that is not open; null if it cannot be calculated. */
 export async function outcomeOfOther(
   program: ProgramWork,
   timedAs = useEditor.getState().job,
 ): Promise<Outcome | null> {
-  const { name, text, skipMarked = false } = program;
   try {
-    const machine = await loadMachine(machineTextOf(program));
-    const request = { version: 0, name, text, files: filesOf(program), skipMarked, ...shopOf(program), machine };
-    return await askAgain((engine) => engine.update({ ...request, rapid: timedAs ? rapidOf(timedAs) : USUAL_RAPID }));
+    const request = await requestOfOther(program, timedAs);
+    return await askAgain((engine) => engine.update(request));
   } catch {
     return null;
   }

@@ -94,6 +94,9 @@ const served = {
   ways: async (...asked: Parameters<Advice["ways"]>) => (await fetchAdvice()).ways(...asked),
   tryWay: async (...asked: Parameters<Advice["tryWay"]>) => (await fetchAdvice()).tryWay(...asked),
   remediesOf: async (...asked: Parameters<Advice["remediesOf"]>) => (await fetchAdvice()).remediesOf(...asked),
+  searchBetterWays: async (...asked: Parameters<Advice["searchBetterWays"]>) =>
+    (await fetchAdvice()).searchBetterWays(...asked),
+  tryBetterWay: async (...asked: Parameters<Advice["tryBetterWay"]>) => (await fetchAdvice()).tryBetterWay(...asked),
   /** Reads a drawing, and proposes the choices for its contour. */
   readDrawing: async (...asked: Parameters<Drawings["openedDrawing"]>) =>
     (await fetchDrawings()).openedDrawing(...asked),

@@ -62,6 +62,11 @@ export function FindingsPanel({ host }: { readonly host: FindingsHost }) {
         </ul>
       )}
       {entries.length > MOST && <p className="small soft">{t.more(entries.length - MOST)}</p>}
+      {host.improve && verdict.state !== "none" && (
+        <button type="button" className="button findings-improve" onClick={host.improve}>
+          <Icon name="compare" /> {t.betterWays}
+        </button>
+      )}
     </div>
   );
 }

@@ -34,6 +34,8 @@ export interface FindingsHost {
   readonly toFirstOpen: () => void;
   /** False while the findings are those of an older text: a change is offered only for the present one. */
   readonly isCurrent: boolean;
+  /** Searches improvements of the open program; null where none may be offered. */
+  readonly improve: (() => void) | null;
   /** Gives the operation of a finding another tool. */
   readonly takeTool: (entry: FindingEntry, tool: number) => void;
 }

@@ -62,12 +62,12 @@ export interface OtherText {
   readonly text: string;
 }
 /**
- * A dialog over the page: which cycle makes a shape (`region` null: any), the open program compared with another text,
- * its drawing, or sharing it.
+ * A dialog over the page: which cycle makes a shape (`region` null: any), the open program compared with another text or
+ * with better ways, its drawing, or sharing it.
  */
 export type Over =
   | { readonly dialog: "which"; readonly region: WhichRegion | null }
-  | { readonly dialog: "comparison"; readonly showBlock: ShowBlock; readonly against: OtherText | null }
+  | { readonly dialog: "comparison"; readonly showBlock: ShowBlock; readonly against: OtherText | "better" | null }
   | { readonly dialog: "keys"; readonly place: KeyPlace }
   | { readonly dialog: "drawing" | "share" }
   | { readonly dialog: "commands" };
@@ -173,7 +173,7 @@ export const uncoverAll = (...but: readonly Cover["page"][]): void =>
 const showOver = (over: Over): void => set({ over });
 export const closeOver = (): void => set({ over: null });
 export const showWhich = (region: WhichRegion | null = null): void => showOver({ dialog: "which", region });
-export const showComparison = (showBlock: ShowBlock, against: OtherText | null = null): void =>
+export const showComparison = (showBlock: ShowBlock, against: OtherText | "better" | null = null): void =>
   showOver({ dialog: "comparison", showBlock, against });
 /** Shows the workshop drawing of the open work, or shares it. */
 export const showDrawing = (): void => showOver({ dialog: "drawing" });

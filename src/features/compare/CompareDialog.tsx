@@ -1,4 +1,4 @@
-import { useMemo, useRef, useState } from "react";
+import { Suspense, useMemo, useRef, useState } from "react";
 import { createPortal } from "react-dom";
 import type { BlockDifference } from "../../program/compare/compare.ts";
 import { Icon } from "../../app/base/Icon.tsx";
@@ -14,7 +14,12 @@ import type { OtherText, ShowBlock } from "../../app/place/place.ts";
 import { changedSinceOpened, presentProgram, withOtherText } from "../../app/fields/compare/sides.ts";
 import { useProgramComparison, type ComparedPrograms } from "./use-compared.ts";
 import { ModalDialog } from "../../app/base/ModalDialog.tsx";
+import { lazyPart } from "../../app/base/parts.ts";
 import "./compare.css";
+
+const BetterWaysDialog = lazyPart(async () => ({
+  default: (await import("./BetterWaysDialog.tsx")).BetterWaysDialog,
+}));
 
 /** Block of the current program that a difference leads to: its own, or the place of a removed block. */
 function targetBlock({ after, partners }: ComparedFile, { a, b }: BlockDifference): number {
@@ -187,8 +192,21 @@ interface Props {
   readonly against: OtherText | null;
 }
 
+/** Compares the open program with another one, or with better ways for it. */
+export function CompareDialog({
+  against,
+  ...props
+}: Omit<Props, "against"> & { readonly against: OtherText | "better" | null }) {
+  if (against !== "better") return <OtherDialog {...props} against={against} />;
+  return (
+    <Suspense>
+      <BetterWaysDialog {...props} />
+    </Suspense>
+  );
+}
+
 /** Compares the open program with another one, block by block in meaning, with the effects of the differences. */
-export function CompareDialog({ done, showBlock, against }: Props) {
+function OtherDialog({ done, showBlock, against }: Props) {
   const texts = useTexts();
   const lengths = useLengths();
   const dialog = useRef<HTMLDialogElement>(null);

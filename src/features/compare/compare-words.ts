@@ -28,7 +28,7 @@ export function timeText(
       page: { effect },
     },
     lengths: { language },
-  }: Wording,
+  }: Pick<Wording, "texts" | "lengths">,
   seconds: number,
 ): string {
   return durationText(effect.duration, language, seconds);

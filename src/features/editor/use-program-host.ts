@@ -11,7 +11,7 @@ import { showFile, useShownOtherFile } from "../../app/document/shown-file.ts";
 import { isIn, ownPlace } from "../../app/document/shown-findings.ts";
 import { placeInFile } from "../../app/calculation/issue-text.ts";
 import { print, type Program } from "../../nc/program.ts";
-import { enterSection, openPrompt } from "../../app/place/place.ts";
+import { enterSection, openPrompt, showComparison } from "../../app/place/place.ts";
 import { outputInUse } from "../../app/document/output.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
@@ -19,6 +19,7 @@ import { fixOf } from "./diagnostics.ts";
 import { fileKey } from "../../program/state/program-files.ts";
 import { useEditor } from "../../app/document/store.ts";
 import { fileOf, type ProgramWork } from "../../app/document/work.ts";
+import { showTextBlock } from "../../app/fields/blocks/show-text-block.ts";
 import { openPrompts } from "../../app/fields/blocks/open-block.ts";
 import { isUpToDate } from "../../app/fields/blocks/up-to-date.ts";
 import type { Repair } from "../../app/fields/blocks/repair.ts";
@@ -65,6 +66,8 @@ export function useProgramHost(): FindingsHost {
   const reading = useSession((s) => s.reading);
   const newest = useOutcome((s) => s.newest);
   const beside = useShownOtherFile();
+  // An exercise asks for the better way itself.
+  const isExercise = useEditor((s) => s.program?.task !== undefined);
   return useMemo(() => {
     const { program } = reading;
     const isShown = (entry: FindingEntry) =>
@@ -170,8 +173,9 @@ export function useProgramHost(): FindingsHost {
       cycleOf,
       point: open,
       toFirstOpen: () => undefined,
+      improve: isExercise ? null : () => showComparison(showTextBlock, "better"),
       isCurrent: isUpToDate(newest),
       takeTool,
     };
-  }, [t, language, reading, newest, beside]);
+  }, [t, language, reading, newest, beside, isExercise]);
 }

@@ -64,9 +64,12 @@ export function ProgramMenus({
 }) {
   const {
     page: { text: t, program },
+    findings: { betterWays },
   } = useTexts();
   const [dialog, show] = useState<ReactNode>(null);
   const ofProgram = useEditor((s) => s.program !== null);
+  // An exercise asks for the better way itself.
+  const canImprove = useEditor((s) => s.program !== null && s.program.task === undefined);
   const done = () => show(null);
   const opens = "dialog";
   const sheet = () => {
@@ -81,6 +84,7 @@ export function ProgramMenus({
   const draw = () => show(<ProgramDrawing stem={openStem()} done={done} />);
   const exportPart = () => show(<PartExport stem={openStem()} done={done} />);
   const compare = () => showComparison(showBlock);
+  const improve = () => showComparison(showBlock, "better");
   const flip = () => show(<TurnRound text={openText()} done={done} />);
   const clamp = () => show(<ClampingDialog done={done} />);
   const setOutput = () => show(<OutputDialog done={done} />);
@@ -93,6 +97,7 @@ export function ProgramMenus({
     { id: "do.exercise", name: t.makeTask, run: exercise },
     ...(ofProgram ? [{ id: "do.clamping", name: t.clamping, run: clamp } as const] : []),
     { id: "do.compare", name: t.compare, run: compare },
+    ...(canImprove ? [{ id: "do.improve", name: betterWays, run: improve } as const] : []),
     { id: "do.output", name: t.output, run: setOutput },
     ...[...files, ...changes].map(({ name, go }, i) => ({ id: `do.file ${i}`, name, run: go }) as const),
   ]);
@@ -118,6 +123,7 @@ export function ProgramMenus({
         groups={[
           [
             { name: t.compare, icon: "compare", opens, go: compare },
+            ...(canImprove ? [{ name: betterWays, icon: "search", opens, go: improve } as const] : []),
             { name: t.turnRound, icon: "turn", opens, go: flip },
             ...(ofProgram ? [{ name: t.clamping, icon: "clamp", opens, go: clamp } as const] : []),
           ],

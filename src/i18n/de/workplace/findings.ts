@@ -32,6 +32,7 @@ export const findings = {
   reliefBefore: (name) => `Freistich ${name} vor dem Gewinde einfügen`,
   createTool: (tool: string) => `Werkzeug ${tool} anlegen`,
   remove: (text) => `${text} entfernen`,
+  betterWays: "Verbesserungen suchen",
   residue: {
     askCycle: "Zyklus für Restmaterial suchen",
     thick: (mm) => `Max. ${mm} mm dick.`,

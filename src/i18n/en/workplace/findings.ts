@@ -34,6 +34,7 @@ export const findings = {
   reliefBefore: (name: string) => `Insert undercut ${name} before the thread`,
   createTool: (tool: string) => `Create tool ${tool}`,
   remove: (text: string) => `Remove ${text}`,
+  betterWays: "Find improvements",
   residue: {
     askCycle: "Find a cycle",
     thick: (mm: string) => `Max. ${mm} mm thick.`,

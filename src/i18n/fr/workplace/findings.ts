@@ -31,6 +31,7 @@ export const findings = {
   reliefBefore: (name) => `Insérer le dégagement ${name} avant le filetage`,
   createTool: (tool: string) => `Créer l’outil ${tool}`,
   remove: (text) => `Supprimer ${text}`,
+  betterWays: "Chercher des améliorations",
   residue: {
     askCycle: "Trouver un cycle",
     thick: (mm) => `Épaisseur max. ${mm} mm.`,

@@ -24,6 +24,7 @@ export const findings = {
   reliefBefore: (name) => `在螺纹前插入退刀槽 ${name}`,
   createTool: (tool: string) => `新建刀具 ${tool}`,
   remove: (text) => `删除 ${text}`,
+  betterWays: "查找改进方案",
   residue: {
     askCycle: "查找循环",
     thick: (mm) => `最大厚度 ${mm} mm。`,

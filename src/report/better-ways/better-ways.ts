@@ -1,0 +1,100 @@
+import { print, type Program } from "../../nc/program.ts";
+import { changedProgram, type ChangeKind, type ChangeSubject } from "./change.ts";
+import { fitter } from "./fits.ts";
+import { baselineOf, judged, type Baseline } from "./judge.ts";
+import { KINDS } from "./kinds.ts";
+import { worthOf, type Gain, type Measure } from "./measure.ts";
+import { situationOf, type Attempt, type Conditions } from "./situation.ts";
+
+/** Tries of one search: fewer for a long program, whose blocks in all tries are limited. */
+const MOST_TRIES = 80;
+const LEAST_TRIES = 12;
+const MOST_EDITED = 40_000;
+/** Most blocks of a program that is searched. */
+const MOST_BLOCKS = 20_000;
+
+/** A change to try, as plain data: its text is the program that it would be. */
+export interface Candidate {
+  readonly subject: ChangeSubject;
+  readonly text: string;
+}
+
+/** A search before its tries: what a way is judged against, and the changes, the most promising first. */
+export interface Search {
+  readonly baseline: Baseline;
+  readonly candidates: readonly Candidate[];
+}
+
+/** A change that was tried and is better. */
+export interface BetterWay extends Candidate {
+  readonly before: Measure;
+  readonly after: Measure;
+  readonly gains: readonly Gain[];
+  /** s, to sort by. */
+  readonly worth: number;
+}
+
+/** Finds what could be better in a program with its result. */
+export function searchOf(program: Program, attempt: Attempt, conditions: Conditions): Search {
+  const baseline = baselineOf(attempt);
+  if (program.blocks.length > MOST_BLOCKS) return { baseline, candidates: [] };
+  const situation = situationOf(program, attempt, conditions);
+  const fits = fitter(situation);
+  const text = print(program);
+  const changes = Object.values(KINDS)
+    .flatMap((changesOf) => changesOf(situation, fits))
+    .toSorted((a, b) => b.expected - a.expected);
+  const most = Math.max(LEAST_TRIES, Math.min(MOST_TRIES, Math.floor(MOST_EDITED / program.blocks.length)));
+  const candidates = new Map<string, Candidate>();
+  for (const change of changes.slice(0, 2 * most)) {
+    if (candidates.size >= most) break;
+    const changed = changedProgram(change);
+    const made = changed ? print(changed) : text;
+    if (made !== text && !candidates.has(made)) candidates.set(made, { subject: change.subject, text: made });
+  }
+  return { baseline, candidates: [...candidates.values()] };
+}
+
+/** The result of a try; null unless it is better. `attempt`: the candidate's text, run and simulated. */
+export function triedWay(candidate: Candidate, baseline: Baseline, attempt: Attempt): BetterWay | null {
+  const found = judged(baseline, attempt);
+  if (!found) return null;
+  const { measure: before } = baseline;
+  const worth = worthOf(before, found.measure, found.gains);
+  return worth > 0 ? { ...candidate, before, after: found.measure, gains: found.gains, worth } : null;
+}
+
+/** Kinds that give an operation to another tool or cycle: of those only one can be used. */
+const REPLACING: ReadonlySet<ChangeKind> = new Set(["fewerTools", "otherTool", "otherCycle", "restOperation"]);
+/** Ways with one effect: the same change of the same operations, or alternatives to each other. */
+const effectOf = ({ subject: { kind, units }, gains }: BetterWay): string =>
+  JSON.stringify([REPLACING.has(kind) ? "replacing" : kind, units, gains[0]]);
+const resultOf = ({ after }: BetterWay): string => JSON.stringify(after);
+
+/** The ways to offer, the best first: of several with one effect or one result only the best. */
+export function bestWays(ways: readonly BetterWay[]): readonly BetterWay[] {
+  const sorted = ways.toSorted((a, b) => b.worth - a.worth || a.text.length - b.text.length);
+  const taken = new Set<string>();
+  return sorted.filter((way) => {
+    const keys = [effectOf(way), resultOf(way)];
+    if (keys.some((key) => taken.has(key))) return false;
+    for (const key of keys) taken.add(key);
+    return true;
+  });
+}
+
+/** A whole search, one try per step: yields the number of tries, and returns the ways to offer. */
+export function* betterWays(
+  program: Program,
+  attempt: (text: string) => Attempt,
+  conditions: Conditions,
+): Generator<{ readonly tried: number; readonly of: number }, readonly BetterWay[]> {
+  const { baseline, candidates } = searchOf(program, attempt(print(program)), conditions);
+  const ways: BetterWay[] = [];
+  for (const [i, candidate] of candidates.entries()) {
+    yield { tried: i, of: candidates.length };
+    const way = triedWay(candidate, baseline, attempt(candidate.text));
+    if (way) ways.push(way);
+  }
+  return bestWays(ways);
+}

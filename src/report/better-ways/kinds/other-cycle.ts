@@ -1,0 +1,166 @@
+import type { Cycle, Group } from "../../../cycles/define.ts";
+import { firstValues } from "../../../cycles/first-values.ts";
+import { cuttingCycles } from "../../../cycles/index.ts";
+import type { Param, Params, Values } from "../../../cycles/params.ts";
+import { useOf } from "../../../cycles/use.ts";
+import { ncLabels } from "../../../i18n/nc-labels.ts";
+import { cuttingWidth, isBar } from "../../../kernel/cutter/insert.ts";
+import { part, type Pt, type Segment } from "../../../kernel/geometry/point.ts";
+import { CHORD } from "../../../kernel/tolerance.ts";
+import { roundedDown, roundedUpTo } from "../../../kernel/units.ts";
+import type { Tool } from "../../../kernel/plan/tool.ts";
+import { withBlock } from "../../../nc/edit.ts";
+import type { CycleParameter } from "../../../nc/words.ts";
+import { valueInProgram } from "../../../program/blocks/cycle-values.ts";
+import { retooledOperation } from "../../../program/edits/operation-edits.ts";
+import { checkTool } from "../../../program/tools/check-tool.ts";
+import { fitOf, isUsualTool } from "../../../program/tools/which-tool.ts";
+import { changeOf, type Change } from "../change.ts";
+import { feedTurns } from "../fits.ts";
+import { calledNumber, qOf, type ProgramSituation, type TurningUnit } from "../situation.ts";
+import { cutsAir, stockBefore } from "../stock-before.ts";
+import { isSameContour } from "./one-call.ts";
+
+/** Most operations that are looked at, the longest first; most tools per cycle that are planned and that are tried. */
+const MOST = { operations: 20, planned: 5, tried: 2 } as const;
+/** A blade turns at most this share of its width deep (Ingersoll: 0.8), here with a margin. */
+const BLADE_DEPTH = 0.5;
+/** Step of an allowance, mm. */
+const STEP = 0.1;
+
+type Numbers = Readonly<Record<string, number | "auto">>;
+
+/** The values of another cycle with the contour, feeds and oversizes of an operation. */
+function valuesFor(cycle: Cycle, of: TurningUnit, tool: Tool, allowance: () => number): Numbers {
+  const called = of.call.values as Numbers;
+  const first = firstValues(cycle);
+  const depth = qOf(cycle, "infeed");
+  return Object.fromEntries(
+    Object.entries<Param>(cycle.params).map(([q, param]): readonly [string, number | "auto"] => {
+      const own = of.cycle.params[q];
+      const value = called[q];
+      if (own && own.shown === param.shown && own.kind === param.kind && value !== undefined) return [q, value];
+      if (param.shown === "allowance") return [q, allowance()];
+      if (q !== depth) return [q, first[q] ?? param.example];
+      const infeed = calledNumber(of, "infeed") ?? first[q] ?? param.example;
+      return [q, isBar(tool) ? roundedDown(Math.min(infeed, BLADE_DEPTH * cuttingWidth(tool))) : infeed];
+    }),
+  );
+}
+
+const reversed = (contour: readonly Segment[]): readonly Segment[] => contour.map(part.reversed).reverse();
+
+/** A blade does not take the work of an insert: facing and turning stay with those, grooves with these. */
+const FAMILY: Readonly<Record<Group, "turning" | "grooving" | null>> = {
+  longitudinal: "turning",
+  transverse: "turning",
+  recessTurning: "grooving",
+  recessing: "grooving",
+  thread: null,
+  special: null,
+};
+
+/** The cycles that could make the same contour; parallel passes only where the stock already has its shape. */
+const others = (situation: ProgramSituation, of: TurningUnit): readonly Cycle[] =>
+  cuttingCycles.filter(
+    (each) =>
+      each.number !== of.cycle.number &&
+      FAMILY[each.group] === FAMILY[of.cycle.group] &&
+      each.contour === of.cycle.contour &&
+      (useOf(each).preTurned !== true || cutsAir(situation, of)),
+  );
+
+/** The thickness of the stock above the contour, mm, rounded up as it is typed. */
+function allowanceOf(situation: ProgramSituation, of: TurningUnit): number {
+  const { contour } = of.operation.plan;
+  const chords = contour.flatMap((segment) => part.flattened(segment, CHORD));
+  const from = (p: Pt) => Math.min(...chords.map((q, i) => (i === 0 ? Infinity : fromLine(p, chords[i - 1] ?? q, q))));
+  const points = stockBefore(situation, of).inArea.flat();
+  return roundedUpTo(
+    STEP,
+    points.reduce((most, p) => Math.max(most, from(p)), 0),
+  );
+}
+
+/** The distance of a point from a straight line between two points. */
+function fromLine(p: Pt, a: Pt, b: Pt): number {
+  const [z, r] = [b.z - a.z, b.r - a.r];
+  const long = z * z + r * r;
+  const share = long > 0 ? Math.min(1, Math.max(0, ((p.z - a.z) * z + (p.r - a.r) * r) / long)) : 0;
+  return Math.hypot(p.z - a.z - share * z, p.r - a.r - share * r);
+}
+
+/** Another cycle for the same contour, with the tools that do it fastest. */
+export function otherCycle(situation: ProgramSituation): readonly Change[] {
+  const { program, run, tools, uses } = situation;
+  const labels = ncLabels(situation.ncLanguage);
+  const used = new Set(uses.tools);
+  const inches = run.program.unit === "inch";
+  const usable = tools
+    .filter((tool) => checkTool(tool).length === 0)
+    .toSorted((a, b) => Number(used.has(b.T)) - Number(used.has(a.T)));
+
+  const statementOf = (cycle: Cycle, of: TurningUnit, values: Numbers) => ({
+    ...of.statement,
+    cycle: cycle.number,
+    name: labels.cycleName(cycle.number),
+    parameters: Object.entries<Param>(cycle.params).map(([q, param]): CycleParameter => {
+      const written = of.statement.parameters.find((p) => p.q === q);
+      const own = of.cycle.params[q];
+      const value = values[q] ?? param.example;
+      const keeps = written && own?.shown === param.shown && own.kind === param.kind;
+      return {
+        q,
+        value: keeps ? written.value : typeof value === "number" ? valueInProgram(param, value, inches) : value,
+        label: labels.label(param.text),
+      };
+    }),
+  });
+
+  const longest = situation.units
+    .toSorted((a, b) => b.operation.seconds - a.operation.seconds)
+    .slice(0, MOST.operations);
+  return longest.flatMap((of): readonly Change[] => {
+    const { operation, call, unit, definition } = of;
+    if (of.cycle.group === "thread" || of.cycle.contour === "none" || of.work === "finish") return [];
+    const { feedUnit, plan, seconds } = operation;
+    const turns = feedTurns(plan, call.start);
+    let known: number | null = null;
+    const allowance = () => (known ??= allowanceOf(situation, of));
+    const makesSame = (cycle: Cycle, values: Values<Params>): boolean => {
+      const { contour } = cycle.outline(values, call.given);
+      return isSameContour(contour, plan.contour) || isSameContour(reversed(contour), plan.contour);
+    };
+    return others(situation, of).flatMap((cycle) => {
+      const planned = usable
+        .filter((tool) => isUsualTool(cycle.group, tool))
+        .slice(0, MOST.planned)
+        .flatMap((tool) => {
+          const values = valuesFor(cycle, of, tool, allowance);
+          const read = values as Values<Params>;
+          if (!makesSame(cycle, read)) return [];
+          const setting = { tool, start: call.start, feedUnit, autoFeed: call.autoFeed, stock: null };
+          const made = cycle.plan(read, setting, call.given);
+          if (!fitOf(tool, made).makesContour || turns <= 0) return [];
+          return [{ tool, values, saved: seconds * (1 - feedTurns(made, call.start) / turns) }];
+        })
+        .filter(({ saved }) => saved > 0)
+        .toSorted((a, b) => b.saved - a.saved)
+        .slice(0, MOST.tried);
+      return planned.map(({ tool, values, saved }) => {
+        const edit = () => {
+          const swapped = withBlock(program, definition, statementOf(cycle, of, values));
+          return tool.T === operation.tool.T ? swapped : retooledOperation(swapped, unit, tool.T);
+        };
+        const subject = {
+          kind: "otherCycle",
+          units: [unit],
+          cycle: cycle.number,
+          tool: tool.T,
+          instead: operation.tool.T,
+        } as const;
+        return changeOf(subject, saved, edit);
+      });
+    });
+  });
+}
