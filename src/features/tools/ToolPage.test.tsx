@@ -117,6 +117,7 @@ test("TO by arrow keys goes in the direction of the arrow", async () => {
 
 test("numbers are shown in the format of the screen language", async () => {
   changeSettings({ language: "de" });
+  await fetchToolPage();
   render(<ToolPage />);
   const user = userEvent.setup();
   expect(field("RS: Schneidenradius").value).toBe("0,8");
