@@ -1,7 +1,7 @@
 import { useRef, useState } from "react";
 import {
   canOpenFiles,
-  ENDINGS,
+  OPENED,
   pickFiles,
   pickFolder,
   plainFiles,
@@ -11,7 +11,6 @@ import type * as FolderPart from "../../app/records/files/folder.ts";
 import { retryImport } from "../../app/base/parts.ts";
 import type { OpenResult } from "../../app/fields/open/open-files.ts";
 import { fetchOpenFiles, openText } from "../../app/fields/open/open-program.ts";
-import { DRAWING_ENDINGS } from "../../program/drawing/endings.ts";
 import { Door } from "./Door.tsx";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
@@ -55,7 +54,7 @@ export function OpenDoor() {
         type="file"
         multiple
         hidden
-        accept={[...ENDINGS, "text/plain", ".zip", ".json", ...DRAWING_ENDINGS].join(",")}
+        accept={OPENED.join(",")}
         onChange={(event) => void take(plainFiles(event.currentTarget.files))}
       />
       <button type="button" className="door-way" onClick={() => void askFolder()}>

@@ -13,7 +13,7 @@ import { asKlartext } from "../../records/files/iso-file.ts";
 import { openDrawing } from "../../document/drawing-request.ts";
 import { askWhichPrograms, useProgramChoice } from "../../document/program-choice.ts";
 import type { DroppedPart, FolderContent } from "../../records/files/folder.ts";
-import { plainFiles, type Chosen, type FileHandle } from "../../records/files/file-handle.ts";
+import { askForFiles, OPENED, plainFiles, type Chosen, type FileHandle } from "../../records/files/file-handle.ts";
 import { LARGEST_PROGRAM } from "../../base/limits.ts";
 import { missingFiles } from "../../calculation/missing-files.ts";
 
@@ -182,11 +182,18 @@ function areMissingFiles(chosen: readonly Chosen[]): boolean {
   return chosen.every(({ file }) => missing.has(fileKey(file.name)));
 }
 
+function sayNot(opening: OpenResult): void {
+  if (opening !== "opened") notice(opening === "tooLarge" ? "fileTooLarge" : "fileUnreadable");
+}
+
+/** Asks for files and opens them. A failure shows a notice. */
+export async function openAskedFiles(): Promise<void> {
+  const chosen = await askForFiles(OPENED);
+  if (chosen.length > 0) sayNot(await openFiles(chosen));
+}
+
 /** Opens dropped files and folders; a file has the part with its index. A failure shows a notice. */
 export async function openDroppedFiles(files: readonly File[], parts: readonly DroppedPart[]): Promise<void> {
-  const sayNot = (opening: OpenResult) => {
-    if (opening !== "opened") notice(opening === "tooLarge" ? "fileTooLarge" : "fileUnreadable");
-  };
   if (parts.some(({ handle, entry }) => entry?.isDirectory || (handle && "values" in handle))) {
     const { filesOfDrop } = await retryImport(() => import("../../records/files/folder.ts"));
     return sayNot(await openFolder(await filesOfDrop(parts)));
