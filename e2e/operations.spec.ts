@@ -1,4 +1,5 @@
 import { readFileSync } from "node:fs";
+import { insert } from "../src/i18n/en/insert.ts";
 import { expectAccessibleAndFits } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
@@ -47,7 +48,7 @@ test("operations of the flange are duplicated, moved, skipped and restored byte 
   expect(await text()).toBe(flange);
 });
 
-test("a new program cancelled at its first operation is valid, and offers the operation again", async ({ page }) => {
+test("a new program cancelled at its first operation is valid, and takes a thread by its name", async ({ page }) => {
   const { editor, t } = await Turnwise.open(page);
   await editor.create();
   await editor.show("structure");
@@ -56,4 +57,10 @@ test("a new program cancelled at its first operation is valid, and offers the op
   );
   await page.getByRole("button", { name: t.operations.insert, exact: true }).click();
   await expect(editor.inserting).toBeVisible();
+  await page.keyboard.type("M10");
+  await editor.inserting.getByRole("button", { name: insert.hand.tapOf("M10"), exact: true }).click();
+  await editor.inserting.getByRole("button", { name: t.operations.put, exact: true }).click();
+  await expect(editor.inserting).toBeHidden();
+  await editor.show("structure");
+  await expect(editor.operation(2)).toContainText(insert.hand.tapOf("M10").toUpperCase());
 });

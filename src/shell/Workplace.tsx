@@ -128,9 +128,9 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
               name: section === "findings" ? findingsTitle : t[section],
               content: content[section],
               stays: section === "prompts",
-              ...(section === "findings" && findings[0]
-                ? { badge: { count: findings.length, severity: findings[0].issue.severity } }
-                : {}),
+              ...(section === "findings" && {
+                badge: { count: findings.length, severity: findings[0]?.issue.severity ?? "info" },
+              }),
             }))}
           />
         </FindingsHostContext>

@@ -27,6 +27,7 @@ import "../app/base/styles/dialog.css";
 import "../app/base/styles/panels.css";
 import "../app/base/styles/start.css";
 import { guardFocus } from "../app/base/focus-guard.ts";
+import { guardPresses } from "../app/base/press-guard.ts";
 import { PAGE_ACTIONS } from "../app/fields/keys/page-actions.ts";
 import "../app/base/styles/short.css";
 import "../app/base/styles/contrast.css";
@@ -40,6 +41,7 @@ startOfflineLater();
 declareActions(() => [...historyActions(), ...PAGE_ACTIONS]);
 document.addEventListener("keydown", onActionKey);
 guardFocus();
+guardPresses();
 /** Starts saving the history in this tab and the picture of the work. The first screen waits for neither. */
 async function startKeepingExtras(): Promise<void> {
   const [{ startKeepingSteps, takeKeptSteps }, { startKeepingPictures }] = await retryImport(() =>

@@ -35,3 +35,21 @@ export function notIn({ text, encoding }: { readonly text: string; readonly enco
   for (const character of text) if (!byteOf.has(character)) return character;
   return null;
 }
+
+/** Bytes among which UTF-16 without a byte order mark is recognized: half of them are 0. */
+const LOOKED_AT = 200;
+
+function utf16In(bytes: Uint8Array): "utf-16le" | "utf-16be" | null {
+  if (bytes[0] === 0xff && bytes[1] === 0xfe) return "utf-16le";
+  if (bytes[0] === 0xfe && bytes[1] === 0xff) return "utf-16be";
+  const head = bytes.subarray(0, LOOKED_AT);
+  const zeros = (odd: number) => head.filter((byte, i) => i % 2 === odd && byte === 0).length;
+  if (zeros(1) * 3 > head.length) return "utf-16le";
+  return zeros(0) * 3 > head.length ? "utf-16be" : null;
+}
+
+/** The text of a file of another program, which may be UTF-16 with or without a byte order mark; else as `decode`. */
+export function decodeAny(bytes: Uint8Array): ReturnType<typeof decode> {
+  const wide = utf16In(bytes);
+  return wide ? { text: new TextDecoder(wide).decode(bytes), encoding: "utf-8" } : decode(bytes);
+}

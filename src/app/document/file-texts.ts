@@ -1,5 +1,5 @@
 import { unzipSync } from "fflate";
-import { decode } from "./encoding.ts";
+import { decodeAny } from "./encoding.ts";
 import type { Encoding } from "./work.ts";
 
 /** A text file, as chosen or out of an archive. */
@@ -22,13 +22,6 @@ const LIMITS: TextLimits = { bytes: 100_000_000, texts: 3000, depth: 2 };
 const isZip = (bytes: Uint8Array) => bytes[0] === 0x50 && bytes[1] === 0x4b && bytes[2] === 3 && bytes[3] === 4;
 const ARCHIVE = /\.(?:zip|tools)$/i;
 
-/** Some programs write UTF-16 with a byte order mark. */
-function decoded(bytes: Uint8Array): Pick<FileText, "text" | "encoding"> {
-  const [a, b] = bytes;
-  const wide = a === 0xff && b === 0xfe ? "utf-16le" : a === 0xfe && b === 0xff ? "utf-16be" : null;
-  return wide ? { text: new TextDecoder(wide).decode(bytes), encoding: "utf-8" } : decode(bytes);
-}
-
 /**
  * The texts of a chosen file: its own, or those in an archive whose names have one of the endings. `tooLarge`: an
  * archive beyond the limits. Throws on a damaged archive.
@@ -39,7 +32,7 @@ export function textsOfFile(
   endings: readonly string[],
   limits: TextLimits = LIMITS,
 ): readonly FileText[] | "tooLarge" {
-  if (!isZip(bytes)) return [{ name, ...decoded(bytes), packed: false }];
+  if (!isZip(bytes)) return [{ name, ...decodeAny(bytes), packed: false }];
   const texts: FileText[] = [];
   let size = 0;
   const unpack = (packed: Uint8Array, depth: number): boolean => {
@@ -58,7 +51,7 @@ export function textsOfFile(
     });
     if (!fits) return false;
     return Object.entries(entries).every(([path, content]) => {
-      if (!isZip(content)) texts.push({ name: path, ...decoded(content), packed: true });
+      if (!isZip(content)) texts.push({ name: path, ...decodeAny(content), packed: true });
       else if (depth < limits.depth && ARCHIVE.test(path)) return unpack(content, depth + 1);
       return true;
     });

@@ -9,7 +9,7 @@ interface Section {
   readonly content: ReactNode;
   /** Stays mounted while another section is open, and keeps its state. */
   readonly stays?: boolean;
-  /** A count beside the name, with its colour. */
+  /** A count beside the name, with its colour. Its place is kept free at 0: the tabs stay put when findings arrive. */
   readonly badge?: { readonly count: number; readonly severity: "error" | "warning" | "info" };
 }
 type Head = Omit<Section, "content">;
@@ -34,7 +34,7 @@ const Frame = memo(function Frame({
         {all.map(({ section, name: label, badge }) => (
           <Tab key={section} id={section} className="tab">
             {label}
-            {badge && badge.count > 0 && <span className={`badge number ${badge.severity}`}>{badge.count}</span>}
+            {badge && <span className={`badge number ${badge.severity}`}>{badge.count > 0 && badge.count}</span>}
           </Tab>
         ))}
       </TabList>

@@ -1,4 +1,3 @@
-import { Suspense } from "react";
 import { LazyPromptMore } from "../../app/fields/said/LazyPromptMore.tsx";
 import { useGuidedBlock } from "../../app/place/open-call.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
@@ -24,9 +23,7 @@ export function BlockMore({ kind, field: { id, name }, line }: Props) {
   const page = KINDS_WITH_ONE_PAGE.has(word) || kind === "cycle" ? kind : `${kind}.${word}`;
   return (
     <span className="block-more" onClickCapture={() => useGuidedBlock.setState({ block: { work, line, word: id } })}>
-      <Suspense>
-        <LazyPromptMore page={["guide", "block", page]} name={typeof name === "string" ? t.fields[name] : name.word} />
-      </Suspense>
+      <LazyPromptMore page={["guide", "block", page]} name={typeof name === "string" ? t.fields[name] : name.word} />
     </span>
   );
 }

@@ -141,9 +141,9 @@ export function ProgramWorkplace() {
               section,
               name: section === "findings" ? words.title : t.sections[section],
               content: content[section],
-              ...(section === "findings" && findings[0]
-                ? { badge: { count: findings.length, severity: findings[0].issue.severity } }
-                : {}),
+              ...(section === "findings" && {
+                badge: { count: findings.length, severity: findings[0]?.issue.severity ?? "info" },
+              }),
             }))}
           />
         </FindingsHostContext>

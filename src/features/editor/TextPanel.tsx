@@ -32,6 +32,7 @@ import { TEXT_AREA, type TextBar } from "../../app/fields/find/text-bar.ts";
 import { SaveButton } from "./SaveButton.tsx";
 import { SkipSwitch } from "./SkipSwitch.tsx";
 import { WorkFiles } from "./WorkFiles.tsx";
+import "../../app/fields/find/find.css";
 
 const TextTools = lazyPart(async () => ({ default: (await import("./TextTools.tsx")).TextTools }));
 

@@ -2,7 +2,7 @@ import { useEffect, useMemo, useRef, useState } from "react";
 import { useOutcome } from "../../app/calculation/outcome.ts";
 import { askForFiles } from "../../app/records/files/file-handle.ts";
 import { missingFiles } from "../../app/calculation/missing-files.ts";
-import { addFiles } from "../../app/fields/open/open-program.ts";
+import { addFiles } from "../../app/fields/open/open-files.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { fileKey } from "../../program/state/program-files.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";

@@ -6,7 +6,7 @@ import type { FindingEntry } from "../../app/findings/entry.ts";
 import type { FindingsHost, Fix } from "../../app/findings/host.ts";
 import { askForFiles } from "../../app/records/files/file-handle.ts";
 import { missingFile } from "../../app/calculation/missing-files.ts";
-import { addFiles } from "../../app/fields/open/open-program.ts";
+import { addFiles } from "../../app/fields/open/open-files.ts";
 import { showFile, useShownOtherFile } from "../../app/document/shown-file.ts";
 import { isIn, ownPlace } from "../../app/document/shown-findings.ts";
 import { placeInFile } from "../../app/calculation/issue-text.ts";

@@ -26,7 +26,7 @@ export function PromptMore({ page, name }: { readonly page: GuidePath; readonly 
   const [, first, q] = page;
   const cycle = Number(first);
   return (
-    <span className="prompt-ways">
+    <>
       {on && q !== undefined && cycleByNumber(cycle)?.params[q] && <AdviceMark cycle={cycle} q={q} />}
       <button
         type="button"
@@ -37,6 +37,6 @@ export function PromptMore({ page, name }: { readonly page: GuidePath; readonly 
       >
         <Icon name="question" /> {t.more}
       </button>
-    </span>
+    </>
   );
 }

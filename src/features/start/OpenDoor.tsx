@@ -1,7 +1,7 @@
 import { useRef, useState } from "react";
 import {
   canOpenFiles,
-  ENDINGS,
+  OPENED,
   pickFiles,
   pickFolder,
   plainFiles,
@@ -9,8 +9,8 @@ import {
 } from "../../app/records/files/file-handle.ts";
 import type * as FolderPart from "../../app/records/files/folder.ts";
 import { retryImport } from "../../app/base/parts.ts";
-import { openFiles, openFolder, openText, type OpenResult } from "../../app/fields/open/open-program.ts";
-import { DRAWING_ENDINGS } from "../../program/drawing/endings.ts";
+import type { OpenResult } from "../../app/fields/open/open-files.ts";
+import { fetchOpenFiles, openText } from "../../app/fields/open/open-program.ts";
 import { Door } from "./Door.tsx";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
@@ -28,13 +28,19 @@ export function OpenDoor() {
   const folder = useRef<HTMLInputElement>(null);
   const dialog = useRef<HTMLDialogElement>(null);
 
-  const take = async (chosen: readonly Chosen[]) => setOpening(chosen.length > 0 ? await openFiles(chosen) : "opened");
+  const take = async (chosen: readonly Chosen[]) =>
+    setOpening(chosen.length > 0 ? await (await fetchOpenFiles()).openFiles(chosen) : "opened");
   const ask = async () => {
     if (!canOpenFiles()) return file.current?.click();
     await take(await pickFiles());
   };
-  const takeFolder = async (content: (part: typeof FolderPart) => Promise<FolderPart.FolderContent>) =>
-    setOpening(await openFolder(await content(await retryImport(() => import("../../app/records/files/folder.ts")))));
+  const takeFolder = async (content: (part: typeof FolderPart) => Promise<FolderPart.FolderContent>) => {
+    const [part, { openFolder }] = await Promise.all([
+      retryImport(() => import("../../app/records/files/folder.ts")),
+      fetchOpenFiles(),
+    ]);
+    setOpening(await openFolder(await content(part)));
+  };
   const askFolder = async () => {
     const picked = await pickFolder();
     if (picked === undefined) return folder.current?.click();
@@ -48,7 +54,7 @@ export function OpenDoor() {
         type="file"
         multiple
         hidden
-        accept={[...ENDINGS, "text/plain", ".zip", ".json", ...DRAWING_ENDINGS].join(",")}
+        accept={OPENED.join(",")}
         onChange={(event) => void take(plainFiles(event.currentTarget.files))}
       />
       <button type="button" className="door-way" onClick={() => void askFolder()}>

@@ -3,18 +3,17 @@ import { fillingOf, isWholeCode, nameOfCodes } from "../../program/iso-codes/cod
 import { readToolCodes } from "../../program/iso-codes/tool-code.ts";
 import { cellOf, type ToolEntry } from "../../program/tools/tool-entry.ts";
 import { Message } from "../../app/base/Message.tsx";
-import { useTextsOrNull } from "../../app/base/settings/use-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { CodeFillings, CodeNotes, CodeParts } from "./CodeReading.tsx";
 import { setCells } from "./tool-edits.ts";
 
 /** The code of an insert or a holder, parsed at each keystroke; Enter fills its columns, as one step. */
 export function CodeField({ entry }: { readonly entry: ToolEntry }) {
-  const w = useTextsOrNull("tool-codes");
+  const w = useTexts("tool-codes");
   const id = useId();
   const input = useRef<HTMLInputElement>(null);
   const [typed, type] = useState("");
   const [said, say] = useState("");
-  if (!w) return null;
   const codes = readToolCodes(typed);
   const { cells, notes } = fillingOf(codes, entry);
   const name = cellOf(entry, "NAME");

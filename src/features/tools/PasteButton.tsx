@@ -1,6 +1,6 @@
 import { useEffect, useEffectEvent } from "react";
 import { Icon } from "../../app/base/Icon.tsx";
-import { useTextsOrNull } from "../../app/base/settings/use-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import type { ImportSource } from "./tool-files.ts";
 
 const isField = (target: EventTarget | null) =>
@@ -14,10 +14,10 @@ export function PasteButton({
   readonly take: (source: ImportSource) => void;
   readonly fail: (sentence: string) => void;
 }) {
-  const w = useTextsOrNull("tool-sheets");
+  const w = useTexts("tool-sheets");
   const receive = (text: string) => {
     const bytes = new TextEncoder().encode(text);
-    if (w) take({ name: w.pasted, size: bytes.length, arrayBuffer: () => Promise.resolve(bytes.buffer) });
+    take({ name: w.pasted, size: bytes.length, arrayBuffer: () => Promise.resolve(bytes.buffer) });
   };
   const onPaste = useEffectEvent((event: ClipboardEvent) => {
     const text = event.clipboardData?.getData("text/plain") ?? "";
@@ -30,7 +30,6 @@ export function PasteButton({
     document.addEventListener("paste", listen);
     return () => document.removeEventListener("paste", listen);
   }, []);
-  if (!w) return null;
   const read = () => {
     // Not every browser has it, and each may refuse.
     const clipboard = navigator.clipboard as Partial<Clipboard> | undefined;

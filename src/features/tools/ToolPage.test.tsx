@@ -1,7 +1,7 @@
 import { useNotices } from "../../app/base/notices.ts";
 import { cleanup, render, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
-import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { afterEach, beforeAll, beforeEach, expect, test, vi } from "vitest";
 import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { cellOf, tableOrigin } from "../../program/tools/tool-entry.ts";
 import { shippedList } from "../../program/tools/tool-list.ts";
@@ -14,6 +14,7 @@ import { showToolKind, showTools, usePlace } from "../../app/place/place.ts";
 import { showToolNumber } from "../../app/document/tool-row.ts";
 import { editTools, toolRecord, toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
 import { toolTable } from "../../app/document/work-tools.ts";
+import { fetchToolPage } from "./index.ts";
 import { ToolPage } from "./ToolPage.tsx";
 
 const field = (name: string) => screen.getByRole<HTMLInputElement>("textbox", { name });
@@ -29,6 +30,7 @@ HTMLDialogElement.prototype.close = function close(this: HTMLDialogElement) {
   this.open = false;
 };
 
+beforeAll(async () => void (await fetchToolPage()));
 beforeEach(() => {
   changeSettings({ language: "en" });
   localStorage.removeItem("turnwise/tools");
@@ -115,6 +117,7 @@ test("TO by arrow keys goes in the direction of the arrow", async () => {
 
 test("numbers are shown in the format of the screen language", async () => {
   changeSettings({ language: "de" });
+  await fetchToolPage();
   render(<ToolPage />);
   const user = userEvent.setup();
   expect(field("RS: Schneidenradius").value).toBe("0,8");

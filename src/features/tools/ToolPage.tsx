@@ -3,7 +3,7 @@ import { Icon } from "../../app/base/Icon.tsx";
 import { retryImport } from "../../app/base/parts.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { openToolRow, showOwn, showToolKind, type ToolKind, uncover, usePlace } from "../../app/place/place.ts";
-import { useTexts, useTextsOrNull } from "../../app/base/settings/use-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { addTool, duplicateTool, removeTool, restoreShippedTools } from "./tool-edits.ts";
 import { isMillEntry } from "../../program/tools/tool-entry.ts";
 import { exportToOrigin, exportTools, applyImport, type ImportSource, type ToolImport } from "./tool-files.ts";
@@ -33,7 +33,7 @@ export function ToolPage() {
   const { row: asked, kind: lastKind } = usePlace((p) => p.tools);
   const [said, setSaid] = useState<TableMessage | null>(null);
   const [asking, ask] = useState<ToolImport | "export" | "restore" | null>(null);
-  const w = useTextsOrNull("tool-files");
+  const w = useTexts("tool-files");
   const { dialog, assign } = useSheetColumns();
   const language = useSettings((s) => s.language);
   const page = useRef<HTMLElement>(null);
@@ -74,7 +74,7 @@ export function ToolPage() {
     ask(brought);
   };
   const bring = (sources: readonly ImportSource[]) => {
-    if (sources.length > 0 && w)
+    if (sources.length > 0)
       void fetchImport()
         .then(({ readImportFiles }) => readImportFiles(sources, { t, w, assign }))
         .then(receive);
@@ -110,20 +110,16 @@ export function ToolPage() {
           </button>
         </div>
         <div className="tool-buttons" role="group" aria-label={t.files}>
-          {w && (
-            <>
-              <button type="button" className="button" aria-label={w.importLong} onClick={() => file.current?.click()}>
-                <Icon name="add" /> {t.import}
-              </button>
-              <PasteButton
-                take={(source) => bring([source])}
-                fail={(sentence) => setSaid({ sentences: [sentence], failed: true, changed: false })}
-              />
-              <button type="button" className="button" aria-label={w.exportLong} onClick={() => ask("export")}>
-                <Icon name="download" /> {w.export}
-              </button>
-            </>
-          )}
+          <button type="button" className="button" aria-label={w.importLong} onClick={() => file.current?.click()}>
+            <Icon name="add" /> {t.import}
+          </button>
+          <PasteButton
+            take={(source) => bring([source])}
+            fail={(sentence) => setSaid({ sentences: [sentence], failed: true, changed: false })}
+          />
+          <button type="button" className="button" aria-label={w.exportLong} onClick={() => ask("export")}>
+            <Icon name="download" /> {w.export}
+          </button>
           <button type="button" className="button plain" aria-haspopup="dialog" onClick={() => ask("restore")}>
             {t.restore}
           </button>
@@ -149,7 +145,7 @@ export function ToolPage() {
           focusRow();
         }}
       />
-      {w && asking === "export" && (
+      {asking === "export" && (
         <ExportDialog
           words={w}
           done={() => ask(null)}
@@ -173,7 +169,7 @@ export function ToolPage() {
           }}
         />
       )}
-      {w && asking !== null && typeof asking === "object" && (
+      {asking !== null && typeof asking === "object" && (
         <ImportDialog
           brought={asking}
           words={w}

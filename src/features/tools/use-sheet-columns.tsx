@@ -1,7 +1,7 @@
 import { Suspense, useState, type ReactNode } from "react";
 import type { Assignment } from "../../program/tool-sheets/assignment.ts";
 import { lazyPart } from "../../app/base/parts.ts";
-import { useTextsOrNull } from "../../app/base/settings/use-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import type { NamedSheet } from "./sheet-files.ts";
 import { columnsFor, importOfSheet } from "./sheet-import.ts";
 import type { ToolImport } from "./tool-files.ts";
@@ -20,10 +20,9 @@ export function useSheetColumns(): {
   /** Columns that were assigned before are taken; `again`: they are asked for all the same. Null: given up. */
   readonly assign: (named: NamedSheet, again?: boolean) => Promise<ToolImport | null>;
 } {
-  const w = useTextsOrNull("tool-sheets");
+  const w = useTexts("tool-sheets");
   const [asking, ask] = useState<Asking | null>(null);
   const assign = async (named: NamedSheet, again = false): Promise<ToolImport | null> => {
-    if (!w) return null;
     const { assignment, day } = columnsFor(named);
     if (day !== null && !again) return importOfSheet(named, assignment, day, w);
     const chosen = await new Promise<Assignment | null>((answer) => ask({ named, first: assignment, answer }));

@@ -1,6 +1,7 @@
 import { useCallback, useEffect, useMemo, useRef, useState, type KeyboardEvent } from "react";
 import { goHome } from "../../app/document/go-home.ts";
 import { menuCycle } from "../../app/fields/chooser/menu.ts";
+import { openAskedFiles } from "../../app/fields/open/open-files.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { keptPictures } from "../../app/records/kept-picture.ts";
 import type { WorkSummary } from "../../app/records/device.ts";
@@ -124,6 +125,9 @@ export function WorksPage() {
       <div className="works-head">
         <button type="button" className="button" onClick={goHome}>
           <Icon name="back" /> {t.back}
+        </button>
+        <button type="button" className="button" onClick={() => void openAskedFiles()}>
+          <Icon name="add" /> {page.programs.openFile}
         </button>
         <p role="status" className="soft">
           {sought.trim() === "" ? t.count(works.length) : t.found(shown.length, works.length)}

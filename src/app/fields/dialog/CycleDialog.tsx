@@ -9,7 +9,7 @@ import { takePlace } from "../../document/setup-edits.ts";
 import { closeStep } from "../../document/steps.ts";
 import { useEditor } from "../../document/store.ts";
 import { DialogDone } from "./DialogDone.tsx";
-import { PromptDialog } from "./PromptDialog.tsx";
+import { ComingDialog, PromptDialog } from "./PromptDialog.tsx";
 import { useCycleSession, type PromptedBlock } from "./use-cycle-session.tsx";
 import { Unverified } from "./Unverified.tsx";
 
@@ -41,22 +41,21 @@ export function CycleDialog({
   const head = (
     <>
       {session.fields.length > 0 && <Unverified cycle={read.cycle} />}
-      {thread && (
-        <Suspense fallback={null}>
-          <ThreadName read={read} roles={thread} line={line} setAll={fill} takeTool={takeTool} />
-        </Suspense>
-      )}
+      {thread && <ThreadName read={read} roles={thread} line={line} setAll={fill} takeTool={takeTool} />}
     </>
   );
   return (
     <CycleInWork value={cycle}>
-      <PromptDialog
-        session={session}
-        name={t.form}
-        listName={t.list}
-        head={head}
-        done={<DialogDone session={session} inBlock={block !== null} onInsert={block?.onInsert} />}
-      />
+      {/* All at once: what arrives above the prompts would push them away from under the pointer. */}
+      <Suspense fallback={<ComingDialog />}>
+        <PromptDialog
+          session={session}
+          name={t.form}
+          listName={t.list}
+          head={head}
+          done={<DialogDone session={session} inBlock={block !== null} onInsert={block?.onInsert} />}
+        />
+      </Suspense>
     </CycleInWork>
   );
 }

@@ -1,4 +1,4 @@
-import { Suspense, useId, useLayoutEffect, useRef, type RefObject } from "react";
+import { useId, useLayoutEffect, useRef, type RefObject } from "react";
 import { isError, isOpen, type FindingEntry } from "../../findings/entry.ts";
 import { useMedia } from "../../base/use-media.ts";
 import { Message } from "../../base/Message.tsx";
@@ -153,11 +153,7 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
             <span key={note}>{note}</span>
           ))}
         </p>
-        {prompt.page && (
-          <Suspense>
-            <LazyPromptMore page={prompt.page} name={prompt.letter} />
-          </Suspense>
-        )}
+        {prompt.page && <LazyPromptMore page={prompt.page} name={prompt.letter} />}
       </div>
       <div className="about" tabIndex={0} role="group" aria-label={t.dialog.aboutPrompt(prompt.letter)}>
         <div role="status" aria-label={t.findings.title}>

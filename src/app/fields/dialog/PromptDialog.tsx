@@ -23,14 +23,26 @@ interface Props {
   readonly className?: string;
 }
 
+/** Where the help picture is docked; null where the page has no such pane. `fills`: its place is taken. */
+function useDock(fills: boolean): HTMLElement | null {
+  const dock = useHelpDock((d) => d.dock),
+    isFilled = dock !== null && fills;
+  useLayoutEffect(() => (isFilled ? fillHelpDock() : undefined), [isFilled]);
+  return dock;
+}
+
+/** Holds the place of a dialog, and of its help picture, whose parts are still fetched. */
+export function ComingDialog() {
+  useDock(true);
+  return <div className="cycle-dialog" aria-busy="true" />;
+}
+
 /** Dialog as on the control: one prompt open, all others on one line each, with a picture. */
 export function PromptDialog({ session, name, listName, done, hint, head, instead, className = "" }: Props) {
   const fingers = useFingers();
   const input = useRef<HTMLInputElement>(null);
   const open = openPromptOf(session);
-  const dock = useHelpDock((d) => d.dock),
-    fills = dock !== null && !instead;
-  useLayoutEffect(() => (fills ? fillHelpDock() : undefined), [fills]);
+  const dock = useDock(!instead);
   return (
     <div className={`cycle-dialog ${className}`.trim()} role="form" id="prompts" data-keys="prompts" aria-label={name}>
       {head}

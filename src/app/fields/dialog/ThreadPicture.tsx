@@ -16,7 +16,9 @@ export function ThreadPicture({ line }: { readonly line: number | null }) {
   const dimmed = useOutcome((s) => s.dimmed);
   const thread = useThreadOperation(line)?.plan.thread;
   const drawing = useMemo(() => (thread ? threadProfile(thread, SIZE.width, SIZE.height) : null), [thread]);
-  if (!thread || !drawing) return null;
+  const place = { width: pageLength(SIZE.width), height: pageLength(SIZE.height) };
+  // Its place is kept free until the first result: the prompts below stay put.
+  if (!thread || !drawing) return <span className="thread-picture" style={place} />;
   const last = Math.max(1, drawing.chips.length - 1);
   const hue = (i: number) => HUES.first + ((HUES.last - HUES.first) * i) / last;
   return (
@@ -25,8 +27,7 @@ export function ThreadPicture({ line }: { readonly line: number | null }) {
       role="img"
       aria-label={t.profile(thread.depths.length)}
       viewBox={`0 0 ${SIZE.width} ${SIZE.height}`}
-      width={pageLength(SIZE.width)}
-      height={pageLength(SIZE.height)}
+      {...place}
     >
       <path className="thread-material" d={`M0 ${drawing.crest}H${SIZE.width}V${SIZE.height}H0Z`} />
       {drawing.chips.map(({ pass, points }, i) => (

@@ -11,7 +11,8 @@ import { closeProgramChoice, useProgramChoice } from "../../document/program-cho
 import { plainFiles } from "../../records/files/file-handle.ts";
 import { LARGEST_PROGRAM } from "../../base/limits.ts";
 import { missingFiles } from "../../calculation/missing-files.ts";
-import { addFiles, openDropped, openFiles } from "./open-program.ts";
+import { addFiles, openFiles } from "./open-files.ts";
+import { openDropped } from "./open-program.ts";
 import { shownOtherFile, shownFile, showFile } from "../../document/shown-file.ts";
 
 const pgm = (lines: string) => `0 BEGIN PGM S MM\n${lines}\nEND PGM S MM\n`;

@@ -1,184 +1,16 @@
-import { decode } from "../../document/encoding.ts";
-import { useOutcome } from "../../calculation/outcome.ts";
 import type { HandedOn } from "../../../program/job/job.ts";
-import { kindOfName } from "../../../program/drawing/endings.ts";
-import { fileKey } from "../../../program/state/program-files.ts";
 import { retryImport } from "../../base/parts.ts";
-import { courseFilesSlot } from "../slots.ts";
-import { notice } from "../../base/notices.ts";
 import { startWork } from "../../records/keep.ts";
-import { changeProgram, useEditor } from "../../document/store.ts";
-import { readBackup, isArchiveName } from "../../records/pending-restore.ts";
-import { onlyBundle, textsOf, withFile, type ProgramWork, type WorkFile } from "../../document/work.ts";
+import { onlyBundle, type ProgramWork, type WorkFile } from "../../document/work.ts";
 import { fileNameOf } from "../../base/file-name.ts";
 import { asKlartext, mayBeIso } from "../../records/files/iso-file.ts";
-import { openDrawing } from "../../document/drawing-request.ts";
-import { askWhichPrograms, useProgramChoice } from "../../document/program-choice.ts";
-import type { FolderContent } from "../../records/files/folder.ts";
-import { handleOf, plainFiles, type Chosen, type FileHandle } from "../../records/files/file-handle.ts";
-import { LARGEST_PROGRAM } from "../../base/limits.ts";
-import { missingFiles } from "../../calculation/missing-files.ts";
+import { handleOf } from "../../records/files/file-handle.ts";
 
 /** Opens a program as a new work; the previous one stays saved. */
 export const openProgram = (program: ProgramWork): void => startWork(program);
 
-/** Result of opening files. */
-export type OpenResult = "opened" | "tooLarge" | "unreadable";
-
-interface Read {
-  readonly files: readonly WorkFile[];
-  readonly handles: readonly {
-    readonly name: string;
-    readonly handle: FileHandle;
-    readonly bytes: Uint8Array<ArrayBuffer>;
-  }[];
-  /** False when one of them could not be read. */
-  readonly whole: boolean;
-}
-
-/**
- * Reads chosen files; of two with the same name the first counts. A file translated from DIN/ISO is not written back.
- */
-async function read(chosen: readonly Chosen[]): Promise<Read> {
-  const all = await Promise.all(
-    chosen.map(async ({ file, handle }) => {
-      try {
-        const bytes = new Uint8Array(await file.arrayBuffer());
-        const own = { name: file.name, ...decode(bytes) };
-        const klartext = await asKlartext(own);
-        return { file: klartext, handle: klartext === own ? handle : null, bytes };
-      } catch {
-        return null;
-      }
-    }),
-  );
-  const found = [
-    ...new Map(all.flatMap((each) => (each ? [[fileKey(each.file.name), each] as const] : [])).reverse()).values(),
-  ].reverse();
-  return {
-    files: found.map(({ file }) => file),
-    handles: found.flatMap(({ file, handle, bytes }) => (handle ? [{ name: file.name, handle, bytes }] : [])),
-    whole: all.every((each) => each !== null),
-  };
-}
-
-/** Stores the file handles of the open work, so that it can be saved back. */
-async function remember({ handles }: Pick<Read, "handles">): Promise<void> {
-  const { work } = useEditor.getState();
-  if (work === null || handles.length === 0) return;
-  const { keepHandle } = await retryImport(() => import("../../records/files/kept-handles.ts"));
-  for (const { name, handle, bytes } of handles) await keepHandle(work, name, handle, bytes);
-}
-
-/** Opens a read work with its file handles. */
-function openRead(work: ProgramWork, { handles }: Pick<Read, "handles">): void {
-  openProgram(work);
-  const keys = new Set(textsOf(work).map(({ name }) => fileKey(name)));
-  void remember({ handles: handles.filter(({ name }) => keys.has(fileKey(name))) });
-}
-
-/**
- * Opens files as one work if one program calls the others. If several could be the main program, it asks which; closing
- * the question opens none.
- */
-async function openTogether(found: Read, { skipped, isCut }: Omit<FolderContent, "files">): Promise<boolean> {
-  const { files } = found;
-  const [first] = files;
-  if (!first) return false;
-  if (files.length === 1) {
-    openRead(first, found);
-    return true;
-  }
-  const [{ mainOf }, { parse }] = await Promise.all([
-    import("../../../program/run/main-program.ts"),
-    import("../../../nc/parse.ts"),
-  ]);
-  const { index, sure, free } = mainOf(files, parse);
-  const main = files[index] ?? first;
-  const whole: ProgramWork = { ...main, files: files.filter((file) => file !== main) };
-  const workOf = (at: number, calls: readonly number[]): ProgramWork => {
-    const beside = calls.flatMap((i) => files[i] ?? []);
-    const own = files[at] ?? first;
-    return beside.length > 0 ? { ...own, files: beside } : own;
-  };
-  if (free.length < 2) {
-    openRead(whole, found);
-    if (!sure) notice("mainUnsure");
-    return true;
-  }
-  askWhichPrograms({
-    works: free.map(({ index: at, calls }) => workOf(at, calls)),
-    skipped,
-    isCut,
-    // The first one is opened last, so that it is the one shown.
-    open: (works) => works.toReversed().forEach((work) => openRead(work, found)),
-    together: () => openRead(whole, found),
-  });
-  return true;
-}
-
-const sizeOf = (chosen: readonly Chosen[]): number => chosen.reduce((sum, { file }) => sum + file.size, 0);
-
-/** Opens files as one work; on failure the previous work stays open. */
-export async function openFiles(chosen: readonly Chosen[]): Promise<OpenResult> {
-  const [first] = chosen;
-  if (first && isArchiveName(first.file.name)) {
-    await readBackup(first.file);
-    return "opened";
-  }
-  const drawn = chosen.find(({ file }) => kindOfName(file.name) !== null);
-  if (drawn) {
-    openDrawing(drawn.file);
-    return "opened";
-  }
-  if (chosen.some(({ file }) => /\.json$/i.test(file.name)) && (await openCourseFiles(chosen.map(({ file }) => file))))
-    return "opened";
-  return openProgramFiles(chosen, { skipped: 0, isCut: false });
-}
-
-/** Opens tasks and results, recognised by file name or content; false for other files. */
-async function openCourseFiles(files: readonly File[]): Promise<boolean> {
-  const { areTaughtFiles, openTaughtFiles } = await retryImport(courseFilesSlot.fetch);
-  if (!files.some(({ name }) => /\.turnwise-(?:task|result)\b.*\.json$/i.test(name)) && !(await areTaughtFiles(files)))
-    return false;
-  await openTaughtFiles(files);
-  return true;
-}
-
-async function openProgramFiles(chosen: readonly Chosen[], leftOut: Omit<FolderContent, "files">): Promise<OpenResult> {
-  try {
-    if (sizeOf(chosen) > LARGEST_PROGRAM) return "tooLarge";
-    const found = await read(chosen);
-    if (!(await openTogether(found, leftOut))) return "unreadable";
-    if (!found.whole) notice("fileUnreadable");
-    return "opened";
-  } catch {
-    return "unreadable";
-  }
-}
-
-/** Opens the files of a folder, with a notice about skipped ones. */
-export async function openFolder({ files, ...leftOut }: FolderContent): Promise<OpenResult> {
-  const opening = await openProgramFiles(files, leftOut);
-  if (opening === "opened" && (leftOut.skipped > 0 || leftOut.isCut) && !useProgramChoice.getState().choice)
-    notice("filesLeftOut");
-  return opening;
-}
-
-/** Adds files to the open program as one step of undo. `name`: the name by which a single file is called. */
-export async function addFiles(chosen: readonly Chosen[], name: string | null = null): Promise<void> {
-  const { program, work } = useEditor.getState();
-  if (!program || chosen.length === 0) return;
-  const held = textsOf(program).reduce((sum, { text }) => sum + text.length, 0);
-  if (held + sizeOf(chosen) > LARGEST_PROGRAM) return notice("fileTooLarge");
-  const found = await read(chosen);
-  if (useEditor.getState().work !== work) return;
-  const named = ([file]: readonly WorkFile[]) => (file && name !== null ? [{ ...file, name }] : []);
-  const files = name !== null && found.files.length === 1 ? named(found.files) : found.files;
-  changeProgram((now) => files.reduce(withFile, now));
-  void remember(found);
-  if (!found.whole) notice("fileUnreadable");
-}
+/** The part that opens files is fetched when there are some. */
+export const fetchOpenFiles = () => retryImport(() => import("./open-files.ts"));
 
 /** Opens pasted or printed text, with the tools, settings and output format of the work it was printed from. */
 export function openText(text: string, { output, ...brought }: HandedOn & Pick<ProgramWork, "output"> = {}): void {
@@ -188,14 +20,7 @@ export function openText(text: string, { output, ...brought }: HandedOn & Pick<P
   else open(file);
 }
 
-/** True if the open program is missing all of the dropped files. */
-function areMissingFiles(chosen: readonly Chosen[]): boolean {
-  const { program } = useEditor.getState();
-  const missing = new Set(program ? missingFiles(program, useOutcome.getState().newest).map(fileKey) : []);
-  return chosen.every(({ file }) => missing.has(fileKey(file.name)));
-}
-
-/** Opens dropped files, with write access where the browser grants it. A failure shows a notice. */
+/** Opens a dropped text or dropped files, with write access where the browser grants it. A failure shows a notice. */
 export async function openDropped(data: DataTransfer): Promise<void> {
   // Drop data can only be read synchronously.
   const items = [...data.items].filter((each) => each.kind === "file");
@@ -203,25 +28,13 @@ export async function openDropped(data: DataTransfer): Promise<void> {
   const handles = items.map(handleOf);
   const files = [...data.files];
   const text = data.getData("text/plain");
-  const sayNot = (opening: OpenResult) => {
-    if (opening !== "opened") notice(opening === "tooLarge" ? "fileTooLarge" : "fileUnreadable");
-  };
-  const known = await Promise.all(handles);
-  if (entries.some((entry) => entry?.isDirectory) || known.some((handle) => handle && "values" in handle)) {
-    const { filesOfDrop } = await retryImport(() => import("../../records/files/folder.ts"));
-    return sayNot(
-      await openFolder(
-        await filesOfDrop(items.map((_, i) => ({ handle: known[i] ?? null, entry: entries[i] ?? null }))),
-      ),
-    );
+  if (items.length === 0 && files.length === 0) {
+    if (text.trim() !== "") openText(text);
+    return;
   }
-  if (files.length > 0) {
-    const chosen = plainFiles(files).map((each, i): Chosen => {
-      const handle = known[i] ?? null;
-      return { ...each, handle: handle && !("values" in handle) ? handle : null };
-    });
-    if (areMissingFiles(chosen)) return addFiles(chosen);
-    return sayNot(await openFiles(chosen));
-  }
-  if (text.trim() !== "") openText(text);
+  const [{ openDroppedFiles }, known] = await Promise.all([fetchOpenFiles(), Promise.all(handles)]);
+  await openDroppedFiles(
+    files,
+    known.map((handle, i) => ({ handle, entry: entries[i] ?? null })),
+  );
 }

@@ -1,5 +1,15 @@
+import { Suspense, type ComponentProps } from "react";
 import { lazyPart } from "../../base/parts.ts";
 import { promptMoreSlot } from "../slots.ts";
+import "./prompt-more.css";
 
-/** Link to a guide page, loaded when first shown. */
-export const LazyPromptMore = lazyPart(async () => ({ default: await promptMoreSlot.fetch() }));
+const PromptMore = lazyPart(async () => ({ default: await promptMoreSlot.fetch() }));
+
+/** Link to a guide page, loaded when first shown. Its place is kept free until then: the fields below it stay put. */
+export const LazyPromptMore = (props: ComponentProps<typeof PromptMore>) => (
+  <span className="prompt-ways">
+    <Suspense>
+      <PromptMore {...props} />
+    </Suspense>
+  </span>
+);

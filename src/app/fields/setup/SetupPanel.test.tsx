@@ -20,10 +20,11 @@ function Page() {
 const job = () => useEditor.getState().job ?? exampleJob(cycle);
 const field = (name: string) => screen.getByRole<HTMLInputElement>("textbox", { name });
 
-beforeEach(() => {
+beforeEach(async () => {
   changeSettings({ language: "en" });
   openFirstWork(exampleJob(cycle), "work");
   render(<Page />);
+  await screen.findByRole("textbox", { name: "Outside diameter" });
 });
 afterEach(cleanup);
 

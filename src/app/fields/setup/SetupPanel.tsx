@@ -36,9 +36,7 @@ function Legend({ name, page }: { readonly name: string; readonly page: string }
   return (
     <>
       <legend>{name}</legend>
-      <Suspense>
-        <LazyPromptMore page={["guide", "setup", page]} name={name} />
-      </Suspense>
+      <LazyPromptMore page={["guide", "setup", page]} name={name} />
     </>
   );
 }
@@ -82,7 +80,10 @@ function PlaceField({ read, place, ...field }: PlaceFieldProps) {
   );
 }
 
-/** Everything besides the cycle: tool, blank, start point, spindle, feed unit, rapid rate. */
+/**
+ * Everything besides the cycle: tool, blank, start point, spindle, feed unit, rapid rate. It appears as a whole, with the
+ * parts that are fetched for it: a group that came later would push the fields below it away.
+ */
 export function SetupPanel({ read }: { readonly read: JobReading }) {
   const { setup: t, cycles } = useTexts();
   const isHeldBack = useFixesHeldBack();
@@ -94,9 +95,7 @@ export function SetupPanel({ read }: { readonly read: JobReading }) {
     <div className="setup">
       <ParameterFields read={read} />
       <ToolSummary read={read} fits={fits} />
-      <Suspense>
-        <MaterialGroup />
-      </Suspense>
+      <MaterialGroup />
       <fieldset className="setup-group">
         <Legend name={t.start.title} page="start.x" />
         <p className="small soft">{t.start.hint}</p>
@@ -122,9 +121,7 @@ export function SetupPanel({ read }: { readonly read: JobReading }) {
           unit={t.units.mm}
         />
       </fieldset>
-      <Suspense>
-        <JobClamping read={read} />
-      </Suspense>
+      <JobClamping read={read} />
       <fieldset className="setup-group">
         <Legend name={t.spindle.title} page="spindle.cuttingSpeed" />
         <RadioGroup
@@ -165,9 +162,7 @@ export function SetupPanel({ read }: { readonly read: JobReading }) {
             />
           </>
         )}
-        <Suspense>
-          <SetupStart cycle={read.cycle} surface={spindle.mode !== "constant"} perRevolution={perRevolution} />
-        </Suspense>
+        <SetupStart cycle={read.cycle} surface={spindle.mode !== "constant"} perRevolution={perRevolution} />
       </fieldset>
       <fieldset className="setup-group">
         <Legend name={t.feed.title} page="perRevolution" />

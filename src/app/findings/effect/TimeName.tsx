@@ -9,9 +9,11 @@ export function TimeName({ name }: { readonly name: string }) {
   return (
     <>
       {name}{" "}
-      <Suspense>
-        <TimeParts />
-      </Suspense>
+      <span className="time-place">
+        <Suspense>
+          <TimeParts />
+        </Suspense>
+      </span>
     </>
   );
 }

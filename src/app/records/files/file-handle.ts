@@ -61,14 +61,17 @@ export async function pickFiles(): Promise<readonly Chosen[]> {
   }
 }
 
-/** Asks for files in whichever way the browser has. */
-export function askForFiles(): Promise<readonly Chosen[]> {
+/** Extensions and types of all that opens as a work or is restored. */
+export const OPENED: readonly string[] = [...ENDINGS, "text/plain", ".zip", ".json", ...DRAWING_ENDINGS];
+
+/** Asks for files in whichever way the browser has. `accept`: their extensions and types. */
+export function askForFiles(accept: readonly string[] = [...ENDINGS, "text/plain"]): Promise<readonly Chosen[]> {
   if (canOpenFiles()) return pickFiles();
   return new Promise((resolve) => {
     const input = document.createElement("input");
     input.type = "file";
     input.multiple = true;
-    input.accept = [...ENDINGS, "text/plain"].join(",");
+    input.accept = accept.join(",");
     input.addEventListener("change", () => resolve(plainFiles(input.files)));
     input.addEventListener("cancel", () => resolve([]));
     input.click();

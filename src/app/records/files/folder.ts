@@ -99,10 +99,14 @@ const memberOfEntry = (entry: FileSystemEntry): Member =>
 /** Files of a chosen folder. */
 export const filesOfFolder = (folder: FolderHandle): Promise<FolderContent> => gather([memberOfHandle(folder)]);
 
+/** A dropped file or folder, as far as the browser gives access to it. */
+export interface DroppedPart {
+  readonly handle: FileHandle | FolderHandle | null;
+  readonly entry: FileSystemEntry | null;
+}
+
 /** Files of dropped files and folders: by handles if the browser has them, else by entries. */
-export const filesOfDrop = (
-  dropped: readonly { readonly handle: FileHandle | FolderHandle | null; readonly entry: FileSystemEntry | null }[],
-): Promise<FolderContent> =>
+export const filesOfDrop = (dropped: readonly DroppedPart[]): Promise<FolderContent> =>
   gather(
     dropped.flatMap(({ handle, entry }) => {
       if (handle) return [memberOfHandle(handle)];

@@ -20,9 +20,7 @@ import { cylinderAround } from "../../../program/job/requested-shape.ts";
 import { hasFreeEdge, longestOf, boreOf, surfacesOf, type StockSurface } from "../../../program/job/stock-surface.ts";
 import { countsInches, typedInMillimetres } from "../../../program/edits/program-unit.ts";
 import { anyNumber, readText, type Field } from "../../../program/values/field.ts";
-import { Icon } from "../../../app/base/Icon.tsx";
 import { Message } from "../../../app/base/Message.tsx";
-import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { useLengths } from "../../../app/calculation/lengths.ts";
 import { useSession } from "../../../app/fields/blocks/session.ts";
 import { useToolList } from "../../../app/document/work-tools.ts";
@@ -37,6 +35,7 @@ import { AskedNumber, isUsable, OPEN_NUMBER } from "./AskedNumber.tsx";
 import { SpindleFields, isSpindleUsable } from "./PlaceFields.tsx";
 import { addStandardDrill, coreDrill, useDrills } from "./drills.ts";
 import { StockPlace } from "./StockPlace.tsx";
+import { OperationFrame } from "./OperationFrame.tsx";
 import { TitleField } from "./TitleField.tsx";
 import { ToolChoice } from "./ToolChoice.tsx";
 import { spindleLike, type StateBefore } from "./stock-before.ts";
@@ -70,7 +69,6 @@ const BASE = catalogue.find(({ group, contour }) => group === "longitudinal" && 
 
 /** Asks for the sizes, spindle and tool of an operation without a turning cycle. */
 export function HandForm({ words, work, thread: given, site, before, onBack, onInsert }: Props) {
-  const t = useTexts().operations;
   const inches = useSession((s) => countsInches(s.reading.program));
   const unit = useLengths().words;
   const form = useRef<HTMLFormElement>(null);
@@ -145,77 +143,60 @@ export function HandForm({ words, work, thread: given, site, before, onBack, onI
     [],
   );
   return (
-    <form
-      className="operation-form"
-      ref={form}
-      onSubmit={(event) => {
-        event.preventDefault();
-        insert();
-      }}
-    >
-      <div className="operation-body">
-        <div className="operation-ask">
-          {work === "centre" && <CentreField words={words.hand.hole} text={named} hole={hole} onText={nameCentre} />}
-          {work === "tap" && (
-            <TapField
-              words={words}
-              text={threadText}
-              thread={thread}
-              bore={bore}
-              drill={core?.tool ?? null}
-              isDrilled={isDrilled}
-              onText={nameThread}
-              onDrilled={drillBefore}
-            />
-          )}
-          <TitleField title={title} onTitle={setTitle} />
-          {stock.length === 0 || !surface ? (
-            <Message tone="warning" className="wide">
-              {stock.length === 0 ? words.noStock : words.none[site]}
-            </Message>
-          ) : (
-            !isOnAxis(work) && (
-              <StockPlace words={words} stock={stock} surfaces={surfaces} chosen={surface} onChoose={pick} />
-            )
-          )}
-          {asked.map((size) => (
-            <AskedNumber
-              key={size}
-              name={words.hand.sizes[size]}
-              unit={unit("mm")}
-              field={FIELDS[size]}
-              text={typed[size]}
-              onText={(text) => type({ ...typed, [size]: text })}
-            />
-          ))}
-          {turns && <SpindleFields spindle={turns} onSpindle={setSpindle} />}
-        </div>
-        {isStandard && <Message tone="info">{words.hand.standard}</Message>}
-        {work === "centre" && !hole ? null : tools.length > 0 ? (
-          <ToolChoice
-            fits={null}
-            among={tools}
-            taken={tool ? String(tool.T) : null}
-            {...(onAxis && { heading: words.hand.drills })}
-            onTake={take}
+    <OperationFrame form={form} isUsable={usable && surface !== null} onBack={onBack} onPut={insert}>
+      <div className="operation-ask">
+        {work === "centre" && <CentreField words={words.hand.hole} text={named} hole={hole} onText={nameCentre} />}
+        {work === "tap" && (
+          <TapField
+            words={words}
+            text={threadText}
+            thread={thread}
+            bore={bore}
+            drill={core?.tool ?? null}
+            isDrilled={isDrilled}
+            onText={nameThread}
+            onDrilled={drillBefore}
           />
-        ) : (
-          <>
-            <Message tone="warning">{words.hand.noTool}</Message>
-            <button type="button" className="button" onClick={() => showTools()}>
-              {words.hand.tools}
-            </button>
-          </>
         )}
+        <TitleField title={title} onTitle={setTitle} />
+        {stock.length === 0 || !surface ? (
+          <Message tone="warning" className="wide">
+            {stock.length === 0 ? words.noStock : words.none[site]}
+          </Message>
+        ) : (
+          !isOnAxis(work) && (
+            <StockPlace words={words} stock={stock} surfaces={surfaces} chosen={surface} onChoose={pick} />
+          )
+        )}
+        {asked.map((size) => (
+          <AskedNumber
+            key={size}
+            name={words.hand.sizes[size]}
+            unit={unit("mm")}
+            field={FIELDS[size]}
+            text={typed[size]}
+            onText={(text) => type({ ...typed, [size]: text })}
+          />
+        ))}
+        {turns && <SpindleFields spindle={turns} onSpindle={setSpindle} />}
       </div>
-      <footer className="operation-foot">
-        <button type="button" className="button" onClick={onBack}>
-          <Icon name="back" /> {t.back}
-        </button>
-        <button type="submit" className="button primary" disabled={!usable || !surface}>
-          {t.put}
-        </button>
-      </footer>
-    </form>
+      {isStandard && <Message tone="info">{words.hand.standard}</Message>}
+      {work === "centre" && !hole ? null : tools.length > 0 ? (
+        <ToolChoice
+          fits={null}
+          among={tools}
+          taken={tool ? String(tool.T) : null}
+          {...(onAxis && { heading: words.hand.drills })}
+          onTake={take}
+        />
+      ) : (
+        <>
+          <Message tone="warning">{words.hand.noTool}</Message>
+          <button type="button" className="button" onClick={() => showTools()}>
+            {words.hand.tools}
+          </button>
+        </>
+      )}
+    </OperationFrame>
   );
 }

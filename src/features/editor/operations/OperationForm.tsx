@@ -25,7 +25,6 @@ import { lazyPart } from "../../../app/base/parts.ts";
 import { Message } from "../../../app/base/Message.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
-import { Icon } from "../../../app/base/Icon.tsx";
 import { useSession } from "../../../app/fields/blocks/session.ts";
 import { contourTableSlot } from "../../../app/fields/slots.ts";
 import { OPEN_NUMBER } from "./AskedNumber.tsx";
@@ -39,6 +38,7 @@ import { designationIn } from "../../../app/fields/dialog/thread-numbers.ts";
 import { CrestNote } from "./CrestNote.tsx";
 import { fillFor } from "./thread-rows.tsx";
 import { StockPlace } from "./StockPlace.tsx";
+import { OperationFrame } from "./OperationFrame.tsx";
 import { TitleField } from "./TitleField.tsx";
 import { ToolChoice } from "./ToolChoice.tsx";
 import type { StateBefore } from "./stock-before.ts";
@@ -191,136 +191,120 @@ export function OperationForm({ words, cycle, thread, site, before, onSite, onBa
   const sites = sitesOf(cycle);
 
   return (
-    <form
-      className="operation-form"
-      ref={form}
-      onSubmit={(event) => {
-        event.preventDefault();
-        if (chosen === null && !fits) wait(true);
-        else insert();
-      }}
+    <OperationFrame
+      form={form}
+      isUsable={usable && (fits === null || chosen !== null)}
+      onBack={onBack}
+      onPut={() => (chosen === null && !fits ? wait(true) : insert())}
     >
-      <div className="operation-body">
-        <div className="operation-ask">
-          <TitleField title={title} onTitle={setTitle} hint={t.titleHint} />
-          {sites.length > 1 && (
-            <label>
-              <span>{words.site}</span>
-              <select
-                className="select"
-                value={site}
-                onChange={(event) => {
-                  const next = sites.find((each) => each === event.target.value);
-                  if (next) onSite(next);
-                }}
-              >
-                {sites.map((each) => (
-                  <option key={each} value={each}>
-                    {words.sites[each]}
-                  </option>
-                ))}
-              </select>
-            </label>
-          )}
-          {!isKnown && (
-            <Message tone="info" className="wide">
-              {words.noStock}
-            </Message>
-          )}
-          {isKnown && !surface && (
-            <Message tone="warning" className="wide">
-              {words.none[site]}
-            </Message>
-          )}
-          {isKnown && surface && (
-            <StockPlace
-              words={words}
-              stock={stock}
-              surfaces={surfaces}
-              chosen={surface}
-              onChoose={(next) => {
-                pick(next);
-                setTyped(UNTYPED);
+      <div className="operation-ask">
+        <TitleField title={title} onTitle={setTitle} hint={t.titleHint} />
+        {sites.length > 1 && (
+          <label>
+            <span>{words.site}</span>
+            <select
+              className="select"
+              value={site}
+              onChange={(event) => {
+                const next = sites.find((each) => each === event.target.value);
+                if (next) onSite(next);
               }}
-            />
-          )}
-          {contours.length > 0 && (
-            <label>
-              <span>{words.contour}</span>
-              <select
-                className="select"
-                value={contours.findIndex(({ label }) => label === named)}
-                onChange={(event) => name(contours[Number(event.target.value)]?.label ?? null)}
-              >
-                {contours.map(({ label }, i) => (
-                  <option key={i} value={i}>
-                    {words.label(String(label))}
-                  </option>
-                ))}
-                <option value={-1}>{words.draw}</option>
-              </select>
-            </label>
-          )}
-          {shown && (
-            <>
-              <StartFields
-                start={shown.start}
-                unit={unit}
-                onStart={(axis, text) => setTyped({ ...typed, [axis]: text })}
-              />
-              <SpindleFields spindle={shown.spindle} onSpindle={setSpindle} />
-            </>
-          )}
-        </div>
-        {cycle.contour === "free" && named === null && (
-          <section aria-label={words.contour}>
-            {undrawn && <p className="soft">{words.undrawn}</p>}
-            <Suspense>
-              <ContourTable rows={rows} onChange={setRows} language={language} inches={inches} />
-            </Suspense>
-          </section>
+            >
+              {sites.map((each) => (
+                <option key={each} value={each}>
+                  {words.sites[each]}
+                </option>
+              ))}
+            </select>
+          </label>
         )}
-        {made && (
-          <p className="small operation-sizes" role="status">
-            {thread && fill && (
-              <span>
-                {words.fromThread(
-                  designationIn(language, thread.name),
-                  listed(draftForProgram(cycle, ofThread, inches)),
-                )}
-              </span>
-            )}
-            {listed(placed) !== "" && <span>{words.fromSurface(listed(placed))}</span>}
-            {listed(sizes) !== "" && <span>{words.fromStock(listed(sizes))}</span>}
-            {unknown.length > 0 && <span className="soft">{words.open(unknown.join(", "))}</span>}
-          </p>
-        )}
-        {thread && fill && surface && isKnown && <CrestNote words={words} fill={fill} surface={surface} />}
-        {fits && best === null && (
-          <Message tone="warning">
-            {thread ? words.noThreadTool(formatNumber(language, thread.angle)) : words.noTool}
-            {thread && fill && (
-              <button type="button" className="button small" onClick={() => setTool(addThreadTool(thread, fill))}>
-                {words.addThreadTool}
-              </button>
-            )}
+        {!isKnown && (
+          <Message tone="info" className="wide">
+            {words.noStock}
           </Message>
         )}
-        <ToolChoice
-          fits={fits}
-          taken={chosen === null ? null : String(chosen)}
-          folded={words.unsuitable}
-          onTake={setTool}
-        />
+        {isKnown && !surface && (
+          <Message tone="warning" className="wide">
+            {words.none[site]}
+          </Message>
+        )}
+        {isKnown && surface && (
+          <StockPlace
+            words={words}
+            stock={stock}
+            surfaces={surfaces}
+            chosen={surface}
+            onChoose={(next) => {
+              pick(next);
+              setTyped(UNTYPED);
+            }}
+          />
+        )}
+        {contours.length > 0 && (
+          <label>
+            <span>{words.contour}</span>
+            <select
+              className="select"
+              value={contours.findIndex(({ label }) => label === named)}
+              onChange={(event) => name(contours[Number(event.target.value)]?.label ?? null)}
+            >
+              {contours.map(({ label }, i) => (
+                <option key={i} value={i}>
+                  {words.label(String(label))}
+                </option>
+              ))}
+              <option value={-1}>{words.draw}</option>
+            </select>
+          </label>
+        )}
+        {shown && (
+          <>
+            <StartFields
+              start={shown.start}
+              unit={unit}
+              onStart={(axis, text) => setTyped({ ...typed, [axis]: text })}
+            />
+            <SpindleFields spindle={shown.spindle} onSpindle={setSpindle} />
+          </>
+        )}
       </div>
-      <footer className="operation-foot">
-        <button type="button" className="button" onClick={onBack}>
-          <Icon name="back" /> {t.back}
-        </button>
-        <button type="submit" className="button primary" disabled={!usable || (fits !== null && chosen === null)}>
-          {t.put}
-        </button>
-      </footer>
-    </form>
+      {cycle.contour === "free" && named === null && (
+        <section aria-label={words.contour}>
+          {undrawn && <p className="soft">{words.undrawn}</p>}
+          <Suspense>
+            <ContourTable rows={rows} onChange={setRows} language={language} inches={inches} />
+          </Suspense>
+        </section>
+      )}
+      {made && (
+        <p className="small operation-sizes" role="status">
+          {thread && fill && (
+            <span>
+              {words.fromThread(designationIn(language, thread.name), listed(draftForProgram(cycle, ofThread, inches)))}
+            </span>
+          )}
+          {listed(placed) !== "" && <span>{words.fromSurface(listed(placed))}</span>}
+          {listed(sizes) !== "" && <span>{words.fromStock(listed(sizes))}</span>}
+          {unknown.length > 0 && <span className="soft">{words.open(unknown.join(", "))}</span>}
+        </p>
+      )}
+      {thread && fill && surface && isKnown && <CrestNote words={words} fill={fill} surface={surface} />}
+      {fits && best === null && (
+        <Message tone="warning">
+          {thread ? words.noThreadTool(formatNumber(language, thread.angle)) : words.noTool}
+          {thread && fill && (
+            <button type="button" className="button small" onClick={() => setTool(addThreadTool(thread, fill))}>
+              {words.addThreadTool}
+            </button>
+          )}
+        </Message>
+      )}
+      <ToolChoice
+        fits={fits}
+        taken={chosen === null ? null : String(chosen)}
+        folded={words.unsuitable}
+        onTake={setTool}
+      />
+    </OperationFrame>
   );
 }

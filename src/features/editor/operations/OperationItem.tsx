@@ -93,7 +93,8 @@ export function OperationItem({ row, last, isCurrent, isOpen, index, onAct, onDr
             <span className="small soft">
               {row.inherits && row.tool !== null ? `${tool} · ${words.inherits}` : tool}
             </span>
-            {(off || ran) && <span className="small operation-done">{off || ran}</span>}
+            {/* The line is there before its result: the operations below stay put. */}
+            <span className="small operation-done">{off || ran}</span>
           </span>
           {row.findings && (
             <span className={`operation-findings ${row.findings.severity}`}>

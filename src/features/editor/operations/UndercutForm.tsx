@@ -14,9 +14,8 @@ import type { SetJob, SpindleDraft } from "../../../program/job/job.ts";
 import type { NamedUndercut, UndercutPlace } from "../../../program/job/undercut-name.ts";
 import { standardUndercutTools } from "../../../program/iso-codes/standard-undercut-tools.ts";
 import { anyNumber, readText, type Field } from "../../../program/values/field.ts";
-import { Icon } from "../../../app/base/Icon.tsx";
 import { Message } from "../../../app/base/Message.tsx";
-import { useTexts, useTextsOrNull } from "../../../app/base/settings/use-texts.ts";
+import { useTextsOrNull } from "../../../app/base/settings/use-texts.ts";
 import { useLengths } from "../../../app/calculation/lengths.ts";
 import { useFitsOfWork } from "../../../app/calculation/use-tool-fits.ts";
 import { useSession } from "../../../app/fields/blocks/session.ts";
@@ -26,6 +25,7 @@ import { addStandardTool, useStandardTools } from "./drills.ts";
 import type { InsertedOperation } from "./OperationForm.tsx";
 import { SpindleFields, isSpindleUsable } from "./PlaceFields.tsx";
 import { StockPlace } from "./StockPlace.tsx";
+import { OperationFrame } from "./OperationFrame.tsx";
 import { TitleField } from "./TitleField.tsx";
 import { ToolChoice } from "./ToolChoice.tsx";
 import { spindleLike, type StateBefore } from "./stock-before.ts";
@@ -45,7 +45,6 @@ const ALONG: Field = { ...anyNumber, id: "undercut.z", range: [-99_999.999, 99_9
 
 /** Asks for an undercut by its designation, its shoulder and its tool; the tools are tried on it. */
 export function UndercutForm({ words, site, before, onBack, onInsert, onCut }: Props) {
-  const t = useTexts().operations;
   const names = useTextsOrNull("undercuts");
   const inches = useSession((s) => countsInches(s.reading.program));
   const unit = useLengths().words;
@@ -98,87 +97,70 @@ export function UndercutForm({ words, site, before, onBack, onInsert, onCut }: P
     if (isHere) form.current?.querySelector<HTMLElement>("[role=combobox]")?.focus();
   }, [isHere]);
   return (
-    <form
-      className="operation-form"
-      ref={form}
-      onSubmit={(event) => {
-        event.preventDefault();
-        insert();
-      }}
-    >
-      <div className="operation-body">
-        <div className="operation-ask">
-          {names && (
-            <div className="wide">
-              <UndercutNames
-                words={names}
-                label={words.hand.undercutName}
-                place={place}
-                present={named}
-                onTake={(next) => {
-                  name(next);
-                  take(null);
-                }}
-              />
-            </div>
-          )}
-          <TitleField title={title ?? own} onTitle={setTitle} />
-          {shoulders.length === 0 && (
-            <Message tone="info" className="wide">
-              {stock.length === 0 ? words.noStock : words.hand.noShoulder}
-            </Message>
-          )}
-          {shoulder && (
-            <StockPlace
-              words={words}
-              stock={stock}
-              surfaces={shoulders.map(({ surface }) => surface)}
-              chosen={shoulder.surface}
-              onChoose={(surface) => {
-                pick(shoulders.findIndex((each) => each.surface === surface));
-                setTyped({});
+    <OperationFrame form={form} isUsable={usable} onBack={onBack} onPut={insert}>
+      <div className="operation-ask">
+        {names && (
+          <div className="wide">
+            <UndercutNames
+              words={names}
+              label={words.hand.undercutName}
+              place={place}
+              present={named}
+              onTake={(next) => {
+                name(next);
+                take(null);
               }}
             />
-          )}
-          <AskedNumber
-            name={words.hand.cylinder}
-            unit={unit("mm")}
-            field={ACROSS}
-            text={x}
-            onText={(text) => setTyped({ ...typed, x: text })}
-          />
-          <AskedNumber
-            name={words.hand.shoulder}
-            unit={unit("mm")}
-            field={ALONG}
-            text={z}
-            onText={(text) => setTyped({ ...typed, z: text })}
-          />
-          {turns && <SpindleFields spindle={turns} onSpindle={setSpindle} />}
-        </div>
-        {named && isUsable(ACROSS, x) && isUsable(ALONG, z) && !job && (
-          <Message tone="error">{words.hand.undercutUnfit}</Message>
+          </div>
         )}
-        {isStandard && <Message tone="info">{words.hand.standard}</Message>}
-        {isShort && ofStandard && !isStandard && <Message tone="warning">{words.noTool}</Message>}
-        {job && (
-          <ToolChoice
-            fits={fits}
-            {...(isStandard && { among: standard })}
-            taken={chosen === null ? null : String(chosen)}
-            folded={words.unsuitable}
-            onTake={take}
+        <TitleField title={title ?? own} onTitle={setTitle} />
+        {shoulders.length === 0 && (
+          <Message tone="info" className="wide">
+            {stock.length === 0 ? words.noStock : words.hand.noShoulder}
+          </Message>
+        )}
+        {shoulder && (
+          <StockPlace
+            words={words}
+            stock={stock}
+            surfaces={shoulders.map(({ surface }) => surface)}
+            chosen={shoulder.surface}
+            onChoose={(surface) => {
+              pick(shoulders.findIndex((each) => each.surface === surface));
+              setTyped({});
+            }}
           />
         )}
+        <AskedNumber
+          name={words.hand.cylinder}
+          unit={unit("mm")}
+          field={ACROSS}
+          text={x}
+          onText={(text) => setTyped({ ...typed, x: text })}
+        />
+        <AskedNumber
+          name={words.hand.shoulder}
+          unit={unit("mm")}
+          field={ALONG}
+          text={z}
+          onText={(text) => setTyped({ ...typed, z: text })}
+        />
+        {turns && <SpindleFields spindle={turns} onSpindle={setSpindle} />}
       </div>
-      <footer className="operation-foot">
-        <button type="button" className="button" onClick={onBack}>
-          <Icon name="back" /> {t.back}
-        </button>
-        <button type="submit" className="button primary" disabled={!usable}>
-          {t.put}
-        </button>
-      </footer>
-    </form>
+      {named && isUsable(ACROSS, x) && isUsable(ALONG, z) && !job && (
+        <Message tone="error">{words.hand.undercutUnfit}</Message>
+      )}
+      {isStandard && <Message tone="info">{words.hand.standard}</Message>}
+      {isShort && ofStandard && !isStandard && <Message tone="warning">{words.noTool}</Message>}
+      {job && (
+        <ToolChoice
+          fits={fits}
+          {...(isStandard && { among: standard })}
+          taken={chosen === null ? null : String(chosen)}
+          folded={words.unsuitable}
+          onTake={take}
+        />
+      )}
+    </OperationFrame>
   );
 }
