@@ -1,9 +1,9 @@
 import { cutLength, cuttingWidth, isBar, noseRadius } from "../../kernel/cutter/insert.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
-import { DEPTH_OF_WIDTH } from "../../program/tools/cutting-work.ts";
-import { EDGE_USED } from "../../report/advice/formulas.ts";
+import { DEEPEST_GROOVE, DEPTH_OF_WIDTH } from "../../program/tools/cutting-work.ts";
+import { EDGE_USED, FEED_OF_NOSE, leadOf, specificForce } from "../../report/advice/formulas.ts";
 import { reasoned, type ReasonedNumber } from "./formulas.ts";
-import { SLENDER } from "./stability.ts";
+import { bentBodies, depthForForce, feedForForce, SLENDER } from "./stability.ts";
 import type { ValueRisk, ValuesRequest } from "./values-request.ts";
 
 /** Depth of a round insert over its radius. */
@@ -19,14 +19,48 @@ export function depthByEdge(tool: Tool): ReasonedNumber | null {
   return edge === undefined ? null : reasoned(EDGE_USED * edge, "depthOfEdge", "cutLength", { l: edge });
 }
 
+/** The roughing feed that a nose bears. */
+export function feedByNose(tool: Tool): ReasonedNumber | null {
+  const nose = noseRadius(tool);
+  return nose > 0 ? reasoned(FEED_OF_NOSE * nose, "feedOfNose", "insert", { rε: nose }) : null;
+}
+
+/** Depths at which workpiece and bar bend as far as allowed. */
+export function depthsByForce(request: ValuesRequest, f: number, deflection: number): readonly ReasonedNumber[] {
+  const kc = specificForce(request.material, f * Math.sin(leadOf(request.tool)));
+  return bentBodies(request, deflection).map(({ force, inputs, by }) =>
+    reasoned(depthForForce(force, kc, f), by === "bar" ? "depthOfBar" : "depthOfWorkpiece", by, {
+      ...inputs,
+      f,
+      kc: Math.round(kc),
+    }),
+  );
+}
+
+/** Feeds at which they bend as far as allowed by a cut of a depth, or a blade of a width. */
+export function feedsByForce(request: ValuesRequest, b: number, deflection: number): readonly ReasonedNumber[] {
+  const { material } = request;
+  return bentBodies(request, deflection).map(({ force, inputs, by }) =>
+    reasoned(feedForForce(force, material, b), by === "bar" ? "feedOfBar" : "feedOfWorkpiece", by, {
+      ...inputs,
+      b,
+      "kc1.1": material.kc11,
+      mc: material.mc,
+    }),
+  );
+}
+
 /** What needs attention beside the values. */
-export function risksOf({ tool, workpiece, bar, work }: ValuesRequest): readonly ValueRisk[] {
+export function risksOf({ tool, workpiece, bar, work, depth = 0 }: ValuesRequest): readonly ValueRisk[] {
   const ratio = workpiece?.support === "chuck" ? workpiece.overhang / workpiece.diameter : 0;
   const ofBar = bar ? bar.overhang / bar.diameter : 0;
   const isTurned = work === "rough" || work === "face";
+  const plunges = work === "recess" || work === "partOff";
+  const widths = plunges && cuttingWidth(tool) > 0 ? depth / cuttingWidth(tool) : 0;
   return [
     ...(ratio > SLENDER.workpiece ? [{ kind: "slenderWorkpiece", ratio } as const] : []),
     ...(ofBar > SLENDER.bar ? [{ kind: "slenderBar", ratio: ofBar } as const] : []),
+    ...(widths > DEEPEST_GROOVE ? [{ kind: "deepGroove", ratio: widths } as const] : []),
     ...(isTurned && depthByEdge(tool) === null ? [{ kind: "edgeUnknown", ratio: 0 } as const] : []),
   ];
 }
