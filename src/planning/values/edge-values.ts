@@ -25,10 +25,14 @@ export function feedByNose(tool: Tool): ReasonedNumber | null {
   return nose > 0 ? reasoned(FEED_OF_NOSE * nose, "feedOfNose", "insert", { rε: nose }) : null;
 }
 
+/** A face presses along the axis, which bends no workpiece. */
+const bodiesBentBy = ({ work, workpiece, bar, material }: ValuesRequest, deflection: number) =>
+  bentBodies({ workpiece: work === "face" ? null : workpiece, bar }, material.group, deflection);
+
 /** Depths at which workpiece and bar bend as far as allowed. */
 export function depthsByForce(request: ValuesRequest, f: number, deflection: number): readonly ReasonedNumber[] {
   const kc = specificForce(request.material, f * Math.sin(leadOf(request.tool)));
-  return bentBodies(request, deflection).map(({ force, inputs, by }) =>
+  return bodiesBentBy(request, deflection).map(({ force, inputs, by }) =>
     reasoned(depthForForce(force, kc, f), by === "bar" ? "depthOfBar" : "depthOfWorkpiece", by, {
       ...inputs,
       f,
@@ -40,7 +44,7 @@ export function depthsByForce(request: ValuesRequest, f: number, deflection: num
 /** Feeds at which they bend as far as allowed by a cut of a depth, or a blade of a width. */
 export function feedsByForce(request: ValuesRequest, b: number, deflection: number): readonly ReasonedNumber[] {
   const { material } = request;
-  return bentBodies(request, deflection).map(({ force, inputs, by }) =>
+  return bodiesBentBy(request, deflection).map(({ force, inputs, by }) =>
     reasoned(feedForForce(force, material, b), by === "bar" ? "feedOfBar" : "feedOfWorkpiece", by, {
       ...inputs,
       b,

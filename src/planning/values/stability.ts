@@ -1,7 +1,6 @@
 import type { Kienzle } from "../../report/advice/formulas.ts";
 import { ELASTICITY } from "../../program/tools/cutting-work.ts";
 import type { IsoGroup } from "../../program/tools/cutting-table.ts";
-import type { ValuesRequest } from "./values-request.ts";
 
 /** How the workpiece is held: in the chuck alone, with a centre in its end, or between centres. */
 export type Support = "chuck" | "chuckAndCentre" | "centres";
@@ -60,12 +59,13 @@ export interface BentBody extends AllowedForce {
   readonly by: "slenderness" | "bar";
 }
 
-/** The bodies that a cut bends: workpiece and bar, as far as known. A face presses along the axis and bends no workpiece. */
+/** The bodies that a cut bends: workpiece and bar, as far as known. */
 export function bentBodies(
-  { work, workpiece, bar, material }: Pick<ValuesRequest, "work" | "workpiece" | "bar" | "material">,
+  { workpiece, bar }: { readonly workpiece: HeldWorkpiece | null; readonly bar: HeldBar | null },
+  group: IsoGroup,
   deflection: number,
 ): readonly BentBody[] {
-  const held = work === "face" || !workpiece ? null : forceOnWorkpiece(workpiece, material.group, deflection);
+  const held = workpiece && forceOnWorkpiece(workpiece, group, deflection);
   const bent = bar && forceOnBar(bar, deflection);
   return [
     ...(held ? [{ ...held, by: "slenderness" } as const] : []),

@@ -195,14 +195,18 @@ describe("laws", () => {
         diameter: positive(5, 200),
         support: fc.constantFrom("chuck" as const, "chuckAndCentre" as const, "centres" as const),
       }),
+      { nil: null },
     ),
-    bar: fc.option(fc.record({ overhang: positive(10, 200), diameter: positive(6, 40) })),
-    machine: fc.option(fc.record({ most: positive(500, 6000), power: positive(2, 40), torque })),
+    bar: fc.option(fc.record({ overhang: positive(10, 200), diameter: positive(6, 40) }), { nil: null }),
+    machine: fc.option(fc.record({ most: positive(500, 6000), power: positive(2, 40), torque }), { nil: null }),
     power: positive(2, 40),
-    roughness: fc.option(fc.record({ kind: fc.constantFrom("Ra" as const, "Rz" as const), value: positive(0.4, 100) })),
+    roughness: fc.option(
+      fc.record({ kind: fc.constantFrom("Ra" as const, "Rz" as const), value: positive(0.4, 100) }),
+      { nil: null },
+    ),
     depth: positive(0.1, 80),
     pitch: positive(0.25, 6),
-    fastest: fc.option(positive(500, 10_000)),
+    fastest: fc.option(positive(500, 10_000), { nil: null }),
   }) satisfies fc.Arbitrary<ValuesRequest>;
 
   test("values are positive, within edge, power, machine and mark, and each has its formula", () => {
