@@ -1,8 +1,8 @@
 import { cuttingWidth, noseRadius } from "../../kernel/cutter/insert.ts";
 import type { Spindle } from "../../kernel/time/step.ts";
-import { DEPTH_OF_WIDTH, FEED_OF_WIDTH, SPEED_SHARE, STEPS_FROM_WIDTHS } from "../../program/tools/cutting-work.ts";
+import { FEED_OF_WIDTH, SPEED_SHARE, STEPS_FROM_WIDTHS } from "../../program/tools/cutting-work.ts";
 import { specificForce } from "../../report/advice/formulas.ts";
-import { feedsByForce, risksOf } from "./edge-values.ts";
+import { feedsByForce, risksOf, roughingDepth } from "./edge-values.ts";
 import { atLeast, LEAST, leastOf, reasoned, typedDown, type ReasonedNumber } from "./formulas.ts";
 import { constantSurface, GRID, powerFor, shareOfSpeed } from "./spindle-values.ts";
 import { DEFLECTION, feedForForce } from "./stability.ts";
@@ -41,7 +41,7 @@ export function plunging(request: ValuesRequest): CuttingValues {
   return {
     ...turning,
     feed,
-    infeed: b > 0 ? typedDown(reasoned(DEPTH_OF_WIDTH * b, "depthOfWidth", "width", { b }), GRID.depth) : null,
+    infeed: roughingDepth(request, feed.value, turning.spindle),
     plungeFeed: feed,
     step: steps ? typedDown(reasoned(STEPS_FROM_WIDTHS * b, "stepOfWidth", "width", { b }), GRID.depth) : null,
     oversize: null,

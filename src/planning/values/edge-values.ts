@@ -1,9 +1,11 @@
 import { cutLength, cuttingWidth, isBar, noseRadius } from "../../kernel/cutter/insert.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
+import type { Spindle } from "../../kernel/time/step.ts";
 import { DEEPEST_GROOVE, DEPTH_OF_WIDTH } from "../../program/tools/cutting-work.ts";
-import { EDGE_USED, FEED_OF_NOSE, leadOf, specificForce } from "../../report/advice/formulas.ts";
-import { reasoned, type ReasonedNumber } from "./formulas.ts";
-import { bentBodies, depthForForce, feedForForce, SLENDER } from "./stability.ts";
+import { depthForPower, EDGE_USED, FEED_OF_NOSE, leadOf, specificForce } from "../../report/advice/formulas.ts";
+import { atLeast, LEAST, leastOf, reasoned, typedDown, type ReasonedNumber } from "./formulas.ts";
+import { GRID, powerFor } from "./spindle-values.ts";
+import { bentBodies, DEFLECTION, depthForForce, feedForForce, SLENDER } from "./stability.ts";
 import type { ValueRisk, ValuesRequest } from "./values-request.ts";
 
 /** Depth of a round insert over its radius. */
@@ -39,6 +41,28 @@ export function depthsByForce(request: ValuesRequest, f: number, deflection: num
       kc: Math.round(kc),
     }),
   );
+}
+
+/** Depth over feed from which chips of long-chipping steel do not break. */
+const DEPTH_OF_FEED = 10;
+
+/** Depth of a roughing pass: the least that chip, edge, power, workpiece and bar allow. */
+export function roughingDepth(request: ValuesRequest, f: number, spindle: Spindle): ReasonedNumber {
+  const { tool, material } = request;
+  const lead = leadOf(tool);
+  const vc = spindle.kind === "surface" ? spindle.cuttingSpeed : material.roughSpeed;
+  const Pc = powerFor(request, spindle);
+  const strong = depthForPower(material, Pc, f, vc, lead);
+  const kc = Math.round(specificForce(material, f * Math.sin(lead)));
+  const edge = depthByEdge(tool);
+  const depth = leastOf(
+    reasoned(strong, "depthOfPower", "power", { Pc, f, kc, vc }),
+    // A blade breaks its chip by steps.
+    isBar(tool) ? null : reasoned(DEPTH_OF_FEED * f, "depthOfFeed", "chip", { f }),
+    edge,
+    ...depthsByForce(request, f, DEFLECTION.rough),
+  );
+  return typedDown(atLeast(depth, Math.min(LEAST.depth, strong, edge?.value ?? Infinity)), GRID.depth);
 }
 
 /** Feeds at which they bend as far as allowed by a cut of a depth, or a blade of a width. */

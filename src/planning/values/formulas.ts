@@ -13,7 +13,7 @@ export const VALUE_FORMULAS = {
   depthOfPower: "ap = 60 000 · Pc / (f · kc · vc)",
   depthOfWorkpiece: "ap = k · δ · E · I / (0.4 · f · kc · L³)",
   depthOfBar: "ap = 3 · δ · E · I / (0.4 · f · kc · L³)",
-  depthOfWidth: "ap = ¾ · b",
+  depthOfWidth: "ap = ½ · b",
   depthOfThread: "ap = h / √i",
   depthOfTooth: "ap = 0.5",
   depthOfNose: "ap = ⅔ · rε",
@@ -34,11 +34,12 @@ export const VALUE_FORMULAS = {
   halfOfFeed: "f = ½ · f",
   speedOfMaterial: "vc",
   speedOfShare: "vc = s · vc",
-  speedOfDrill: "vc",
   rpmOfSpeed: "n = 1000 · vc / (π · d)",
   rpmOfMachine: "n",
   rpmAssumed: "n",
   rpmOfThread: "n = vf / P",
+  limitOfMachine: "d = 1000 · vc / (π · n)",
+  limitAssumed: "d = 1000 · vc / (π · n)",
 } as const;
 export type ValueFormula = keyof typeof VALUE_FORMULAS;
 

@@ -16,7 +16,7 @@ export function constantSurface(request: ValuesRequest, wanted: ReasonedNumber) 
   const speed = typedDown(wanted, GRID.speed);
   const n = request.machine?.most ?? ASSUMED_LIMIT;
   const inputs = { n, vc: speed.value, d: rounded(heldDownTo(speed.value, n)) };
-  const limit = reasoned(n, request.machine ? "rpmOfMachine" : "rpmAssumed", "machine", inputs);
+  const limit = reasoned(n, request.machine ? "limitOfMachine" : "limitAssumed", "machine", inputs);
   const spindle: Spindle = { kind: "surface", cuttingSpeed: speed.value, limit: limit.value };
   return { speed, limit, spindle };
 }

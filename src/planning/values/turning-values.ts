@@ -1,18 +1,16 @@
 import { isBar, noseRadius } from "../../kernel/cutter/insert.ts";
 import { radius, toDiameter } from "../../kernel/units.ts";
 import { SPEED_SHARE } from "../../program/tools/cutting-work.ts";
-import { depthForPower, feedForRz, leadOf, specificForce, USUAL_RZ } from "../../report/advice/formulas.ts";
+import { feedForRz, USUAL_RZ } from "../../report/advice/formulas.ts";
 import { feedOfBlade } from "./blade-values.ts";
-import { depthByEdge, depthsByForce, feedByNose, feedsByForce, risksOf } from "./edge-values.ts";
+import { depthsByForce, feedByNose, feedsByForce, risksOf, roughingDepth } from "./edge-values.ts";
 import { atLeast, LEAST, leastOf, reasoned, typedDown, type ReasonedNumber } from "./formulas.ts";
-import { constantSurface, GRID, powerFor, shareOfSpeed } from "./spindle-values.ts";
+import { constantSurface, GRID, shareOfSpeed } from "./spindle-values.ts";
 import { DEFLECTION } from "./stability.ts";
 import type { CuttingValues, ValuesRequest, WantedRoughness } from "./values-request.ts";
 
 /** Rz of a turned surface over its Ra: 9 · √3 / 4 = 3.9 for a profile of circular arcs; an approximation. */
 const RZ_OF_RA = 4;
-/** Depth over feed from which chips of long-chipping steel do not break. */
-const DEPTH_OF_FEED = 10;
 /** Least depth over the nose radius: with less the nose rubs. */
 const DEPTH_OF_NOSE = 2 / 3;
 /** Wanted Rz, µm, of a mark. */
@@ -37,26 +35,10 @@ export function roughing(request: ValuesRequest): CuttingValues {
   const feed = wide
     ? feedOfBlade(request, turning.spindle)
     : typedDown(atLeast(leastOf(table, feedByNose(tool), ...finer), LEAST.feed), GRID.feed);
-  const f = feed.value;
-  const power = powerFor(request, turning.spindle);
-  const kc = Math.round(specificForce(material, f * Math.sin(leadOf(tool))));
-  const byPower = reasoned(
-    depthForPower(material, power, f, turning.speed.value, leadOf(tool)),
-    "depthOfPower",
-    "power",
-    { Pc: power, f, kc, vc: turning.speed.value },
-  );
-  const least = leastOf(
-    reasoned(DEPTH_OF_FEED * f, "depthOfFeed", "chip", { f }),
-    depthByEdge(tool),
-    byPower,
-    ...depthsByForce(request, f, DEFLECTION.rough),
-  );
-  const edge = depthByEdge(tool)?.value ?? Infinity;
   return {
     ...turning,
     feed,
-    infeed: typedDown(atLeast(least, Math.min(LEAST.depth, byPower.value, edge)), GRID.depth),
+    infeed: roughingDepth(request, feed.value, turning.spindle),
     plungeFeed: halved(feed),
     step: null,
     oversize: null,

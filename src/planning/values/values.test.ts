@@ -109,7 +109,7 @@ describe("values and what limits them", () => {
       "feed",
       "0.1 feedOfCorner insert",
     ],
-    ["recess turning", { tool: { ...tool(9), CUTWIDTH: length(1) } }, "infeed", "0.4 depthOfFeed chip"],
+    ["recess turning", { tool: { ...tool(9), CUTWIDTH: length(1) } }, "infeed", "0.5 depthOfWidth width"],
     // 0.65 · 190 = 124; 1000 · 124 / (π · 30) = 1315.7
     [
       "a thread",
@@ -144,8 +144,8 @@ describe("values and what limits them", () => {
     ["a deep hole", { work: "drill", tool: drill(10), depth: 63 }, "speed", "440 rpmOfSpeed material"],
     ["is drilled in steps", { work: "drill", tool: drill(10), depth: 63 }, "step", "10 stepOfDiameter depth"],
     ["a large drill", { work: "drill", tool: drill(26), depth: 40 }, "feed", "0.3 feedOfMaterial material"],
-    ["a slow machine", { machine: { most: 1800 } }, "limit", "1800 rpmOfMachine machine"],
-    ["an unknown machine", {}, "limit", "2500 rpmAssumed machine"],
+    ["a slow machine", { machine: { most: 1800 } }, "limit", "1800 limitOfMachine machine"],
+    ["an unknown machine", {}, "limit", "2500 limitAssumed machine"],
   ])("%s", (_, change, of, wanted) => {
     const found = cuttingValues({ ...base, ...change })[of];
     expect(said(found as ReasonedNumber | null)).toBe(wanted);
@@ -331,7 +331,7 @@ test("a job takes the values of its cycle, with a reason for each", () => {
     "Q484 halfOfDepth",
     "Q505 feedOfRoughness",
     "speed speedOfMaterial",
-    "limit rpmAssumed",
+    "limit limitAssumed",
   ]);
 });
 

@@ -13,7 +13,7 @@ export const FEED_OF_WIDTH = 0.04;
 /** Depth of a groove, in widths of the blade, above which the blade bends or breaks. */
 export const DEEPEST_GROOVE = 8;
 /** Depth of a side cut with a blade, as a share of its width. */
-export const DEPTH_OF_WIDTH = 0.75;
+export const DEPTH_OF_WIDTH = 0.5;
 /** Depth of a groove, in widths of the blade, from which the chip is broken by steps. */
 export const STEPS_FROM_WIDTHS = 1.5;
 

@@ -9,6 +9,7 @@ import { CycleInWork, useIssueText } from "../../calculation/issue-text.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { writeTyped } from "../dialog/write-value.ts";
+import { TypedTolerance } from "./TypedTolerance.tsx";
 
 interface Props {
   readonly problem: Pick<FindingEntry, "issue">;
@@ -53,6 +54,7 @@ export function FieldMessage({ problem, decimals, place, calm = false, onTake, p
           {t.dialog.giveParameter(issue.data.name)}
         </button>
       )}
+      {onTake && !isHeldBack && <TypedTolerance issue={issue} onTake={onTake} />}
       {nearest !== null && onTake && !isHeldBack && (
         <button type="button" className="button" onClick={() => onTake(nearest)}>
           {t.dialog.takeNearest(writeTyped(lengths.language, nearest, isInch ? decimals + 1 : decimals))}
