@@ -15,18 +15,21 @@ import type { CuttingValues, ValuesRequest } from "./values-request.ts";
 
 /** Threads: a constant speed within the feed rate of the machine. */
 export function threading(request: ValuesRequest): CuttingValues {
-  const { material, largest, depth = 0, pitch = 1, fastest } = request;
+  const { material, largest, depth, pitch = 1, fastest } = request;
   const vc = Math.round(material.roughSpeed * SPEED_SHARE.thread);
   const byRate = fastest ? reasoned(fastest / pitch, "rpmOfThread", "pitch", { vf: fastest, P: pitch }) : null;
   const passes = THREAD_PASSES.find(([upTo]) => pitch <= upTo)?.[1] ?? 1;
-  const first = leastOf(
-    reasoned(depth / Math.sqrt(passes), "depthOfThread", "pitch", { h: depth, i: passes }),
-    reasoned(MOST_FIRST_PASS, "depthOfTooth", "insert", {}),
-  );
+  const first =
+    depth === undefined
+      ? null
+      : leastOf(
+          reasoned(depth / Math.sqrt(passes), "depthOfThread", "pitch", { h: depth, i: passes }),
+          reasoned(MOST_FIRST_PASS, "depthOfTooth", "insert", {}),
+        );
   return {
     ...constantSpindle(request, vc, largest, byRate),
     feed: reasoned(pitch, "feedOfPitch", "pitch", { P: pitch }),
-    infeed: typedDown(first, GRID.feed),
+    infeed: first && typedDown(first, GRID.feed),
     plungeFeed: null,
     step: null,
     oversize: null,

@@ -30,14 +30,24 @@ const asValue = (q: string, { value, formula, inputs }: ReasonedNumber): Reasone
   inputs,
 });
 
-/** The values of a cycle by its parameters, with the speed and its limit. */
-export function reasonedValues({ params }: Pick<Cycle, "params">, values: ValuesOfCycle): readonly ReasonedValue[] {
-  const { speed, limit } = values.main;
-  const ofParams = Object.entries<Param>(params).flatMap(([q, { shown, reserved }]) => {
+/** The values of a cycle by its parameters. */
+export const valuesByParameter = (
+  { params }: Pick<Cycle, "params">,
+  values: ValuesOfCycle,
+): readonly (readonly [q: string, value: ReasonedNumber])[] =>
+  Object.entries<Param>(params).flatMap(([q, { shown, reserved }]) => {
     const taken = reserved ? null : TAKEN[shown]?.(values);
-    return taken ? [asValue(q, taken)] : [];
+    return taken ? [[q, taken] as const] : [];
   });
-  return [...ofParams, asValue("speed", speed), ...(limit ? [asValue("limit", limit)] : [])];
+
+/** The same with the speed and its limit. */
+export function reasonedValues(cycle: Pick<Cycle, "params">, values: ValuesOfCycle): readonly ReasonedValue[] {
+  const { speed, limit } = values.main;
+  return [
+    ...valuesByParameter(cycle, values).map(([q, value]) => asValue(q, value)),
+    asValue("speed", speed),
+    ...(limit ? [asValue("limit", limit)] : []),
+  ];
 }
 
 /** The job of a cycle with its cutting values and its spindle. */
