@@ -12,6 +12,8 @@ export const cuttingValues: CuttingValueTexts = {
     depthOfThread: "erster Schnitt; alle Schnitte mit gleichem Spanquerschnitt",
     depthOfTooth: "größter erster Schnitt eines Gewindes",
     depthOfNose: "zwei Drittel des Schneidenradius: darunter reibt die Schneide",
+    oversizeOfNose: "doppelte Schlichttiefe: zwei Drittel des Schneidenradius",
+    oversizeOfDepth: "doppelte Schlichttiefe, die Werkstück oder Bohrstange aushalten",
     halfOfDepth: "halbes Aufmaß je Seite",
     stepOfWidth: "tiefer Einstich: Spanbruch nach 1,5 × Schneidenbreite",
     stepOfDiameter: "tiefe Bohrung: Entspanen nach je einem Bohrerdurchmesser",

@@ -13,6 +13,8 @@ export const cuttingValues = {
     depthOfThread: "first pass; all passes cut the same chip cross-section",
     depthOfTooth: "largest first pass of a thread",
     depthOfNose: "two thirds of the tool nose radius: with less the nose rubs",
+    oversizeOfNose: "twice the finishing depth: two thirds of the tool nose radius",
+    oversizeOfDepth: "twice the finishing depth that workpiece or bar bear",
     halfOfDepth: "half the oversize per side",
     stepOfWidth: "deep groove: chip broken after 1.5 × insert width",
     stepOfDiameter: "deep hole: chips cleared after each drill diameter",

@@ -12,6 +12,8 @@ export const cuttingValues: CuttingValueTexts = {
     depthOfThread: "première passe ; toutes les passes ont la même section de copeau",
     depthOfTooth: "plus grande première passe d’un filetage",
     depthOfNose: "deux tiers du rayon de bec : en dessous, le bec frotte",
+    oversizeOfNose: "double de la profondeur de finition : deux tiers du rayon de bec",
+    oversizeOfDepth: "double de la profondeur de finition que supportent la pièce ou la barre",
     halfOfDepth: "moitié de la surépaisseur par côté",
     stepOfWidth: "gorge profonde : copeau brisé tous les 1,5 × largeur de plaquette",
     stepOfDiameter: "trou profond : débourrage tous les diamètres du foret",

@@ -12,6 +12,8 @@ export const cuttingValues: CuttingValueTexts = {
     depthOfThread: "第一刀；各刀切屑截面相同",
     depthOfTooth: "螺纹第一刀的最大值",
     depthOfNose: "刀尖半径的三分之二：再小则刀尖只摩擦",
+    oversizeOfNose: "精加工切深的两倍：刀尖半径的三分之二",
+    oversizeOfDepth: "工件或镗杆所能承受的精加工切深的两倍",
     halfOfDepth: "单边余量的一半",
     stepOfWidth: "深槽：每 1.5 倍刀片宽度断屑",
     stepOfDiameter: "深孔：每一倍钻头直径排屑",

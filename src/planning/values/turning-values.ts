@@ -76,7 +76,12 @@ export function finishing(request: ValuesRequest): CuttingValues {
     plungeFeed: halved(typed),
     step: null,
     oversize: {
-      diameter: { ...side, value: toDiameter(radius(side.value)) },
+      diameter: reasoned(
+        toDiameter(radius(side.value)),
+        side.formula === "depthOfNose" ? "oversizeOfNose" : "oversizeOfDepth",
+        side.limitedBy,
+        side.formula === "depthOfNose" ? side.inputs : { ap: side.value },
+      ),
       z: typedDown(z, GRID.depth),
     },
     risks: risksOf(request),

@@ -158,7 +158,7 @@ describe("values and what limits them", () => {
 
   test("an oversize that the finishing nose cuts", () => {
     const { oversize } = cuttingValues({ ...base, work: "finish", tool: tool(2) });
-    expect(said(oversize?.diameter ?? null)).toBe("1 depthOfNose insert");
+    expect(said(oversize?.diameter ?? null)).toBe("1 oversizeOfNose insert");
     expect(said(oversize?.z ?? null)).toBe("0.25 halfOfDepth insert");
   });
 
@@ -327,7 +327,7 @@ test("a job takes the values of its cycle, with a reason for each", () => {
   expect(values.map(({ q, formula }) => `${q} ${formula}`)).toEqual([
     "Q463 depthOfFeed",
     "Q478 feedOfMaterial",
-    "Q483 depthOfNose",
+    "Q483 oversizeOfNose",
     "Q484 halfOfDepth",
     "Q505 feedOfRoughness",
     "speed speedOfMaterial",

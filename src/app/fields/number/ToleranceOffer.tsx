@@ -2,6 +2,7 @@ import { readToleratedSize } from "../../../kernel/fit/typed-tolerance.ts";
 import { formatNumber } from "../../../i18n/number.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
+import "./tolerance-offer.css";
 
 interface Props {
   readonly typed: string;
@@ -25,12 +26,12 @@ export function ToleranceOffer({ typed, onTake }: Props) {
   const { nominal, upper, lower, middle } = read;
   const sum = `${write(nominal)} + (${write(upper)} ${lower < 0 ? "−" : "+"} ${write(Math.abs(lower))}) / 2`;
   return (
-    <>
+    <div className="tolerance-offer">
       <p className="number">{t.middle(typed.trim(), signed(upper), signed(lower), sum, write(middle))}</p>
       {IS_CLASS.test(typed) && <p className="small soft">{t.source}</p>}
       <button type="button" className="button" onClick={() => onTake(middle)}>
         {takeNearest(write(middle))}
       </button>
-    </>
+    </div>
   );
 }
