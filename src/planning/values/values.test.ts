@@ -4,6 +4,7 @@ import { cycleByNumber } from "../../cycles/index.ts";
 import { at } from "../../kernel/geometry/point.ts";
 import { never } from "../../kernel/never.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
+import { cuttingValues as cuttingValueTexts } from "../../i18n/en/cutting-values.ts";
 import { degrees, length } from "../../kernel/units.ts";
 import { exampleJob } from "../../program/job/job.ts";
 import { usualTable } from "../../program/tools/cutting-table.ts";
@@ -315,6 +316,10 @@ describe("a stock in its clamping", () => {
     expect(barDiameter(tool(5))).toBe(20);
     expect(barDiameter(tool(1))).toBeNull();
   });
+});
+
+test("every formula has its reason in the texts", () => {
+  expect(Object.keys(cuttingValueTexts.reasons).sort()).toEqual(Object.keys(VALUE_FORMULAS).sort());
 });
 
 test("a job takes the values of its cycle, with a reason for each", () => {
