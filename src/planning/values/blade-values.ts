@@ -27,7 +27,7 @@ export function feedOfBlade(request: ValuesRequest, spindle: Spindle): ReasonedN
     ...feedsByForce(request, b, DEFLECTION.rough),
     reasoned(strong, "feedOfPower", "power", { Pc: power, b, vc, kc }),
   );
-  return typedDown(atLeast(least, Math.min(LEAST.feed, strong)), GRID.feed);
+  return typedDown(atLeast(least, Math.min(LEAST.feed, strong), "feedLeast"), GRID.feed);
 }
 
 /** Recessing and parting off. */

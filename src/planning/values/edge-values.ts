@@ -62,7 +62,7 @@ export function roughingDepth(request: ValuesRequest, f: number, spindle: Spindl
     edge,
     ...depthsByForce(request, f, DEFLECTION.rough),
   );
-  return typedDown(atLeast(depth, Math.min(LEAST.depth, strong, edge?.value ?? Infinity)), GRID.depth);
+  return typedDown(atLeast(depth, Math.min(LEAST.depth, strong, edge?.value ?? Infinity), "depthLeast"), GRID.depth);
 }
 
 /** Feeds at which they bend as far as allowed by a cut of a depth, or a blade of a width. */

@@ -17,6 +17,7 @@ export const VALUE_FORMULAS = {
   depthOfThread: "ap = h / √i",
   depthOfTooth: "ap = 0.5",
   depthOfNose: "ap = 2/3 · rε",
+  depthLeast: "ap",
   oversizeOfNose: "Δ⌀ = 2 · 2/3 · rε",
   oversizeOfDepth: "Δ⌀ = 2 · ap",
   halfOfDepth: "Δz = ap / 2",
@@ -33,7 +34,8 @@ export const VALUE_FORMULAS = {
   feedOfPower: "f = 60 000 · Pc / (b · kc · vc)",
   feedOfDrill: "f = c · d",
   feedOfPitch: "f = P",
-  halfOfFeed: "f / 2",
+  feedLeast: "f",
+  halfOfFeed: "fp = f / 2",
   speedOfMaterial: "vc",
   speedOfShare: "vc = s · vc",
   rpmOfSpeed: "n = 1000 · vc / (π · d)",
@@ -88,6 +90,6 @@ export function typedDown(value: ReasonedNumber, step: number): ReasonedNumber {
 
 /** Least sensible values. */
 export const LEAST = { depth: 0.2, feed: 0.03, finishDepth: 0.1 } as const;
-/** Never below a least value. */
-export const atLeast = (value: ReasonedNumber, least: number): ReasonedNumber =>
-  value.value >= least ? value : { ...value, value: least };
+/** Never below a least value, which then is the reason. */
+export const atLeast = (value: ReasonedNumber, least: number, formula: "depthLeast" | "feedLeast"): ReasonedNumber =>
+  value.value >= least ? value : reasoned(least, formula, "least", {});

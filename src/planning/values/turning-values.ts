@@ -34,7 +34,7 @@ export function roughing(request: ValuesRequest): CuttingValues {
   const finer = feedsByForce(request, thinnest, DEFLECTION.rough);
   const feed = wide
     ? feedOfBlade(request, turning.spindle)
-    : typedDown(atLeast(leastOf(table, feedByNose(tool), ...finer), LEAST.feed), GRID.feed);
+    : typedDown(atLeast(leastOf(table, feedByNose(tool), ...finer), LEAST.feed, "feedLeast"), GRID.feed);
   return {
     ...turning,
     feed,
@@ -63,12 +63,13 @@ export function finishing(request: ValuesRequest): CuttingValues {
     ? leastOf(feedOfBlade(request, turning.spindle), byMark)
     : leastOf(reasoned(usual, "feedOfMaterial", "material", { f: usual }), byMark, feedByNose(tool));
   const typed = typedDown(feed, GRID.feed);
+  const byNoseDepth = reasoned(DEPTH_OF_NOSE * nose, "depthOfNose", "insert", { rε: nose });
   const depth = leastOf(
-    reasoned(Math.max(LEAST.depth, DEPTH_OF_NOSE * nose), "depthOfNose", "insert", { rε: nose }),
+    atLeast(byNoseDepth, LEAST.depth, "depthLeast"),
     ...depthsByForce(request, typed.value, DEFLECTION.finish),
   );
-  const side = typedDown(atLeast(depth, LEAST.finishDepth), GRID.depth);
-  const z = reasoned(Math.max(LEAST.finishDepth, side.value / 2), "halfOfDepth", side.limitedBy, { ap: side.value });
+  const side = typedDown(atLeast(depth, LEAST.finishDepth, "depthLeast"), GRID.depth);
+  const half = reasoned(side.value / 2, "halfOfDepth", side.limitedBy, { ap: side.value });
   return {
     ...turning,
     feed: typed,
@@ -82,7 +83,7 @@ export function finishing(request: ValuesRequest): CuttingValues {
         side.limitedBy,
         side.formula === "depthOfNose" ? side.inputs : { ap: side.value },
       ),
-      z: typedDown(z, GRID.depth),
+      z: typedDown(atLeast(half, LEAST.finishDepth, "depthLeast"), GRID.depth),
     },
     risks: risksOf(request),
   };

@@ -137,6 +137,25 @@ describe("values and what limits them", () => {
       "infeed",
       "0.5 depthOfTooth insert",
     ],
+    // 0.6134 · 1.5 = 0.92
+    [
+      "a depth that the control takes",
+      { work: "thread", tool: tool(12), largest: 30, pitch: 1.5, depth: 0 },
+      "infeed",
+      "0.34 depthOfThread pitch",
+    ],
+    [
+      "a sharp finishing nose",
+      { work: "finish", tool: { ...tool(3), RS: length(0.1) } },
+      "infeed",
+      "0.2 depthLeast least",
+    ],
+    [
+      "a shaft that bends under any cut",
+      { workpiece: { overhang: 400, diameter: 12, support: "chuck" } },
+      "infeed",
+      "0.2 depthLeast least",
+    ],
     // 1000 · 24 / (π · 10) = 763.9
     ["a drill", { work: "drill", tool: drill(10), depth: 20 }, "speed", "760 rpmOfSpeed material"],
     ["its feed", { work: "drill", tool: drill(10), depth: 20 }, "feed", "0.2 feedOfDrill material"],
