@@ -35,6 +35,7 @@ export function FieldMessage({ problem, decimals, place, calm = false, onTake, p
   const shown = calm ? "info" : issue.severity;
   const offered = "nearest" in issue.data && typeof issue.data.nearest === "number" ? issue.data.nearest : null;
   const param = cycle === null || !("at" in issue) ? undefined : cycleByNumber(cycle)?.params[issue.at ?? ""];
+  const isSize = !param || ["diameter", "axial", "length"].includes(param.kind);
   const isInch = lengths.unit === "inch",
     nearest = offered === null ? null : valueInProgram(param, offered, isInch);
   const isHeldBack = useFixesHeldBack();
@@ -54,7 +55,7 @@ export function FieldMessage({ problem, decimals, place, calm = false, onTake, p
           {t.dialog.giveParameter(issue.data.name)}
         </button>
       )}
-      {onTake && !isHeldBack && <TypedTolerance issue={issue} onTake={onTake} />}
+      {onTake && isSize && !isHeldBack && <TypedTolerance issue={issue} onTake={onTake} />}
       {nearest !== null && onTake && !isHeldBack && (
         <button type="button" className="button" onClick={() => onTake(nearest)}>
           {t.dialog.takeNearest(writeTyped(lengths.language, nearest, isInch ? decimals + 1 : decimals))}
