@@ -1,7 +1,7 @@
 import { SAME_STEP } from "../../kernel/tolerance.ts";
 
 /**
- * The formulas of cutting values in standard symbols: ap depth, f feed, vc cutting speed, n rpm, rε nose radius, l edge
+ * The formulas of cutting values in standard symbols: ap depth, f feed, vc cutting speed (vc0 that of roughing), n rpm, rε nose radius, l edge
  * length, b width of a blade, d diameter, P pitch, h depth of a thread, i passes, kc specific force, δ allowed
  * deflection, E modulus of elasticity, I second moment of area, L overhang, k support (3 chuck, 102 chuck and centre, 48
  * centres). Lengths mm, roughness µm, power kW.
@@ -37,7 +37,7 @@ export const VALUE_FORMULAS = {
   feedLeast: "f",
   halfOfFeed: "fp = f / 2",
   speedOfMaterial: "vc",
-  speedOfShare: "vc = s · vc",
+  speedOfShare: "vc = s · vc0",
   rpmOfSpeed: "n = 1000 · vc / (π · d)",
   rpmOfMachine: "n",
   rpmAssumed: "n",

@@ -47,4 +47,4 @@ export function powerFor({ machine, power, largest }: ValuesRequest, spindle: Sp
 
 /** The cutting speed of the material by a share. */
 export const shareOfSpeed = ({ material }: ValuesRequest, s: number): ReasonedNumber =>
-  reasoned(material.roughSpeed * s, "speedOfShare", "material", { s, vc: material.roughSpeed });
+  reasoned(material.roughSpeed * s, "speedOfShare", "material", { s, vc0: material.roughSpeed });
