@@ -1,10 +1,10 @@
 import { SAME_STEP } from "../../kernel/tolerance.ts";
 
 /**
- * The formulas of cutting values in standard symbols: ap depth, f feed, vc cutting speed (vc0 that of roughing), n rpm, rε nose radius, l edge
- * length, b width of a blade, d diameter, P pitch, h depth of a thread, i passes, kc specific force, δ allowed
- * deflection, E modulus of elasticity, I second moment of area, L overhang, k support (3 chuck, 102 chuck and centre, 48
- * centres). Lengths mm, roughness µm, power kW.
+ * The formulas of cutting values in standard symbols: ap depth, f feed, fp plunging feed, vc cutting speed (vc0 that of
+ * roughing), n rpm, rε nose radius, l edge length, b width of a blade, d diameter, P pitch, h depth of a thread, i
+ * passes, kc specific force, δ allowed deflection, E modulus of elasticity, I second moment of area, L overhang, k
+ * support (3 chuck, 102 chuck and centre, 48 centres). Lengths mm, roughness µm, power kW.
  */
 export const VALUE_FORMULAS = {
   depthOfFeed: "ap = 10 · f",
