@@ -15,6 +15,7 @@ interface English {
   readonly "course-set": typeof import("./en/course-set.ts");
   readonly "course-task": typeof import("./en/course-task.ts");
   readonly "course-teach": typeof import("./en/course-teach.ts");
+  readonly "cutting-values": typeof import("./en/cutting-values.ts");
   readonly device: typeof import("./en/device.ts");
   readonly drawing: typeof import("./en/drawing.ts");
   readonly "drawing-import": typeof import("./en/drawing-import.ts");

@@ -3,7 +3,7 @@ import type { RowField } from "../../program/job/contour-rows.ts";
 import { NumberInput } from "../../app/fields/number/NumberInput.tsx";
 import { closeStep } from "../../app/document/steps.ts";
 import { whileTyping } from "../../app/base/typing.ts";
-import { noteLeft, noteTyped } from "./begun-field.ts";
+import { beginsTolerance, noteLeft, noteTyped } from "./begun-field.ts";
 
 /** Placeholder of an empty field: the modal coordinate, or the solved value. */
 export interface Shown {
@@ -56,7 +56,7 @@ export function ContourCell({
   };
   const onKey = (e: KeyboardEvent) => {
     const act = { i: incremental?.toggle, t: onTangent }[e.key.toLowerCase()];
-    if (!act || e.ctrlKey || e.metaKey) return;
+    if (!act || e.ctrlKey || e.metaKey || beginsTolerance(text)) return;
     e.preventDefault();
     act();
   };

@@ -1,4 +1,4 @@
-import { memo, useId, type ReactNode } from "react";
+import { memo, useId, useRef, type ReactNode } from "react";
 import { texts } from "../../app/base/settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { formatNumber } from "../../i18n/number.ts";
@@ -9,6 +9,8 @@ import { polarNames, polarOf, polarTyped, withPolar, type PolarName } from "../.
 import type { UndercutPlace } from "../../program/job/undercut-name.ts";
 import { Message } from "../../app/base/Message.tsx";
 import { issueText } from "../../app/calculation/issue-text.ts";
+import { closeStep } from "../../app/document/steps.ts";
+import { TypedTolerance } from "../../app/fields/number/TypedTolerance.tsx";
 import { chooseElement } from "../../app/place/contour-place.ts";
 import { RowNotes } from "./RowNotes.tsx";
 import { RecessFields } from "./RecessFields.tsx";
@@ -80,6 +82,7 @@ function Line({
   const all = texts(language),
     t = all.contour;
   const id = useId();
+  const line = useRef<HTMLTableRowElement>(null);
   const write = (value: number) => formatNumber(language, value, 3);
   /** Placeholder of an empty field: the modal coordinate, the solved value, or open. */
   const shown = (
@@ -117,6 +120,12 @@ function Line({
         : {})}
     />
   );
+  /** Puts a value into a field, which then has the focus: the button goes with its message. */
+  const takeInto = (field: "x" | "z" | "r") => (value: number) => {
+    line.current?.querySelector<HTMLElement>(`[data-field="${field}"]`)?.focus();
+    closeStep();
+    onChange({ [field]: String(value) }, null);
+  };
   const polar = (name: PolarName): ReactNode => {
     if (!polarNames(row).includes(name)) return null;
     const typed = polarTyped(row, name),
@@ -152,6 +161,7 @@ function Line({
   const open = reading?.missingValues ?? 0;
   return (
     <tr
+      ref={line}
       role="row"
       className={`contour-line kind-${row.kind}${active ? " active" : ""}`}
       onFocus={() => chooseElement(row.id)}
@@ -278,8 +288,11 @@ function Line({
         {issues
           .filter(({ issue }) => open === 0 || issue.code !== "elementFree")
           .map((found, i) => (
-            <Message key={i} tone={found.issue.severity} className="small">
-              {issueText(all, language, found.issue, null)}
+            <Message key={i} as="div" tone={found.issue.severity} className="small">
+              <p>{issueText(all, language, found.issue, null)}</p>
+              {(found.field === "x" || found.field === "z" || found.field === "r") && (
+                <TypedTolerance issue={found.issue} onTake={takeInto(found.field)} />
+              )}
             </Message>
           ))}
       </td>

@@ -250,3 +250,26 @@ test("an undercut is put into a corner and filled by its designation; its words 
   await user.keyboard("{Enter}");
   expect(last.rows[2]).toMatchObject({ form: "THREAD", words: { PITCH: "2", DEPTH: "1.5", BREADTH: "7" } });
 });
+
+test("a size typed with its tolerance proposes the middle; a letter of its class is no command", async () => {
+  await fetchTexts("en", "cutting-values");
+  const user = userEvent.setup();
+  const last = shown();
+  const at = field("Element 4, X diameter");
+  await user.clear(at);
+  await user.type(at, "40 c11");
+  expect(last.rows).toHaveLength(6);
+  expect(at.value).toBe("40 c11");
+  await user.clear(at);
+  await user.type(at, "40 k6");
+  await screen.findByText("40 k6: +0.018 / +0.002 mm. Middle: 40 + (0.018 + 0.002) / 2 = 40.01");
+  await user.click(screen.getByRole("button", { name: "Use 40.01" }));
+  expect(last.rows[3]?.x).toBe("40.01");
+  expect(last.places.at(-1)).toBeNull();
+  expect(document.activeElement).toBe(at);
+  expect(screen.queryByRole("button", { name: "Use 40.01" })).toBeNull();
+  await user.clear(at);
+  await user.type(at, "40 h99");
+  await screen.findAllByText(/is not a number/);
+  expect(screen.queryByRole("button", { name: /^Use / })).toBeNull();
+});

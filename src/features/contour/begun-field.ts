@@ -24,3 +24,6 @@ export function useReading(rows: readonly ContourRow[]): RowsReading {
   const begun = useContourPlace((p) => p.begun);
   return readRows(useMemo(() => unfinished(rows, begun), [rows, begun]));
 }
+
+/** A blank behind a number begins the class of its tolerance, "40 c11": the letter behind it is no command. */
+export const beginsTolerance = (text: string): boolean => /\d\s$/.test(text);

@@ -1,4 +1,5 @@
 import { useLayoutEffect, useRef, type KeyboardEvent, type RefObject } from "react";
+import { beginsTolerance } from "./begun-field.ts";
 
 const FIELDS = "input[data-field], select[data-field]";
 type Field = HTMLInputElement | HTMLSelectElement;
@@ -51,7 +52,8 @@ export function useTableKeys(
     if (e.key === "Insert") return take(actions.insert);
     if (e.ctrlKey && e.key.toLowerCase() === "d") return take(actions.duplicate);
     if (e.ctrlKey && e.key === "Delete") return take(actions.remove);
-    const letter = e.ctrlKey || e.altKey || e.metaKey || !(at instanceof HTMLInputElement) ? "" : e.key.toLowerCase();
+    const isText = !(at instanceof HTMLInputElement) || beginsTolerance(at.value);
+    const letter = e.ctrlKey || e.altKey || e.metaKey || isText ? "" : e.key.toLowerCase();
     // QR1 is the name of a parameter.
     if (letter === "r" && !/q$/i.test(at.value)) return take(() => actions.corner("RND"));
     if (letter === "c") return take(() => actions.corner("CHF"));

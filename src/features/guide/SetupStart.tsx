@@ -4,7 +4,7 @@ import { SPINDLE } from "../../report/advice/advise.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { startingValues } from "./starting.ts";
 import { StartingRows } from "./StartingRows.tsx";
-import { useMaterialOfWork } from "../../app/fields/said/use-advice.ts";
+import { useGuidedCut, useMaterialOfWork } from "../../app/fields/said/use-advice.ts";
 import "./setup-start.css";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
@@ -23,8 +23,12 @@ export function SetupStart({ cycle, surface, perRevolution }: Props) {
   const on = useSettings((s) => s.advice);
   const own = useSettings((s) => s.cutting !== "");
   const { material } = useMaterialOfWork();
+  const cut = useGuidedCut(cycle.number);
   if (!on) return null;
-  const rows = startingValues(cycle, material).filter(({ at }) => (at === SPINDLE ? surface : perRevolution));
+  const isFeed = (at: string) => cycle.params[at]?.kind === "feed";
+  const rows = startingValues(cycle, material, cut).filter(({ at }) =>
+    at === SPINDLE ? surface : perRevolution && isFeed(at),
+  );
   const speeds = [material.roughSpeed, material.finishSpeed].map((speed) => formatNumber(language, speed)).join("–");
   return (
     <section className="setup-start" aria-label={t.starting}>

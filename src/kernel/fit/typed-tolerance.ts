@@ -58,10 +58,17 @@ export function toleranceMiddle(typed: string, nominal: number): ToleratedSize |
   return read && { ...read, nominal, middle: rounded(nominal + (read.upper + read.lower) / 2) };
 }
 
-const SIZED = new RegExp(String.raw`^(?:⌀|ø|Ø)?\s?(${NUMBER})\s*(?:mm\s)?\s*([^\d.\s].*)$`);
+const SIZED = new RegExp(String.raw`^(?:⌀|ø)?\s?(${NUMBER})\s*(?:mm\s)?\s*([^\d.\s].*|0\s?[/;].*)$`, "i");
+/** A size with one deviation, or two without a slash, is a sum. */
+const SUM = new RegExp(String.raw`^[+-]\s?${NUMBER}(?:\s?[+-]\s?${NUMBER})?$`);
 
-/** Reads a size with its tolerance in one text: "40 h6", "⌀25H7", "30 +0.02/-0.01", "12±0.1"; null for anything else. */
+/**
+ * Reads a size with its tolerance in one text: "40 h6", "⌀25H7", "30 +0.02/-0.01", "12±0.1"; null for anything else, also
+ * for what is a sum: "40-0.2".
+ */
 export function readToleratedSize(typed: string): ToleratedSize | null {
   const [, size, tolerance] = SIZED.exec(spelled(typed)) ?? [];
-  return size === undefined || tolerance === undefined ? null : toleranceMiddle(tolerance, Number(size));
+  return size === undefined || tolerance === undefined || SUM.test(tolerance)
+    ? null
+    : toleranceMiddle(tolerance, Number(size));
 }

@@ -1,3 +1,4 @@
+import { METRIC } from "../../kernel/contour/metric-thread.ts";
 import { radius, toDiameter } from "../../kernel/units.ts";
 import {
   DEEP_HOLES,
@@ -19,8 +20,10 @@ export function threading(request: ValuesRequest): CuttingValues {
   const vc = Math.round(material.roughSpeed * SPEED_SHARE.thread);
   const byRate = fastest ? reasoned(fastest / pitch, "rpmOfThread", "pitch", { vf: fastest, P: pitch }) : null;
   const passes = THREAD_PASSES.find(([upTo]) => pitch <= upTo)?.[1] ?? 1;
+  // A depth of 0 leaves it to the control, which takes that of the metric profile.
+  const h = depth > 0 ? depth : METRIC.outside * pitch;
   const first = leastOf(
-    reasoned(depth / Math.sqrt(passes), "depthOfThread", "pitch", { h: depth, i: passes }),
+    reasoned(h / Math.sqrt(passes), "depthOfThread", "pitch", { h, i: passes }),
     reasoned(MOST_FIRST_PASS, "depthOfTooth", "insert", {}),
   );
   return {
@@ -61,7 +64,7 @@ export function drilling(request: ValuesRequest): CuttingValues {
   );
   return {
     ...turning,
-    feed: typedDown(atLeast(feed, Math.min(LEAST.feed, strong)), GRID.feed),
+    feed: typedDown(atLeast(feed, Math.min(LEAST.feed, strong), "feedLeast"), GRID.feed),
     infeed: null,
     plungeFeed: null,
     step: deep

@@ -1,7 +1,8 @@
 import type { Spindle } from "../../kernel/time/step.ts";
 import { speedAt } from "../../kernel/time/time.ts";
-import { diameter, toRadius } from "../../kernel/units.ts";
+import { diameter, rounded, toRadius } from "../../kernel/units.ts";
 import { powerAt } from "../../program/machine/machine-data.ts";
+import { heldDownTo } from "../../report/advice/formulas.ts";
 import { leastOf, reasoned, typedDown, type ReasonedNumber } from "./formulas.ts";
 import type { ValuesRequest } from "./values-request.ts";
 
@@ -13,11 +14,9 @@ export const GRID = { depth: 0.05, feed: 0.01, speed: 1, rpm: 10 } as const;
 /** Cutting speed held constant down to the speed limit of the machine. */
 export function constantSurface(request: ValuesRequest, wanted: ReasonedNumber) {
   const speed = typedDown(wanted, GRID.speed);
-  const most = request.machine?.most;
-  const limit =
-    most === undefined
-      ? reasoned(ASSUMED_LIMIT, "rpmAssumed", "machine", { n: ASSUMED_LIMIT })
-      : reasoned(most, "rpmOfMachine", "machine", { n: most });
+  const n = request.machine?.most ?? ASSUMED_LIMIT;
+  const inputs = { n, vc: speed.value, d: rounded(heldDownTo(speed.value, n)) };
+  const limit = reasoned(n, request.machine ? "limitOfMachine" : "limitAssumed", "machine", inputs);
   const spindle: Spindle = { kind: "surface", cuttingSpeed: speed.value, limit: limit.value };
   return { speed, limit, spindle };
 }
@@ -48,4 +47,4 @@ export function powerFor({ machine, power, largest }: ValuesRequest, spindle: Sp
 
 /** The cutting speed of the material by a share. */
 export const shareOfSpeed = ({ material }: ValuesRequest, s: number): ReasonedNumber =>
-  reasoned(material.roughSpeed * s, "speedOfShare", "material", { s, vc: material.roughSpeed });
+  reasoned(material.roughSpeed * s, "speedOfShare", "material", { s, vc0: material.roughSpeed });

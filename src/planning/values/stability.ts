@@ -28,7 +28,7 @@ const STIFFNESS: Readonly<Record<Support, number>> = { chuck: 3, chuckAndCentre:
 const STEEL = ELASTICITY.P;
 
 /** A force that deflects by as much as allowed, N, with its inputs. */
-export interface AllowedForce {
+interface AllowedForce {
   readonly force: number;
   readonly inputs: Readonly<Record<string, number>>;
 }
@@ -41,7 +41,7 @@ function allowed(k: number, elasticity: number, moment: number, overhang: number
 }
 
 /** The cutting force at which a workpiece bends by an allowed deflection; null where nothing is free to bend. */
-export function forceOnWorkpiece(
+function forceOnWorkpiece(
   { overhang, diameter, bore = 0, support }: HeldWorkpiece,
   group: IsoGroup,
   deflection: number,
@@ -51,8 +51,27 @@ export function forceOnWorkpiece(
 }
 
 /** The same for a boring bar of steel. */
-export const forceOnBar = ({ overhang, diameter }: HeldBar, deflection: number): AllowedForce | null =>
+const forceOnBar = ({ overhang, diameter }: HeldBar, deflection: number): AllowedForce | null =>
   overhang > 0 && diameter > 0 ? allowed(STIFFNESS.chuck, STEEL, secondMoment(diameter), overhang, deflection) : null;
+
+/** What bends under the cutting force, with the force at which it bends as far as allowed. */
+export interface BentBody extends AllowedForce {
+  readonly by: "slenderness" | "bar";
+}
+
+/** The bodies that a cut bends: workpiece and bar, as far as known. */
+export function bentBodies(
+  { workpiece, bar }: { readonly workpiece: HeldWorkpiece | null; readonly bar: HeldBar | null },
+  group: IsoGroup,
+  deflection: number,
+): readonly BentBody[] {
+  const held = workpiece && forceOnWorkpiece(workpiece, group, deflection);
+  const bent = bar && forceOnBar(bar, deflection);
+  return [
+    ...(held ? [{ ...held, by: "slenderness" } as const] : []),
+    ...(bent ? [{ ...bent, by: "bar" } as const] : []),
+  ];
+}
 
 /** The depth of cut at which a force is reached, mm. */
 export const depthForForce = (force: number, specific: number, feed: number): number => force / (feed * specific);

@@ -1,51 +1,20 @@
 import { isBar, noseRadius } from "../../kernel/cutter/insert.ts";
-import type { Tool } from "../../kernel/plan/tool.ts";
-import { radians, radius, toDiameter } from "../../kernel/units.ts";
+import { radius, toDiameter } from "../../kernel/units.ts";
 import { SPEED_SHARE } from "../../program/tools/cutting-work.ts";
-import { depthForPower, FEED_OF_NOSE, feedForRz, specificForce } from "../../report/advice/formulas.ts";
+import { feedForRz, USUAL_RZ } from "../../report/advice/formulas.ts";
 import { feedOfBlade } from "./blade-values.ts";
-import { depthByEdge, risksOf } from "./edge-values.ts";
+import { depthsByForce, feedByNose, feedsByForce, risksOf, roughingDepth } from "./edge-values.ts";
 import { atLeast, LEAST, leastOf, reasoned, typedDown, type ReasonedNumber } from "./formulas.ts";
-import { constantSurface, GRID, powerFor, shareOfSpeed } from "./spindle-values.ts";
-import { DEFLECTION, depthForForce, forceOnBar, forceOnWorkpiece, type AllowedForce } from "./stability.ts";
+import { constantSurface, GRID, shareOfSpeed } from "./spindle-values.ts";
+import { DEFLECTION } from "./stability.ts";
 import type { CuttingValues, ValuesRequest, WantedRoughness } from "./values-request.ts";
 
 /** Rz of a turned surface over its Ra: 9 · √3 / 4 = 3.9 for a profile of circular arcs; an approximation. */
 const RZ_OF_RA = 4;
-/** Rz of a finished surface without a mark, µm. */
-const USUAL_RZ = 6.3;
-/** Depth over feed from which chips of long-chipping steel do not break. */
-const DEPTH_OF_FEED = 10;
-/** Finishing depth over the nose radius: with less the nose rubs. */
+/** Least depth over the nose radius: with less the nose rubs. */
 const DEPTH_OF_NOSE = 2 / 3;
-/** Angle of the edge where the tool has none, degrees. */
-const LEAD = 90;
 /** Wanted Rz, µm, of a mark. */
 export const rzOf = ({ kind, value }: WantedRoughness): number => (kind === "Rz" ? value : RZ_OF_RA * value);
-
-const leadOf = (tool: Tool) => radians(isBar(tool) ? LEAD : (tool["T-ANGLE"] ?? LEAD));
-
-const depthByForce = (
-  { force, inputs }: AllowedForce,
-  of: "depthOfWorkpiece" | "depthOfBar",
-  kc: number,
-  f: number,
-): ReasonedNumber =>
-  reasoned(depthForForce(force, kc, f), of, of === "depthOfBar" ? "bar" : "slenderness", {
-    ...inputs,
-    f,
-    kc: Math.round(kc),
-  });
-
-/** Depth limits by the stiffness of workpiece and bar. */
-function depthsByForce(request: ValuesRequest, feed: number, allowed: number): readonly (ReasonedNumber | null)[] {
-  const { tool, material, workpiece, bar, work } = request;
-  const kc = specificForce(material, feed * Math.sin(leadOf(tool)));
-  // Facing presses along the axis, which bends nothing.
-  const held = work === "face" || !workpiece ? null : forceOnWorkpiece(workpiece, material.group, allowed);
-  const bent = bar && forceOnBar(bar, allowed);
-  return [held && depthByForce(held, "depthOfWorkpiece", kc, feed), bent && depthByForce(bent, "depthOfBar", kc, feed)];
-}
 
 const halved = (feed: ReasonedNumber): ReasonedNumber =>
   typedDown(reasoned(feed.value / 2, "halfOfFeed", feed.limitedBy, { f: feed.value }), GRID.feed);
@@ -60,28 +29,16 @@ export function roughing(request: ValuesRequest): CuttingValues {
   const turning = constantSurface(request, vc);
   const nose = noseRadius(tool);
   const table = reasoned(material.roughFeed, "feedOfMaterial", "material", { f: material.roughFeed });
-  const byNose = nose > 0 ? reasoned(FEED_OF_NOSE * nose, "feedOfNose", "insert", { rε: nose }) : null;
-  const feed = wide ? feedOfBlade(request, turning.spindle) : typedDown(leastOf(table, byNose), GRID.feed);
-  const f = feed.value;
-  const power = powerFor(request, turning.spindle);
-  const kc = Math.round(specificForce(material, f * Math.sin(leadOf(tool))));
-  const byPower = reasoned(
-    depthForPower(material, power, f, turning.speed.value, leadOf(tool)),
-    "depthOfPower",
-    "power",
-    { Pc: power, f, kc, vc: turning.speed.value },
-  );
-  const least = leastOf(
-    reasoned(DEPTH_OF_FEED * f, "depthOfFeed", "chip", { f }),
-    depthByEdge(tool),
-    byPower,
-    ...depthsByForce(request, f, DEFLECTION.rough),
-  );
-  const edge = depthByEdge(tool)?.value ?? Infinity;
+  // Where the least depth of the nose already bends workpiece or bar, the feed is reduced as well.
+  const thinnest = Math.max(LEAST.depth, DEPTH_OF_NOSE * nose);
+  const finer = feedsByForce(request, thinnest, DEFLECTION.rough);
+  const feed = wide
+    ? feedOfBlade(request, turning.spindle)
+    : typedDown(atLeast(leastOf(table, feedByNose(tool), ...finer), LEAST.feed, "feedLeast"), GRID.feed);
   return {
     ...turning,
     feed,
-    infeed: typedDown(atLeast(least, Math.min(LEAST.depth, byPower.value, edge)), GRID.depth),
+    infeed: roughingDepth(request, feed.value, turning.spindle),
     plungeFeed: halved(feed),
     step: null,
     oversize: null,
@@ -102,17 +59,17 @@ export function finishing(request: ValuesRequest): CuttingValues {
   const byMark = nose > 0 ? reasoned(feedForRz(rz, nose), "feedOfRoughness", "roughness", { ...mark, rε: nose }) : null;
   // A coarse mark allows more than the usual finishing feed, but not more than roughing.
   const usual = roughness ? material.roughFeed : material.finishFeed;
-  const byNose = nose > 0 ? reasoned(FEED_OF_NOSE * nose, "feedOfNose", "insert", { rε: nose }) : null;
   const feed = isBar(tool)
     ? leastOf(feedOfBlade(request, turning.spindle), byMark)
-    : leastOf(reasoned(usual, "feedOfMaterial", "material", { f: usual }), byMark, byNose);
+    : leastOf(reasoned(usual, "feedOfMaterial", "material", { f: usual }), byMark, feedByNose(tool));
   const typed = typedDown(feed, GRID.feed);
+  const byNoseDepth = reasoned(DEPTH_OF_NOSE * nose, "depthOfNose", "insert", { rε: nose });
   const depth = leastOf(
-    reasoned(Math.max(LEAST.depth, DEPTH_OF_NOSE * nose), "depthOfNose", "insert", { rε: nose }),
+    atLeast(byNoseDepth, LEAST.depth, "depthLeast"),
     ...depthsByForce(request, typed.value, DEFLECTION.finish),
   );
-  const side = typedDown(atLeast(depth, LEAST.finishDepth), GRID.depth);
-  const z = reasoned(Math.max(LEAST.finishDepth, side.value / 2), "halfOfDepth", side.limitedBy, { ap: side.value });
+  const side = typedDown(atLeast(depth, LEAST.finishDepth, "depthLeast"), GRID.depth);
+  const half = reasoned(side.value / 2, "halfOfDepth", side.limitedBy, { ap: side.value });
   return {
     ...turning,
     feed: typed,
@@ -120,8 +77,13 @@ export function finishing(request: ValuesRequest): CuttingValues {
     plungeFeed: halved(typed),
     step: null,
     oversize: {
-      diameter: { ...side, value: toDiameter(radius(side.value)) },
-      z: typedDown(z, GRID.depth),
+      diameter: reasoned(
+        toDiameter(radius(side.value)),
+        side.formula === "depthOfNose" ? "oversizeOfNose" : "oversizeOfDepth",
+        side.limitedBy,
+        side.formula === "depthOfNose" ? side.inputs : { ap: side.value },
+      ),
+      z: typedDown(atLeast(half, LEAST.finishDepth, "depthLeast"), GRID.depth),
     },
     risks: risksOf(request),
   };

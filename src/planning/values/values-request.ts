@@ -38,9 +38,9 @@ export interface ValuesRequest {
   readonly fastest?: number | null;
 }
 
-/** Something that needs attention beside the values: length over diameter of the workpiece or the bar. */
+/** Something that needs attention beside the values: length over diameter of workpiece or bar, depth over width. */
 export interface ValueRisk {
-  readonly kind: "slenderWorkpiece" | "slenderBar" | "notDrilled" | "edgeUnknown";
+  readonly kind: "slenderWorkpiece" | "slenderBar" | "deepGroove" | "notDrilled" | "edgeUnknown";
   readonly ratio: number;
 }
 

@@ -8,10 +8,12 @@ import type { IsoGroup } from "./cutting-table.ts";
 /** Cutting speed of a kind of work as a share of the roughing speed of the material. */
 export const SPEED_SHARE = { recess: 0.8, partOff: 0.7, thread: 0.65 } as const;
 
-/** Greatest and usual feed of a plunge, as shares of the width of the blade. */
-export const FEED_OF_WIDTH = { most: 0.075, usual: 0.04 } as const;
+/** Feed of a plunge, as a share of the width of the blade. */
+export const FEED_OF_WIDTH = 0.04;
+/** Depth of a groove, in widths of the blade, above which the blade bends or breaks. */
+export const DEEPEST_GROOVE = 8;
 /** Depth of a side cut with a blade, as a share of its width. */
-export const DEPTH_OF_WIDTH = 0.75;
+export const DEPTH_OF_WIDTH = 0.5;
 /** Depth of a groove, in widths of the blade, from which the chip is broken by steps. */
 export const STEPS_FROM_WIDTHS = 1.5;
 

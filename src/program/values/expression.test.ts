@@ -37,6 +37,9 @@ describe("readExpression", () => {
     ["QL1*2", -6],
     ["Q5/2+1", 7.25],
     ["0*-1", 0],
+    ["40-0.2", 39.8],
+    ["10+4/2", 12],
+    ["8/-2", -4],
   ])("%s is %d", (text, expected) => expect(value(text)).toBe(expected));
 
   test.each([
@@ -49,6 +52,10 @@ describe("readExpression", () => {
     ["1e3", "notANumber"],
     ["5 5", "notANumber"],
     ["0x10", "notANumber"],
+    ["40 h6", "notANumber"],
+    ["40±0.1", "notANumber"],
+    ["30 +0.02/-0.01", "badExpression"],
+    ["30-0,1/-0,3", "badExpression"],
     ["NaN", "notANumber"],
     ["Infinity", "notANumber"],
     ["75/", "badExpression"],

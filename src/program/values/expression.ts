@@ -83,6 +83,9 @@ function evaluate(list: readonly Token[]): number {
   return at === list.length ? value : NaN;
 }
 
+/** A size with its deviations, "30 +0.02/-0.01": no quotient, though it would be one by its signs. */
+const WITH_DEVIATIONS = /^[\d.,]+\s*[-+]\s*[\d.,]+\s*\/\s*[-+]/;
+
 /**
  * Reads a number with point or comma, a Q parameter, or a sum of both with + - * / ( ). Empty stays empty; unreadable
  * text is reported, never guessed.
@@ -90,7 +93,7 @@ function evaluate(list: readonly Token[]): number {
 export function readExpression(typed: string, known: KnownParameters = {}): Expression {
   const text = spelling(typed);
   if (text === "") return { kind: "empty" };
-  const list = text.length > LONGEST ? null : tokens(text, known);
+  const list = text.length > LONGEST || WITH_DEVIATIONS.test(text) ? null : tokens(text, known);
   if (list instanceof Unknown) return { kind: "unknownParameter", name: list.name };
   const value = list ? evaluate(list) : NaN;
   if (list && Number.isFinite(value)) {

@@ -5,11 +5,20 @@ import { cutLength, isBar, noseRadius } from "../../kernel/cutter/insert.ts";
 import type { Spindle } from "../../kernel/time/step.ts";
 import { speedAt, withinLimit } from "../../kernel/time/time.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
-import { diameter, radians, rounded, roundedDown, toRadius } from "../../kernel/units.ts";
+import { diameter, rounded, roundedDown, toRadius } from "../../kernel/units.ts";
 import { ROUGH_RZ, rzByRule } from "../../sim/load/cusp.ts";
 import { powerAt, type SpindleData } from "../../program/machine/machine-data.ts";
 import type { CuttingTable, CutMaterial } from "../../program/tools/cutting-table.ts";
-import { cuttingPower, depthForPower, EDGE_USED, FEED_OF_NOSE, feedForRz, heldDownTo } from "./formulas.ts";
+import {
+  cuttingPower,
+  depthForPower,
+  EDGE_USED,
+  FEED_OF_NOSE,
+  feedForRz,
+  heldDownTo,
+  leadOf,
+  USUAL_RZ,
+} from "./formulas.ts";
 
 /** The values of a cycle and their context, on which advice is based. */
 export interface Advised {
@@ -65,12 +74,8 @@ export type Advice = {
 
 /** Value of `at` for advice on the spindle. */
 export const SPINDLE = "spindle";
-/** Theoretical roughness that is usual for a finished surface, µm. */
-const USUAL_RZ = 6.3;
 /** Deviation factor from the recommended cutting speed that gives advice. */
 const FAR = 1.6;
-/** Default angle between edge and path, degrees, where the tool table has none. */
-const LEAD = 90;
 
 const qOf = ({ params }: Advised["cycle"], topic: Topic): string | null =>
   Object.entries<Param>(params).find(([, { shown }]) => shown === topic)?.[0] ?? null;
@@ -117,7 +122,7 @@ function ofPower(asked: Advised): readonly Advice[] {
     feed = feedAt === null ? undefined : values[feedAt];
   if (at === null || !perRevolution || spindle?.kind !== "surface" || !positive(feed) || cycle.group === "thread")
     return [];
-  const lead = radians(isBar(tool) ? LEAD : (tool["T-ANGLE"] ?? LEAD)),
+  const lead = leadOf(tool),
     speed = spindle.cuttingSpeed;
   const power = cuttingPower(material, depth, feed, speed, lead);
   const slowest = machine && speedAt(withinLimit(spindle, machine.most), toRadius(diameter(largest)));

@@ -1,3 +1,7 @@
+import { isBar } from "../../kernel/cutter/insert.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
+import { radians } from "../../kernel/units.ts";
+
 /*
  * Rules of thumb as plain formulas (sources: decision 0032). The results are estimates, without insert coating and
  * machine. Lengths mm, feeds mm/rev, speeds m/min, forces N, power kW.
@@ -41,3 +45,9 @@ export const feedForRz = (rz: number, nose: number): number => Math.sqrt((8 * no
 /** Greatest roughing feed as a share of the nose radius, and greatest engaged share of the edge. */
 export const FEED_OF_NOSE = 0.8;
 export const EDGE_USED = 2 / 3;
+/** Theoretical roughness that is usual for a finished surface, µm. */
+export const USUAL_RZ = 6.3;
+/** Default angle between edge and path, degrees, where the tool table has none. */
+const LEAD = 90;
+/** Angle of the main edge to the path, rad. */
+export const leadOf = (tool: Tool): number => radians(isBar(tool) ? LEAD : (tool["T-ANGLE"] ?? LEAD));

@@ -9,6 +9,7 @@ import { CycleInWork, useIssueText } from "../../calculation/issue-text.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { writeTyped } from "../dialog/write-value.ts";
+import { TypedTolerance } from "./TypedTolerance.tsx";
 
 interface Props {
   readonly problem: Pick<FindingEntry, "issue">;
@@ -34,6 +35,7 @@ export function FieldMessage({ problem, decimals, place, calm = false, onTake, p
   const shown = calm ? "info" : issue.severity;
   const offered = "nearest" in issue.data && typeof issue.data.nearest === "number" ? issue.data.nearest : null;
   const param = cycle === null || !("at" in issue) ? undefined : cycleByNumber(cycle)?.params[issue.at ?? ""];
+  const isSize = !param || ["diameter", "axial", "length"].includes(param.kind);
   const isInch = lengths.unit === "inch",
     nearest = offered === null ? null : valueInProgram(param, offered, isInch);
   const isHeldBack = useFixesHeldBack();
@@ -53,6 +55,7 @@ export function FieldMessage({ problem, decimals, place, calm = false, onTake, p
           {t.dialog.giveParameter(issue.data.name)}
         </button>
       )}
+      {onTake && isSize && !isHeldBack && <TypedTolerance issue={issue} onTake={onTake} />}
       {nearest !== null && onTake && !isHeldBack && (
         <button type="button" className="button" onClick={() => onTake(nearest)}>
           {t.dialog.takeNearest(writeTyped(lengths.language, nearest, isInch ? decimals + 1 : decimals))}

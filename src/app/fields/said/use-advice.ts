@@ -60,6 +60,22 @@ function diametersOf({ plan, start }: Operation): CutDiameters {
   return found;
 }
 
+/** The cut of an operation, on which advice and starting values are based. */
+export type GuidedCut = Pick<Advised, "values" | "tool" | "smallest" | "largest" | "machine" | "material" | "table">;
+
+/** The cut of the call that the guide of a cycle refers to; null while it makes no path. */
+export function useGuidedCut(cycle: number): GuidedCut | null {
+  const run = useOutcome((s) => s.newest?.run);
+  const isMeant = useIsGuidedCall(cycle);
+  const table = useCuttingTable();
+  const { material } = useMaterialOfWork();
+  const found = run?.operations.find((each) => isMeant(each) && each.call && each.plan.moves.length > 0);
+  if (!run || !found?.call) return null;
+  const { tool, call } = found;
+  const values = call.values as SomeValues;
+  return { values, tool, ...diametersOf(found), machine: run.timing.turning, material, table };
+}
+
 /** Advice on every call of the open work; nothing while it makes no path. */
 export function useAdvisedCalls(): readonly AdvisedCall[] {
   const run = useOutcome((s) => s.newest?.run);
