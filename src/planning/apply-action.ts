@@ -6,9 +6,8 @@ import { parse } from "../nc/parse.ts";
 import type { Program } from "../nc/program.ts";
 import { withHandOperation, withOperation, type OperationPlace } from "../program/edits/added-operation.ts";
 import { emptyProgram } from "../program/job/empty-program.ts";
-import { cylinderAround } from "../program/job/requested-shape.ts";
-import { run } from "../program/run/run.ts";
-import { verdictOf } from "../report/verdict.ts";
+import { runOn } from "../program/run/run.ts";
+import { verdictOf, type VerdictReason } from "../report/verdict.ts";
 import { simulate } from "../sim/simulate.ts";
 import type { Action, PlanRequest, PlanState, TriedAction } from "./types.ts";
 
@@ -16,6 +15,15 @@ import type { Action, PlanRequest, PlanState, TriedAction } from "./types.ts";
 const LEAST_CUT = 0.05;
 /** Less is no damage, mm²: chords of arcs. */
 const LEAST_GOUGE = 0.01;
+
+/** What a setter should see, and what says nothing about the stock: drilling on the axis is no operation of a cycle. */
+const NO_FAULT: ReadonlySet<VerdictReason["kind"]> = new Set([
+  "notes",
+  "holderUnknown",
+  "flanksUnknown",
+  "curvatureUnknown",
+  "noOperation",
+]);
 
 /** A program with the blocks of an action added. */
 export const withAction = (
@@ -31,11 +39,10 @@ export const areaBeyond = (a: readonly Ring[], b: readonly Ring[]): number => ar
 /** Runs one action on the stock of a state and measures what it takes. */
 export function applyAction(action: Action, { stock }: Pick<PlanState, "stock">, request: PlanRequest): TriedAction {
   const { labels, part, shop, clamping } = request;
-  const program = withAction(parse(emptyProgram("PLAN", cylinderAround(stock))), action, labels);
-  const made = run(program, shop);
-  const simulation = simulate({ ...made, blank: stock, clamping });
-  const { reasons } = verdictOf(made, simulation);
-  const faults = reasons.filter((r) => r.kind !== "notes" && r.kind !== "holderUnknown" && r.kind !== "flanksUnknown");
+  const program = withAction(parse(emptyProgram("PLAN", null)), action, labels);
+  const made = runOn(stock, program, shop);
+  const simulation = simulate({ ...made, clamping });
+  const faults = verdictOf(made, simulation).reasons.filter(({ kind }) => !NO_FAULT.has(kind));
   const cut = areaOf(stock) - areaOf(simulation.final);
   const gouge = areaBeyond(intersection(stock, part.rings), simulation.final);
   const isMade = action.threads.length > 0 || cut > LEAST_CUT;
