@@ -6,6 +6,8 @@ import { withValue } from "../../program/job/requested-job.ts";
 import type { Action, ActionSource, Chain, PlanRequest } from "../types.ts";
 import { actionOf, fitted, notDone, ranked, toolsOf } from "./candidates.ts";
 import { contourJob } from "./contour-job.ts";
+import { finestOf } from "./finest.ts";
+import { sectionWorks } from "./rest-rough.ts";
 import { outsideWork, workUpTo, type OutsideWork } from "./outside-work.ts";
 import { cutOf, turnedChain, turningCycles, typesFirst } from "./turned-contour.ts";
 
@@ -13,20 +15,26 @@ import { cutOf, turnedChain, turningCycles, typesFirst } from "./turned-contour.
 const MOST = 3;
 const better = typesFirst("FINISH", "ROUGH");
 
-/** The finest surface of a section, µm; undefined without a mark. */
-export const finestOf = ({ marks }: Chain): number | undefined => {
-  const all = marks.flatMap(({ roughness }) => (roughness === undefined ? [] : [roughness]));
-  return all.length > 0 ? Math.min(...all) : undefined;
-};
+/** Pieces that are finished by themselves. */
+const MOST_PIECES = 4;
 
-/** Finishes the contour in one pass from the front to the rear. */
+/** Finishes the contour in one pass from the front to the rear, and what other tools left of it by itself. */
 export const finishOutside: ActionSource = {
   kind: "finishOutside",
   actions(state, request) {
     const work = outsideWork(state, request);
     if (work.rough.some(({ opensAhead }) => opensAhead)) return [];
     const last = work.pieces.toSorted((a, b) => b.span[1] - a.span[1])[0];
-    return last ? notDone(finishings(workUpTo(work, last), state.stock, request), state) : [];
+    if (!last) return [];
+    const rest = work.pieces.length > 1 || state.done.some(({ action }) => action.kind === "finishOutside");
+    const single = rest ? work.pieces.slice(0, MOST_PIECES) : [];
+    return notDone(
+      [
+        ...finishings(workUpTo(work, last), state.stock, request),
+        ...single.flatMap((piece) => sectionWorks(piece, "finishOutside", "finish", { stock: state.stock, request })),
+      ],
+      state,
+    );
   },
 };
 
