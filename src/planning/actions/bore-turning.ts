@@ -2,21 +2,23 @@ import type { Cycle } from "../../cycles/define.ts";
 import type { ShapeRequest } from "../../cycles/shape-request.ts";
 import { holderOutlines } from "../../kernel/cutter/holder.ts";
 import { tipDirection } from "../../kernel/cutter/insert.ts";
-import { part as geometry, type Ring, type Segment } from "../../kernel/geometry/point.ts";
+import { part as geometry, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
+import type { Box } from "../../kernel/geometry/segments.ts";
+import type { Plan } from "../../kernel/plan/plan.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
-import { rounded, radius, toDiameter } from "../../kernel/units.ts";
-import { readRows } from "../../program/job/contour-rows.ts";
+import { radius, toDiameter } from "../../kernel/units.ts";
 import type { SetJob } from "../../program/job/job.ts";
-import { readDraft } from "../../program/job/read-draft.ts";
-import { jobFor, tipAtCall } from "../../program/job/requested-job.ts";
+import { jobFor } from "../../program/job/requested-job.ts";
 import { boxAroundContour, cylinderAround } from "../../program/job/requested-shape.ts";
 import { frontOf } from "../../program/job/stock-surface.ts";
-import { checkTool } from "../../program/tools/check-tool.ts";
-import { fitOf } from "../../program/tools/which-tool.ts";
 import { positionAsTyped } from "../../program/values/typed-value.ts";
 import { borderOf, type OpenRegion } from "../open-regions.ts";
-import type { Action, ActionKind, PlannedPart, PlanRequest } from "../types.ts";
+import type { Action, ActionKind, ElementMark, PlannedPart, PlanRequest } from "../types.ts";
+import { barDiameter } from "../values/cutting-values.ts";
+import type { HeldBar } from "../values/stability.ts";
 import { boredTo, clearRadius, solidFrom } from "./bore.ts";
+import { actionOf, fitted, ranked, toolsOf, type Better } from "./candidates.ts";
+import type { CutRequest } from "./values-of-job.ts";
 
 /** Clearance of the tip in front of the material, and beside the wall of the bore, mm. */
 const [AHEAD, BESIDE] = [2, 0.2];
@@ -27,15 +29,22 @@ const BEYOND = 1;
 /** Halvings that find a point of an element: below every resolution. */
 const HALVINGS = 40;
 
+/** Elements of the inside, and the marks of those that are surfaces of the part. */
+export interface Section {
+  readonly segments: readonly Segment[];
+  readonly marks: readonly ElementMark[];
+}
+
 /** Elements of the inside that a region borders; at the rear end of a through bore a little beyond it. */
-export function sectionOf({ inside }: PlannedPart, region: OpenRegion): readonly Segment[] {
+export function sectionOf({ inside }: PlannedPart, region: OpenRegion): Section {
   const border = borderOf(inside, region);
-  if (!border) return [];
+  if (!border) return { segments: [], marks: [] };
   const [first, last] = border;
   const section = inside.segments.slice(first, last + 1);
   const end = section.at(-1)?.to;
-  if (last < inside.segments.length - 1 || !end || end.r < BESIDE) return section;
-  return [...section, geometry.line(end, geometry.point(end.z - BEYOND, end.r))];
+  const marks = inside.marks.slice(first, last + 1);
+  if (last < inside.segments.length - 1 || !end || end.r < BESIDE) return { segments: section, marks };
+  return { segments: [...section, geometry.line(end, geometry.point(end.z - BEYOND, end.r))], marks };
 }
 
 /** A chain from its last point in front of a Z; the whole chain where it begins behind it. */
@@ -105,10 +114,13 @@ export function wayInto(stock: readonly Ring[], { box }: OpenRegion): BoreWay | 
   };
 }
 
-/** Radius at which the tip of a bar starts so that its body is clear of the opposite wall; null where it is too thick. */
-export function startFor(tool: Tool, { clear, low }: BoreWay): number | null {
-  const least = -Math.min(0, ...holderOutlines(tool).flatMap((ring) => ring.map(({ r }) => r))) - clear + BESIDE;
-  const r = Math.max(0, low, least);
+/** The least radius at which the tip of a bar may be in a bore, so that its body is clear of the opposite wall. */
+const leastTip = (tool: Tool, bore: number): number =>
+  -Math.min(0, ...holderOutlines(tool).flatMap((ring) => ring.map(({ r }) => r))) - bore;
+
+/** Radius at which the tip of a bar starts; null where the bar is too thick. */
+function startFor(tool: Tool, { clear, low }: BoreWay): number | null {
+  const r = Math.max(0, low, leastTip(tool, clear) + BESIDE);
   return r <= clear - BESIDE && (tool.DMIN ?? 0) <= toDiameter(radius(clear)) ? r : null;
 }
 
@@ -129,73 +141,83 @@ export function jobInside(
   wanted: ShapeRequest,
   stock: readonly Ring[],
   start: { readonly z: number; readonly r: number },
-  values: Readonly<Record<string, number>>,
 ): SetJob {
-  const job = jobFor(cycle, wanted, stock);
-  const own = Object.entries(values).filter(([q]) => cycle.params[q]);
   const bore = clearRadius(stock, start.z, frontOf(stock));
   return {
-    ...job,
+    ...jobFor(cycle, wanted, stock),
     // The way into the bore depends on its size at the mouth.
     blank: { ...cylinderAround(stock), bore: Number.isFinite(bore) ? positionAsTyped(toDiameter(radius(bore))) : "0" },
     start: { x: positionAsTyped(toDiameter(radius(start.r))), z: positionAsTyped(start.z) },
-    drafts: {
-      [cycle.number]: {
-        ...job.drafts[cycle.number],
-        ...Object.fromEntries(own.map(([q, value]) => [q, String(rounded(value))])),
-      },
-    },
   };
 }
 
-/** Whether a tool points away from the axis. */
-const isBoring = ({ TO }: Tool): boolean => tipDirection(TO).v > 0;
+/** Tools that point away from the axis. */
+export const barsOf = (request: PlanRequest, types: (tool: Tool) => boolean): readonly Tool[] =>
+  toolsOf(request).filter((tool) => tipDirection(tool.TO).v > 0 && types(tool));
 
-/** A boring bar and its job. */
-export interface BarJob {
-  readonly tool: Tool;
-  readonly job: SetJob;
+/** Length of a bar behind its tip in addition to the depth of its cut, mm. */
+const HELD_BEHIND = 5;
+
+/** A bar as it sticks out for a cut. */
+export function heldBar(tool: Tool, depth: number): HeldBar | null {
+  const across = barDiameter(tool);
+  return across === null ? null : { overhang: depth + HELD_BEHIND, diameter: across };
 }
 
-/** Jobs of a cycle with each boring bar that enters and cuts, those that reach most first. */
-export function barJobs(
+/** A cut reaches this share of the height of its region, and no farther from it along Z than that, mm. */
+const [REACHES, NEAR] = [0.25, 2];
+
+/** Whether a path cuts into a region, and not only along it. */
+const cutsInto = ({ moves }: Plan, { left, right, low, high }: Box): boolean =>
+  moves.some(
+    ({ kind, to }) =>
+      kind !== "rapid" && to.r > low + REACHES * (high - low) && to.z > left - NEAR && to.z < right + NEAR,
+  );
+
+/** A bore is wider by so much when its wall is cut, mm. */
+const WIDER = 0.5;
+
+/** Whether the body of a bar stays clear of the opposite wall where its tip is nearest to the axis. */
+function staysClear({ moves }: Plan, tool: Tool, stock: readonly Ring[]): boolean {
+  const nearest = moves.reduce<Pt | null>((best, { to }) => (best && best.r <= to.r ? best : to), null);
+  if (!nearest) return true;
+  return nearest.r >= leastTip(tool, clearRadius(stock, nearest.z + WIDER, frontOf(stock)) + WIDER);
+}
+
+/** What a bar does inside. */
+export interface BoreWork {
+  readonly kind: ActionKind;
+  readonly wanted: ShapeRequest;
+  readonly region: Pick<OpenRegion, "box">;
+  readonly way: BoreWay;
+  readonly cut: Omit<CutRequest, "stock" | "bar" | "smallest" | "largest">;
+  /** Most tools for each cycle. */
+  readonly most: number;
+}
+
+/** The actions of a cycle with the bars that enter and cut, those that reach most first. */
+export function barActions(
+  { kind, wanted, region: { box }, way, cut, most }: BoreWork,
   cycle: Cycle,
-  wanted: ShapeRequest,
-  stock: readonly Ring[],
-  way: BoreWay,
-  values: Readonly<Record<string, number>>,
   tools: readonly Tool[],
-): readonly BarJob[] {
-  return tools
-    .filter((tool) => isBoring(tool) && checkTool(tool).length === 0)
-    .flatMap((tool) => {
-      const r = startFor(tool, way);
-      if (r === null) return [];
-      const job = { ...jobInside(cycle, wanted, stock, { z: way.z, r }, values), tool: tool.T };
-      const read = readDraft(cycle, job.drafts[job.cycle] ?? {}).values;
-      const start = tipAtCall(job);
-      const contour = cycle.contour === "free" ? readRows(job.contour).contour.segments : null;
-      if (!read) return [];
-      const setting = { tool, start, feedUnit: "mm/rev", autoFeed: null, stock: null } as const;
-      const fit = fitOf(tool, cycle.plan(read, setting, { contour, start }));
-      return fit.cuts ? [{ tool, job, fit }] : [];
-    })
-    .toSorted((a, b) => a.fit.unreached - b.fit.unreached);
+  stock: readonly Ring[],
+  request: PlanRequest,
+  better: Better = () => 0,
+): readonly Action[] {
+  const depth = frontOf(stock) - box.left;
+  const [smallest, largest] = [toDiameter(radius(way.clear)), toDiameter(radius(box.high))];
+  const fits = tools.flatMap((tool) => {
+    const r = startFor(tool, way);
+    if (r === null) return [];
+    const job = jobInside(cycle, wanted, stock, { z: way.z, r });
+    const asked = { ...cut, stock, smallest, largest, bar: heldBar(tool, depth) };
+    const fit = fitted({ cycle, job, cut: asked }, tool, request);
+    return fit && cutsInto(fit.plan, box) && staysClear(fit.plan, tool, stock) ? [fit] : [];
+  });
+  return ranked(fits, better)
+    .slice(0, most)
+    .map(({ tool, job, values }) => {
+      const variant = `X${job.start.x} Z${job.start.z}`;
+      return actionOf({ kind, site: "inside", cycle, box, variant }, tool, job, values);
+    });
 }
-
-/** The turning tools of a request that suit, without the excluded ones. */
-export const barsOf = ({ shop, withoutTools }: PlanRequest, suits: (tool: Tool) => boolean): readonly Tool[] =>
-  shop.tools.filter((tool) => isBoring(tool) && !withoutTools.includes(tool.T) && suits(tool));
-
-/** The action of a boring bar on a region. */
-export const barAction = (kind: ActionKind, { tool, job }: BarJob, { box }: Pick<OpenRegion, "box">): Action => ({
-  kind,
-  key: `${kind} ${job.cycle} T${tool.T} X${job.start.x} Z${job.start.z}`,
-  site: "inside",
-  tool,
-  cycle: job.cycle,
-  job,
-  place: { front: box.right, rear: box.left, high: box.high, low: box.low },
-  threads: [],
-  values: [],
-});

@@ -5,7 +5,7 @@ import { intersection } from "../../kernel/area/clip.ts";
 import { at, part as geometry, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { CHORD, SAME } from "../../kernel/tolerance.ts";
-import { rounded, roundedUp, toDiameter, radius } from "../../kernel/units.ts";
+import { rounded } from "../../kernel/units.ts";
 import { canDo } from "../../program/edits/hand-operation.ts";
 import { frontOf } from "../../program/job/stock-surface.ts";
 import type { Action, ActionSource, ElementMark, PlannedPart, PlanRequest } from "../types.ts";
@@ -22,8 +22,6 @@ const DRILLED = 6.3;
 const BEYOND = 1;
 /** Least material that a drill takes, mm² of the half plane. */
 const LEAST = 2;
-/** Up to this depth in diameters chips come out by themselves; deeper holes are pecked by one diameter. */
-const UNPECKED = 3;
 /** Most drills that are proposed. */
 const MOST = 4;
 const NO_MARK: ElementMark = { row: "" };
@@ -59,12 +57,10 @@ function bodyOf(tool: Tool, z: number, front: number): Ring {
   return [at(z, 0), at(front, 0), at(front, r), at(z + pointLength(tool), r)];
 }
 
-function drillAction(tool: Tool, z: number, stock: readonly Ring[]): Action | null {
+function drillAction(tool: Tool, z: number, stock: readonly Ring[], request: PlanRequest): Action | null {
   const front = frontOf(stock);
-  const across = toDiameter(radius(tool.R ?? 0));
-  const depth = roundedUp(front - z);
-  const pecked = depth > UNPECKED * across ? rounded(across) : depth;
-  const made = onAxis("drill", tool, stock, { Q201: -depth, Q202: pecked, Q203: rounded(front) });
+  const depth = rounded(front - z);
+  const made = onAxis("drill", tool, depth, stock, request);
   return (
     made && {
       ...made,
@@ -75,7 +71,6 @@ function drillAction(tool: Tool, z: number, stock: readonly Ring[]): Action | nu
       cycle: null,
       place: { front, rear: front - depth, high: tool.R ?? 0, low: 0 },
       threads: [],
-      values: [],
     }
   );
 }
@@ -97,7 +92,7 @@ function drillsFor(stock: readonly Ring[], request: PlanRequest): readonly Actio
     })
     .toSorted((a, b) => b.taken - a.taken)
     .slice(0, MOST)
-    .flatMap(({ tool, z }) => drillAction(tool, z, stock) ?? []);
+    .flatMap(({ tool, z }) => drillAction(tool, z, stock, request) ?? []);
 }
 
 /** Drills the inside on the axis. */

@@ -5,6 +5,7 @@ import { finishInside } from "./finish-inside.ts";
 import { finishOutside } from "./finish-outside.ts";
 import { partOff } from "./part-off.ts";
 import { recess } from "./recess.ts";
+import { recessInside } from "./recess-inside.ts";
 import { restRough } from "./rest-rough.ts";
 import { roughInside } from "./rough-inside.ts";
 import { roughOutside } from "./rough-outside.ts";
@@ -18,6 +19,7 @@ export const actionSources: readonly ActionSource[] = [
   roughInside,
   restRough,
   recess,
+  recessInside,
   finishOutside,
   finishInside,
   thread,
