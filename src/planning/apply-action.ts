@@ -6,8 +6,7 @@ import { parse } from "../nc/parse.ts";
 import type { Program } from "../nc/program.ts";
 import { withHandOperation, withOperation, type OperationPlace } from "../program/edits/added-operation.ts";
 import { emptyProgram } from "../program/job/empty-program.ts";
-import { cylinderAround } from "../program/job/requested-shape.ts";
-import { run } from "../program/run/run.ts";
+import { runOn } from "../program/run/run.ts";
 import { verdictOf, type VerdictReason } from "../report/verdict.ts";
 import { simulate } from "../sim/simulate.ts";
 import type { Action, PlanRequest, PlanState, TriedAction } from "./types.ts";
@@ -17,12 +16,13 @@ const LEAST_CUT = 0.05;
 /** Less is no damage, mm²: chords of arcs. */
 const LEAST_GOUGE = 0.01;
 
-/** Reasons that do not count against an action: a tool that is not described in full, and notes. */
-const UNCHECKED: ReadonlySet<VerdictReason["kind"]> = new Set([
+/** What a setter should see, and what says nothing about the stock: an operation without a cycle. */
+const NO_FAULT: ReadonlySet<VerdictReason["kind"]> = new Set([
   "notes",
   "holderUnknown",
   "flanksUnknown",
   "curvatureUnknown",
+  "noOperation",
 ]);
 
 /** A program with the blocks of an action added. */
@@ -39,11 +39,10 @@ export const areaBeyond = (a: readonly Ring[], b: readonly Ring[]): number => ar
 /** Runs one action on the stock of a state and measures what it takes. After parting off the stock is the part. */
 export function applyAction(action: Action, { stock }: Pick<PlanState, "stock">, request: PlanRequest): TriedAction {
   const { labels, part, shop, clamping } = request;
-  const program = withAction(parse(emptyProgram("PLAN", cylinderAround(stock))), action, labels);
-  const made = run(program, shop);
-  const simulation = simulate({ ...made, blank: stock, clamping });
-  const { reasons } = verdictOf(made, simulation);
-  const faults = reasons.filter(({ kind }) => !UNCHECKED.has(kind) && !(action.cut && kind === "noOperation"));
+  const program = withAction(parse(emptyProgram("PLAN", null)), action, labels);
+  const made = runOn(stock, program, shop);
+  const simulation = simulate({ ...made, clamping });
+  const faults = verdictOf(made, simulation).reasons.filter(({ kind }) => !NO_FAULT.has(kind));
   // What is parted off is the part; the rest of the bar no longer counts.
   const parted = simulation.proof.loose.filter(({ isPartedOff }) => isPartedOff).flatMap(({ rings }) => rings);
   const left = parted.length > 0 ? parted : simulation.final;
