@@ -16,12 +16,13 @@ const LEAST_CUT = 0.05;
 /** Less is no damage, mm²: chords of arcs. */
 const LEAST_GOUGE = 0.01;
 
-/** Reasons that do not count against an action: a tool that is not described in full, and notes. */
-const UNCHECKED: ReadonlySet<VerdictReason["kind"]> = new Set([
+/** What a setter should see, and what says nothing about the stock: an operation without a cycle. */
+const NO_FAULT: ReadonlySet<VerdictReason["kind"]> = new Set([
   "notes",
   "holderUnknown",
   "flanksUnknown",
   "curvatureUnknown",
+  "noOperation",
 ]);
 
 /** A program with the blocks of an action added. */
@@ -41,8 +42,7 @@ export function applyAction(action: Action, { stock }: Pick<PlanState, "stock">,
   const program = withAction(parse(emptyProgram("PLAN", null)), action, labels);
   const made = runOn(stock, program, shop);
   const simulation = simulate({ ...made, clamping });
-  const { reasons } = verdictOf(made, simulation);
-  const faults = reasons.filter(({ kind }) => !UNCHECKED.has(kind) && !(action.cut && kind === "noOperation"));
+  const faults = verdictOf(made, simulation).reasons.filter(({ kind }) => !NO_FAULT.has(kind));
   // What is parted off is the part; the rest of the bar no longer counts.
   const parted = simulation.proof.loose.filter(({ isPartedOff }) => isPartedOff).flatMap(({ rings }) => rings);
   const left = parted.length > 0 ? parted : simulation.final;

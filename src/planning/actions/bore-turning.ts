@@ -119,7 +119,7 @@ const leastTip = (tool: Tool, bore: number): number =>
   -Math.min(0, ...holderOutlines(tool).flatMap((ring) => ring.map(({ r }) => r))) - bore;
 
 /** Radius at which the tip of a bar starts; null where the bar is too thick. */
-function startFor(tool: Tool, { clear, low }: BoreWay): number | null {
+export function startFor(tool: Tool, { clear, low }: BoreWay): number | null {
   const r = Math.max(0, low, leastTip(tool, clear) + BESIDE);
   return r <= clear - BESIDE && (tool.DMIN ?? 0) <= toDiameter(radius(clear)) ? r : null;
 }

@@ -1,4 +1,5 @@
 import type { ActionSource } from "../types.ts";
+import { centre } from "./centre.ts";
 import { drill } from "./drill.ts";
 import { face } from "./face.ts";
 import { finishInside } from "./finish-inside.ts";
@@ -10,10 +11,12 @@ import { restRough } from "./rest-rough.ts";
 import { roughInside } from "./rough-inside.ts";
 import { roughOutside } from "./rough-outside.ts";
 import { thread } from "./thread.ts";
+import { threadInside } from "./thread-inside.ts";
 
 /** Every kind of action, one file and one line each, in the usual order of a working plan. */
 export const actionSources: readonly ActionSource[] = [
   face,
+  centre,
   drill,
   roughOutside,
   roughInside,
@@ -23,5 +26,6 @@ export const actionSources: readonly ActionSource[] = [
   finishOutside,
   finishInside,
   thread,
+  threadInside,
   partOff,
 ];
