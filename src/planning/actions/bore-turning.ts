@@ -6,9 +6,11 @@ import { part as geometry, type Pt, type Ring, type Segment } from "../../kernel
 import type { Box } from "../../kernel/geometry/segments.ts";
 import type { Plan } from "../../kernel/plan/plan.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
+import { readThread } from "../../kernel/thread/threads.ts";
+import { CHORD, SAME } from "../../kernel/tolerance.ts";
 import { radius, toDiameter } from "../../kernel/units.ts";
 import type { SetJob } from "../../program/job/job.ts";
-import { jobFor } from "../../program/job/requested-job.ts";
+import { jobFor, withValue } from "../../program/job/requested-job.ts";
 import { boxAroundContour, cylinderAround } from "../../program/job/requested-shape.ts";
 import { frontOf } from "../../program/job/stock-surface.ts";
 import { positionAsTyped } from "../../program/values/typed-value.ts";
@@ -22,10 +24,20 @@ import type { CutRequest } from "./values-of-job.ts";
 
 /** Clearance of the tip in front of the material, and beside the wall of the bore, mm. */
 const [AHEAD, BESIDE] = [2, 0.2];
-/** Radius at which the cone that a drill has left is measured, mm. */
-const CONE_AT = 0.5;
+/** Steps of the radius at which the cone that a drill has left is measured, mm; a flat bottom rises less. */
+const [CONE_AT, FLAT] = [0.5, 0.2];
 /** Distance that a cut goes beyond the rear end of a bore, mm, so that its nose radius leaves nothing. */
 const BEYOND = 1;
+/** Roughing goes farther, mm: the edge of a finishing insert leans over its tip. */
+export const ROUGH_BEYOND = 1;
+/** Room that the run-out of a thread needs there, in pitches. */
+const RUN_OUT = 3;
+
+/** Distance that the inside of a part is cut beyond its rear end, mm: a thread runs out there. */
+export function beyondRear({ inside: { marks } }: Pick<PlannedPart, "inside">): number {
+  const thread = readThread(marks.at(-1)?.thread ?? "");
+  return BEYOND + RUN_OUT * (thread?.pitch ?? 0);
+}
 /** Halvings that find a point of an element: below every resolution. */
 const HALVINGS = 40;
 
@@ -35,8 +47,12 @@ export interface Section {
   readonly marks: readonly ElementMark[];
 }
 
-/** Elements of the inside that a region borders; at the rear end of a through bore a little beyond it. */
-export function sectionOf({ inside }: PlannedPart, region: OpenRegion): Section {
+/**
+ * Elements of the inside that a region borders; at the rear end of a through bore they go on beyond it, by `more` mm
+ * than finishing does.
+ */
+export function sectionOf(part: PlannedPart, region: OpenRegion, more = 0): Section {
+  const { inside } = part;
   const border = borderOf(inside, region);
   if (!border) return { segments: [], marks: [] };
   const [first, last] = border;
@@ -44,7 +60,7 @@ export function sectionOf({ inside }: PlannedPart, region: OpenRegion): Section 
   const end = section.at(-1)?.to;
   const marks = inside.marks.slice(first, last + 1);
   if (last < inside.segments.length - 1 || !end || end.r < BESIDE) return { segments: section, marks };
-  return { segments: [...section, geometry.line(end, geometry.point(end.z - BEYOND, end.r))], marks };
+  return { segments: [...section, geometry.line(end, geometry.point(end.z - beyondRear(part) - more, end.r))], marks };
 }
 
 /** A chain from its last point in front of a Z; the whole chain where it begins behind it. */
@@ -65,19 +81,16 @@ function upToZ(section: readonly Segment[], z: number): readonly Segment[] {
   return [...section.slice(0, last), { ...s, to: geometry.pointOn(s, crossing(s, z)) }];
 }
 
-/** The share of a segment at which it passes a Z. */
-function crossing(s: Segment, z: number): number {
+/** The share of a segment at which it passes a place along an axis. */
+export function crossing(s: Segment, value: number, axis: "z" | "r" = "z"): number {
+  const falls = s.from[axis] > s.to[axis];
   let [low, high] = [0, 1];
   for (let i = 0; i < HALVINGS; i += 1) {
     const k = (low + high) / 2;
-    [low, high] = geometry.pointOn(s, k).z > z ? [k, high] : [low, k];
+    [low, high] = geometry.pointOn(s, k)[axis] > value === falls ? [k, high] : [low, k];
   }
   return high;
 }
-
-/** A chain between two Z. */
-export const between = (section: readonly Segment[], { front, rear }: Pick<BoreWay, "front" | "rear">) =>
-  upToZ(fromZ(section, front), rear);
 
 /** The way into a bore, mm. */
 export interface BoreWay {
@@ -86,32 +99,54 @@ export interface BoreWay {
   readonly clear: number;
   /** The least radius of the start: passes begin there. */
   readonly low: number;
-  /** Z between which the contour is cut: no farther than the cone that a drill has left, and not beside the start. */
-  readonly front: number;
-  readonly rear: number;
 }
 
-/** Length of the cone at the bottom of a bore in radii. */
-const coneSlope = (stock: readonly Ring[], bottom: number): number =>
-  bottom === -Infinity ? 0 : (solidFrom(stock, CONE_AT) - bottom) / CONE_AT;
+/** Where the cone at the bottom of a bore begins: the Z that a bar may reach; −Infinity without a cone. */
+function coneFront(stock: readonly Ring[], bottom: number, clear: number): number {
+  if (bottom === -Infinity) return bottom;
+  const slope = (solidFrom(stock, CONE_AT) - bottom) / CONE_AT;
+  if (slope < FLAT) return -Infinity;
+  let r = CONE_AT;
+  const isCone = (at: number) => Math.abs(solidFrom(stock, at) - bottom - slope * at) < BESIDE;
+  while (r < clear && isCone(r + CONE_AT)) r += CONE_AT;
+  return bottom + slope * r + BESIDE;
+}
 
-/** The way to a region; null without a bore that leads to it. */
-export function wayInto(stock: readonly Ring[], { box }: OpenRegion): BoreWay | null {
+/** A section of the contour, and the way to it. */
+export interface BoreSection extends Section {
+  readonly way: BoreWay;
+}
+
+/**
+ * The section that borders a region, and the way to it; null without a bore that leads there. `oversize`: what is left
+ * on the wall, mm; `more`: how much farther than finishing it goes beyond the rear end.
+ */
+export function sectionInBore(
+  stock: readonly Ring[],
+  part: PlannedPart,
+  region: OpenRegion,
+  { oversize = 0, more = 0 } = {},
+): BoreSection | null {
+  const { box } = region;
+  const { segments: whole, marks } = sectionOf(part, region, more);
   const front = frontOf(stock);
   const bottom = boredTo(stock);
-  if (bottom >= box.right - BESIDE) return null;
-  const isDeep = box.right < front - AHEAD;
-  const clear = clearRadius(stock, Math.min(box.right, front) - BESIDE, front);
+  const begin = whole[0]?.from;
+  if (!begin || bottom >= box.right - BESIDE) return null;
+  const isBehind = box.right < front - AHEAD;
+  const clear = clearRadius(stock, isBehind ? box.right + BESIDE : Math.min(box.right, front) - BESIDE, front);
+  const atFront = (z: number) => (z < front - AHEAD ? z + AHEAD : front + AHEAD);
+  // In a bore whose wall stands already the passes begin beside the region, behind a neck where the contour leaves it.
+  const beside = fromZ(whole, box.right + BESIDE);
+  const isWall = (beside[0]?.from.r ?? Infinity) - oversize < clear + BESIDE;
+  const isDeep = isBehind && (isWall || begin.z < front - AHEAD);
+  const z = atFront(isDeep && !isWall ? Math.max(begin.z, box.right) : box.right);
   // The cone that a drill has left is taken by passes of its own, from its front.
-  const rear = isDeep ? -Infinity : bottom + clear * coneSlope(stock, bottom) + BESIDE;
+  const rear = isDeep ? -Infinity : coneFront(stock, bottom, clear);
   const along = clearRadius(stock, Math.max(box.left, rear), front);
-  return {
-    z: (isDeep ? box.right : front) + AHEAD,
-    clear,
-    low: Math.min(along, isDeep ? box.low : Infinity) - BESIDE,
-    front: isDeep ? box.right + BESIDE : Infinity,
-    rear,
-  };
+  const segments = upToZ(isDeep && isWall ? beside : whole, rear);
+  const low = Math.min(along, isDeep ? box.low : Infinity) - BESIDE;
+  return segments.length > 0 ? { segments, marks, way: { z, clear, low } } : null;
 }
 
 /** The least radius at which the tip of a bar may be in a bore, so that its body is clear of the opposite wall. */
@@ -164,15 +199,17 @@ export function heldBar(tool: Tool, depth: number): HeldBar | null {
   return across === null ? null : { overhang: depth + HELD_BEHIND, diameter: across };
 }
 
-/** A cut reaches this share of the height of its region, and no farther from it along Z than that, mm. */
-const [REACHES, NEAR] = [0.25, 2];
+/** A cut reaches this share of the height of its region. */
+const REACHES = 0.25;
 
 /** Whether a path cuts into a region, and not only along it. */
-const cutsInto = ({ moves }: Plan, { left, right, low, high }: Box): boolean =>
-  moves.some(
-    ({ kind, to }) =>
-      kind !== "rapid" && to.r > low + REACHES * (high - low) && to.z > left - NEAR && to.z < right + NEAR,
-  );
+function cutsInto({ moves }: Plan, { left, right, low, high }: Box): boolean {
+  const least = low + REACHES * (high - low);
+  return moves.some(({ kind, to }, i) => {
+    const from = moves[i - 1]?.to ?? to;
+    return kind !== "rapid" && to.r > least && Math.min(from.z, to.z) < right && Math.max(from.z, to.z) > left;
+  });
+}
 
 /** A bore is wider by so much when its wall is cut, mm. */
 const WIDER = 0.5;
@@ -184,6 +221,15 @@ function staysClear({ moves }: Plan, tool: Tool, stock: readonly Ring[]): boolea
   return nearest.r >= leastTip(tool, clearRadius(stock, nearest.z + WIDER, frontOf(stock)) + WIDER);
 }
 
+/** Whether a cycle plunges into valleys. */
+const PLUNGING = "Q487";
+
+/** Whether a section gets narrower behind a wider place: with and without plunging into it. */
+export function plungings(segments: readonly Segment[]): readonly (boolean | undefined)[] {
+  const points = geometry.flattenedChain(segments, CHORD);
+  return points.some((p, i) => p.r > (points[i - 1]?.r ?? p.r) + SAME) ? [false, true] : [undefined];
+}
+
 /** What a bar does inside. */
 export interface BoreWork {
   readonly kind: ActionKind;
@@ -191,13 +237,15 @@ export interface BoreWork {
   readonly region: Pick<OpenRegion, "box">;
   readonly way: BoreWay;
   readonly cut: Omit<CutRequest, "stock" | "bar" | "smallest" | "largest">;
+  /** Whether it goes into a contour that widens behind a neck; absent where there is none. */
+  readonly plunges?: boolean;
   /** Most tools for each cycle. */
   readonly most: number;
 }
 
 /** The actions of a cycle with the bars that enter and cut, those that reach most first. */
 export function barActions(
-  { kind, wanted, region: { box }, way, cut, most }: BoreWork,
+  { kind, wanted, region: { box }, way, cut, plunges, most }: BoreWork,
   cycle: Cycle,
   tools: readonly Tool[],
   stock: readonly Ring[],
@@ -209,7 +257,8 @@ export function barActions(
   const fits = tools.flatMap((tool) => {
     const r = startFor(tool, way);
     if (r === null) return [];
-    const job = jobInside(cycle, wanted, stock, { z: way.z, r });
+    const own = jobInside(cycle, wanted, stock, { z: way.z, r });
+    const job = plunges === undefined || !cycle.params[PLUNGING] ? own : withValue(own, PLUNGING, plunges ? 1 : 0);
     const asked = { ...cut, stock, smallest, largest, bar: heldBar(tool, depth) };
     const fit = fitted({ cycle, job, cut: asked }, tool, request);
     return fit && cutsInto(fit.plan, box) && staysClear(fit.plan, tool, stock) ? [fit] : [];
@@ -217,7 +266,7 @@ export function barActions(
   return ranked(fits, better)
     .slice(0, most)
     .map(({ tool, job, values }) => {
-      const variant = `X${job.start.x} Z${job.start.z}`;
+      const variant = `X${job.start.x} Z${job.start.z}${plunges === false ? " over" : ""}`;
       return actionOf({ kind, site: "inside", cycle, box, variant }, tool, job, values);
     });
 }

@@ -1,11 +1,11 @@
 import { areaOf } from "../../kernel/area/area.ts";
 import { boxAround } from "../../kernel/area/box.ts";
 import { difference, intersection, opened } from "../../kernel/area/clip.ts";
-import { centreDepth, centreProfile } from "../../kernel/cutter/centre-drill.ts";
+import { centreDepth, centreProfile, mouthAt } from "../../kernel/cutter/centre-drill.ts";
 import { at, type Ring } from "../../kernel/geometry/point.ts";
 import type { CentreDrill, Tool } from "../../kernel/plan/tool.ts";
 import { SLIVER } from "../../kernel/tolerance.ts";
-import { roundedUp } from "../../kernel/units.ts";
+import { diameter, roundedUp, toRadius } from "../../kernel/units.ts";
 import { frontOf } from "../../program/job/stock-surface.ts";
 import type { Action, ActionSource } from "../types.ts";
 import { insideOf } from "./bore.ts";
@@ -21,10 +21,9 @@ const LEAST = 0.01;
 /** The half section of a centre hole from the front face. */
 function holeOf(centre: CentreDrill, body: number, front: number): Ring {
   const depth = centreDepth(centre);
-  const profile = centreProfile(centre, body).filter(({ u }) => u <= depth + SLIVER);
-  const mouth = profile.at(-1);
-  const wall = profile.map(({ u, v }) => at(front - depth + u, v));
-  return [at(front, 0), ...(mouth ? [at(front, mouth.v)] : []), ...wall.toReversed()];
+  const below = centreProfile(centre, body).filter(({ u }) => u < depth);
+  const wall = below.map(({ u, v }) => at(front - depth + u, v));
+  return [at(front, 0), at(front, toRadius(diameter(mouthAt(centre, body, depth)))), ...wall.toReversed()];
 }
 
 /** Drills a centre hole with the drill of its form, where the inside of the part is one. */

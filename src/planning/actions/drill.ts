@@ -10,6 +10,7 @@ import { canDo } from "../../program/edits/hand-operation.ts";
 import { frontOf } from "../../program/job/stock-surface.ts";
 import type { Action, ActionSource, ElementMark, PlannedPart, PlanRequest } from "../types.ts";
 import { insideOf } from "./bore.ts";
+import { beyondRear, ROUGH_BEYOND } from "./bore-turning.ts";
 import { drillsOf, onAxis } from "./on-axis.ts";
 
 /** Stock in front of the face that is no reason to face first, mm. */
@@ -18,8 +19,8 @@ const FACED = 0.05;
 const SMALLER = 0.15;
 /** Greatest roughness of a drilled wall, Ra in µm: finer ones are bored. */
 const DRILLED = 6.3;
-/** Distance that a drill goes beyond the rear end of a bore with its full radius, mm. */
-const BEYOND = 1;
+/** Least length of the cylinder that a drill makes, in radii. */
+const LEAST_LENGTH = 0.5;
 /** Least material that a drill takes, mm² of the half plane. */
 const LEAST = 2;
 /** Most drills that are proposed. */
@@ -33,13 +34,16 @@ function fits(r: number, { from, to }: Segment, { tolerance, roughness = Infinit
 }
 
 /** Z that the point of a drill may reach inside a part, with material left on the wall; null where it does not fit. */
-export function deepestPoint(tool: Tool, { inside }: PlannedPart, allowance: number): number | null {
+export function deepestPoint(tool: Tool, part: PlannedPart, allowance: number): number | null {
+  const { inside } = part;
   const [first, last] = [inside.segments[0]?.from, inside.segments.at(-1)?.to];
   const [r, point] = [tool.R ?? 0, pointLength(tool)];
   if (!first || !last || !(r > 0)) return null;
-  let deepest = last.r > SAME ? last.z - point - BEYOND : -Infinity;
-  inside.segments.forEach((segment, i) => {
-    const wide = r + (fits(r, segment, inside.marks[i] ?? NO_MARK) ? -SAME : allowance);
+  let deepest = last.r > SAME ? last.z - point - beyondRear(part) - ROUGH_BEYOND : -Infinity;
+  // A drill that makes one of the cylinders leaves nothing for boring.
+  const makes = inside.segments.some((segment, i) => fits(r, segment, inside.marks[i] ?? NO_MARK));
+  const wide = r + (makes ? -SAME : allowance);
+  inside.segments.forEach((segment) => {
     const corners = geometry.flattened(segment, CHORD);
     corners.forEach((p, k) => {
       const before = corners[k - 1];
@@ -48,7 +52,7 @@ export function deepestPoint(tool: Tool, { inside }: PlannedPart, allowance: num
       if (p.r < wide) deepest = Math.max(deepest, p.z - (p.r * point) / wide);
     });
   });
-  return deepest < first.z - point ? deepest : null;
+  return deepest < first.z - point - LEAST_LENGTH * r ? deepest : null;
 }
 
 /** The half section of a drill whose point is at a Z. */

@@ -6,9 +6,10 @@ import { isUsualTool } from "../../program/tools/which-tool.ts";
 import { cyclesFor } from "../../report/which/ways.ts";
 import type { ActionSource } from "../types.ts";
 import { insideRegions } from "./bore.ts";
-import { barActions, barsOf, freeInside, sectionOf, wayInto } from "./bore-turning.ts";
+import { barActions, barsOf, freeInside, plungings, sectionInBore } from "./bore-turning.ts";
 import { notDone } from "./candidates.ts";
 import { finestOf } from "./finest.ts";
+import { grooveOf } from "./recess-inside.ts";
 
 /** Thicker material is roughed first, in oversizes. */
 const THIN = 2.4;
@@ -23,32 +24,44 @@ export const finishInside: ActionSource = {
     const { part, rules, withoutCycles } = request;
     const { stock } = state;
     const left = insideRegions(stock, part);
-    if (left.length === 0 || insideRegions(stock, part, THIN * (rules.allowance.diameter / 2)).length > 0) return [];
+    const thick = insideRegions(stock, part, THIN * (rules.allowance.diameter / 2));
+    // A groove is cut by its own tool, before or behind.
+    if (left.length === 0 || thick.some((region) => !grooveOf(part, region))) return [];
     const all = left.flatMap(({ rings }) => rings);
     const region = { rings: all, box: boxAround(all), area: left.reduce((sum, { area }) => sum + area, 0) };
-    const section = sectionOf(part, region);
-    const way = wayInto(stock, region);
-    const [first, last] = [section.segments[0], section.segments.at(-1)];
-    if (!first || !last || !way) return [];
+    const section = sectionInBore(stock, part, region);
+    const last = section?.segments.at(-1);
+    if (!section || !last) return [];
+    const { segments: whole, way } = section;
     // A thick bar leaves a bottom that a thinner one faces from the axis on.
     const isFloor = last.to.r < SAME && last.from.z - last.to.z < SAME;
     const variants = [
-      { segments: section.segments, groups: isFloor ? ["longitudinal", "transverse"] : ["longitudinal"] },
-      ...(isFloor && section.segments.length > 1
-        ? [{ segments: section.segments.slice(0, -1), groups: ["longitudinal"] }]
-        : []),
+      { segments: whole, groups: isFloor ? ["longitudinal", "transverse"] : ["longitudinal"] },
+      ...(isFloor && whole.length > 1 ? [{ segments: whole.slice(0, -1), groups: ["longitudinal"] }] : []),
     ];
     const roughness = finestOf(section);
     const cut = { operation: "finish", work: "finish", ...(roughness !== undefined && { roughness }) } as const;
     const actions = variants.flatMap(({ segments, groups }) => {
       const wanted = freeInside(segments);
       const box = boxAround([geometry.flattenedChain(segments, CHORD)]);
-      const work = { kind: "finishInside", wanted, region: { box }, way, cut, most: MOST_TOOLS } as const;
       return cyclesFor(wanted)
         .filter((c) => groups.includes(c.group) && !withoutCycles.includes(c.number))
         .flatMap((cycle) => {
           const tools = barsOf(request, (tool) => isUsualTool(cycle.group, tool));
-          return barActions(work, cycle, tools, stock, request, finishersFirst);
+          return plungings(segments).flatMap((plunges) => {
+            if (plunges === true && thick.length > 0) return [];
+            const into = plunges === undefined ? {} : { plunges };
+            const work = {
+              kind: "finishInside",
+              wanted,
+              region: { box },
+              way,
+              cut,
+              most: MOST_TOOLS,
+              ...into,
+            } as const;
+            return barActions(work, cycle, tools, stock, request, finishersFirst);
+          });
         });
     });
     return notDone(actions, state);

@@ -6,15 +6,15 @@ import type { Box } from "../../kernel/geometry/segments.ts";
 import type { NamedThread } from "../../kernel/thread/named-thread.ts";
 import { readThread } from "../../kernel/thread/threads.ts";
 import { CHORD, SAME } from "../../kernel/tolerance.ts";
-import { axial, diameter, radius, rounded, toDiameter } from "../../kernel/units.ts";
+import { axial, diameter, radius, radiusOf, rounded, toDiameter } from "../../kernel/units.ts";
 import { frontOf } from "../../program/job/stock-surface.ts";
 import { withValue } from "../../program/job/requested-job.ts";
-import { hasTap, isTapOf } from "../../program/tools/tap-of-thread.ts";
+import { coreOf, hasTap, isTapOf } from "../../program/tools/tap-of-thread.ts";
 import { hasAngleOf } from "../../program/tools/thread-tool.ts";
 import { cyclesFor } from "../../report/which/ways.ts";
 import { borderOf } from "../open-regions.ts";
-import type { Action, ActionSource, PlanRequest } from "../types.ts";
-import { boredTo, clearRadius, insideRegions } from "./bore.ts";
+import type { Action, ActionSource, PlanRequest, PlanState } from "../types.ts";
+import { clearRadius, insideRegions, solidFrom } from "./bore.ts";
 import { barsOf, heldBar, jobInside, startFor, type BoreWay } from "./bore-turning.ts";
 import { actionOf, fitted, notDone } from "./candidates.ts";
 import { drillsOf, onAxis } from "./on-axis.ts";
@@ -22,49 +22,54 @@ import { fillOf, RUN_OUT, threadId, threadsOf, type ThreadPlace } from "./thread
 
 /** Run-up in front of a thread in pitches and at least in mm; clearance below its crest, mm. */
 const [RUN_UP, LEAST_RUN_UP, BESIDE] = [3, 3, 1];
+/** A bore is measured so far within its end, and a core so far below its wall, mm. */
+const WITHIN = 0.1;
 /** Chamfer of a tap in pitches: it goes so far beyond the end of a thread where the bore lets it. */
 const LEAD = 2;
 
-/** A thread in a bore that is finished. */
+/** Grooves may be deeper than the root by rounded values and chords, mm. */
+const ROOT = 0.05;
+
+/** A thread that is not cut yet. */
 interface OpenThread {
   readonly named: NamedThread;
   readonly place: ThreadPlace;
   readonly box: Box;
   readonly id: string;
+  /** Nothing is left on its crest. */
+  readonly isFinished: boolean;
 }
 
-function openThreads(
-  { stock, threads }: Parameters<ActionSource["actions"]>[0],
-  { part: { inside, rings }, part }: PlanRequest,
-): readonly OpenThread[] {
+function openThreads({ stock, threads }: PlanState, { part: { inside }, part }: PlanRequest): readonly OpenThread[] {
   const borders = insideRegions(stock, part).flatMap((region) => {
     const border = borderOf(inside, region);
     return border ? [border] : [];
   });
-  return rings.length === 0
-    ? []
-    : threadsOf(inside).flatMap((place) => {
-        const { first, last, designation } = place;
-        const named = readThread(designation);
-        const id = threadId(inside, place);
-        const isFinished = borders.every(([from, to]) => to < first || from > last);
-        if (!named?.inside || !isFinished || threads.has(id)) return [];
-        const box = boxOf(geometry.flattenedChain(inside.segments.slice(first, last + 1), CHORD));
-        return [{ named, place, box, id }];
-      });
+  return threadsOf(inside).flatMap((place) => {
+    const { first, last, designation } = place;
+    const named = readThread(designation);
+    const id = threadId(inside, place);
+    if (!named?.inside || threads.has(id)) return [];
+    const box = boxOf(geometry.flattenedChain(inside.segments.slice(first, last + 1), CHORD));
+    const isFinished = borders.every(([from, to]) => to < first || from > last);
+    return [{ named, place, box, id, isFinished }];
+  });
 }
 
 /** With a tap, where the table has one for the thread. */
 function tapped({ named, box, id }: OpenThread, stock: readonly Ring[], request: PlanRequest): readonly Action[] {
-  if (!hasTap(named) || clearRadius(stock, box.left, frontOf(stock)) < box.low - SAME) return [];
   const front = frontOf(stock);
-  const rear = Math.max(box.left - LEAD * named.pitch, boredTo(stock));
+  const core = coreOf(named);
+  const across = toDiameter(radius(clearRadius(stock, box.left + WITHIN, front)));
+  if (!hasTap(named) || !core || across < core.limits[0] - SAME || across > core.limits[1] + SAME) return [];
+  const rear = Math.max(box.left - LEAD * named.pitch, solidFrom(stock, radiusOf(core.limits[0]) - WITHIN));
+  if (rear > box.left + SAME) return [];
   return drillsOf(request)
     .filter((tool) => isTapOf(tool, named))
     .flatMap((tool): readonly Action[] => {
       const made = onAxis("tap", tool, rounded(front - rear), stock, request);
       if (!made) return [];
-      const place = { front: box.right, rear: box.left, high: box.high, low: box.low };
+      const place = { front, rear, high: radiusOf(named.nominal) + ROOT, low: 0 };
       const key = `thread tap T${tool.T} ${box.right.toFixed(2)}`;
       return [{ ...made, kind: "thread", key, site: "inside", tool, cycle: null, place, threads: [id] }];
     });
@@ -72,7 +77,8 @@ function tapped({ named, box, id }: OpenThread, stock: readonly Ring[], request:
 
 /** With a threading bar. */
 function turned(open: OpenThread, stock: readonly Ring[], request: PlanRequest): readonly Action[] {
-  const { named, place, box, id } = open;
+  const { named, place, box, id, isFinished } = open;
+  if (!isFinished) return [];
   const { inside } = request.part;
   const across = toDiameter(radius(box.low));
   const corner = (z: number) => ({ diameter: diameter(rounded(across)), z: axial(rounded(z)) });
@@ -91,7 +97,7 @@ function turned(open: OpenThread, stock: readonly Ring[], request: PlanRequest):
   const front = frontOf(stock);
   const clear = clearRadius(stock, box.left, front);
   const z = box.right + Math.max(LEAST_RUN_UP, RUN_UP * named.pitch);
-  const way: BoreWay = { z, clear, low: clear - BESIDE, front: Infinity, rear: -Infinity };
+  const way: BoreWay = { z, clear, low: clear - BESIDE };
   return cyclesFor(wanted)
     .filter(({ number }) => !request.withoutCycles.includes(number))
     .flatMap((cycle) =>
@@ -115,7 +121,8 @@ function turned(open: OpenThread, stock: readonly Ring[], request: PlanRequest):
         const fit = fitted({ cycle, job, cut }, tool, request);
         if (!fit) return [];
         const action = actionOf({ kind: "thread", site: "inside", cycle, box }, tool, fit.job, fit.values);
-        return [{ ...action, threads: [id] }];
+        const room = { front: z, rear: box.left - RUN_OUT * named.pitch, high: radiusOf(fill.cut.root) + ROOT, low: 0 };
+        return [{ ...action, place: room, threads: [id] }];
       }),
     );
 }
