@@ -1,7 +1,7 @@
 import { areaOf } from "../kernel/area/area.ts";
-import { opened, intersection, difference } from "../kernel/area/clip.ts";
+import { difference, intersection, opened, union } from "../kernel/area/clip.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
-import type { Ring } from "../kernel/geometry/point.ts";
+import { at, type Ring } from "../kernel/geometry/point.ts";
 import { parse } from "../nc/parse.ts";
 import type { Program } from "../nc/program.ts";
 import { withHandOperation, withOperation, type OperationPlace } from "../program/edits/added-operation.ts";
@@ -33,6 +33,13 @@ export const withAction = (
   place?: OperationPlace,
 ) => (cut ? withHandOperation(program, job, cut, place) : withOperation(program, job, labels, place));
 
+const placeOf = ({ place: { front, rear, high, low } }: Action): Ring => [
+  at(rear, low),
+  at(front, low),
+  at(front, high),
+  at(rear, high),
+];
+
 /** Area of `a` outside `b` that is thicker than the error of chords, mm². */
 export const areaBeyond = (a: readonly Ring[], b: readonly Ring[]): number => areaOf(opened(difference(a, b), SLIVER));
 
@@ -45,7 +52,9 @@ export function applyAction(action: Action, { stock }: Pick<PlanState, "stock">,
   const faults = verdictOf(made, simulation).reasons.filter(({ kind }) => !NO_FAULT.has(kind));
   // What is parted off is the part; the rest of the bar no longer counts.
   const parted = simulation.proof.loose.filter(({ isPartedOff }) => isPartedOff).flatMap(({ rings }) => rings);
-  const left = parted.length > 0 ? parted : simulation.final;
+  const cutTo = parted.length > 0 ? parted : simulation.final;
+  // The grooves of a thread are no area: its crest stays as it was.
+  const left = action.threads.length > 0 ? union(cutTo, intersection(stock, [placeOf(action)])) : cutTo;
   const { cut } = simulation.proof;
   const gouge = areaBeyond(intersection(stock, part.rings), left);
   const isMade = action.threads.length > 0 || cut > LEAST_CUT;
