@@ -53,8 +53,9 @@ export function applyAction(action: Action, { stock }: Pick<PlanState, "stock">,
   // What is parted off is the part; the rest of the bar no longer counts.
   const parted = simulation.proof.loose.filter(({ isPartedOff }) => isPartedOff).flatMap(({ rings }) => rings);
   const cutTo = parted.length > 0 ? parted : simulation.final;
-  // The grooves of a thread are no area: its crest stays as it was.
-  const left = action.threads.length > 0 ? union(cutTo, intersection(stock, [placeOf(action)])) : cutTo;
+  // The grooves of a thread are no area: what is part of its crest stays.
+  const crest = () => intersection(intersection(stock, part.rings), [placeOf(action)]);
+  const left = action.threads.length > 0 ? union(cutTo, crest()) : cutTo;
   const { cut } = simulation.proof;
   const gouge = areaBeyond(intersection(stock, part.rings), left);
   const isMade = action.threads.length > 0 || cut > LEAST_CUT;

@@ -1,3 +1,4 @@
+import { areaOfRing } from "../../kernel/area/area.ts";
 import { boxAround } from "../../kernel/area/box.ts";
 import { part as geometry } from "../../kernel/geometry/point.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
@@ -5,7 +6,7 @@ import { CHORD, SAME } from "../../kernel/tolerance.ts";
 import { isUsualTool } from "../../program/tools/which-tool.ts";
 import { cyclesFor } from "../../report/which/ways.ts";
 import type { ActionSource } from "../types.ts";
-import { insideRegions } from "./bore.ts";
+import { insideOf, insideRegions } from "./bore.ts";
 import { barActions, barsOf, freeInside, plungings, sectionInBore } from "./bore-turning.ts";
 import { notDone } from "./candidates.ts";
 import { finestOf } from "./finest.ts";
@@ -13,6 +14,8 @@ import { grooveOf } from "./recess-inside.ts";
 
 /** Thicker material is roughed first, in oversizes. */
 const THIN = 2.4;
+/** Share of the area of the inside that may be left to roughing. */
+const LITTLE = 0.06;
 const MOST_TOOLS = 2;
 
 const finishersFirst = (a: Tool, b: Tool) => Number(b.TYPE === "FINISH") - Number(a.TYPE === "FINISH");
@@ -25,8 +28,10 @@ export const finishInside: ActionSource = {
     const { stock } = state;
     const left = insideRegions(stock, part);
     const thick = insideRegions(stock, part, THIN * (rules.allowance.diameter / 2));
-    // A groove is cut by its own tool, before or behind.
-    if (left.length === 0 || thick.some((region) => !grooveOf(part, region))) return [];
+    // A groove is cut by its own tool, before or behind; a little may be out of reach of every roughing tool.
+    const rough = thick.filter((region) => !grooveOf(part, region)).reduce((sum, { area }) => sum + area, 0);
+    const inside = insideOf(part);
+    if (left.length === 0 || !inside || rough > LITTLE * Math.abs(areaOfRing(inside))) return [];
     const all = left.flatMap(({ rings }) => rings);
     const region = { rings: all, box: boxAround(all), area: left.reduce((sum, { area }) => sum + area, 0) };
     const section = sectionInBore(stock, part, region);
