@@ -143,8 +143,12 @@ export function sectionInBore(
   const isDeep = isBehind && (isWall || begin.z < front - AHEAD);
   const z = atFront(isDeep && !isWall ? Math.max(begin.z, box.right) : box.right);
   // The cone that a drill has left is taken by passes of its own, from its front.
-  const rear = isDeep ? -Infinity : coneFront(stock, bottom, clear);
-  const along = clearRadius(stock, Math.max(box.left, rear), front);
+  const cone = isDeep ? -Infinity : coneFront(stock, bottom, clear);
+  const along = clearRadius(stock, Math.max(box.left, cone), front);
+  // Behind the part it goes no farther than the bore does.
+  const end = part.inside.segments.at(-1)?.to.z ?? 0;
+  const open = solidFrom(stock, along - BESIDE);
+  const rear = open <= end + SAME ? Math.max(cone, Math.min(end, open)) : cone;
   const segments = upToZ(isDeep && isWall ? beside : whole, rear);
   const low = Math.min(along, isDeep ? box.low : Infinity) - BESIDE;
   return segments.length > 0 ? { segments, marks, way: { z, clear, low }, isDeep } : null;

@@ -1,21 +1,20 @@
-import { areaOfRing } from "../../kernel/area/area.ts";
 import { boxAround } from "../../kernel/area/box.ts";
+import { difference, offset, opened } from "../../kernel/area/clip.ts";
 import { part as geometry } from "../../kernel/geometry/point.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
-import { CHORD, SAME } from "../../kernel/tolerance.ts";
+import { CHORD, SAME, SLIVER } from "../../kernel/tolerance.ts";
 import { isUsualTool } from "../../program/tools/which-tool.ts";
 import { cyclesFor } from "../../report/which/ways.ts";
+import { regionsOf } from "../../sim/region.ts";
+import { LEAST_REGION } from "../open-regions.ts";
 import type { ActionSource } from "../types.ts";
-import { insideOf, insideRegions } from "./bore.ts";
+import { insideRegions } from "./bore.ts";
 import { barActions, barsOf, freeInside, plungings, sectionInBore } from "./bore-turning.ts";
 import { notDone } from "./candidates.ts";
 import { finestOf } from "./finest.ts";
-import { grooveOf } from "./recess-inside.ts";
 
 /** Thicker material is roughed first, in oversizes. */
 const THIN = 2.4;
-/** Share of the area of the inside that may be left to roughing. */
-const LITTLE = 0.06;
 const MOST_TOOLS = 2;
 
 const finishersFirst = (a: Tool, b: Tool) => Number(b.TYPE === "FINISH") - Number(a.TYPE === "FINISH");
@@ -26,13 +25,20 @@ export const finishInside: ActionSource = {
   actions(state, request) {
     const { part, rules, withoutCycles } = request;
     const { stock } = state;
-    const left = insideRegions(stock, part);
-    const thick = insideRegions(stock, part, THIN * (rules.allowance.diameter / 2));
-    // A groove is cut by its own tool, before or behind; a little may be out of reach of every roughing tool.
-    const rough = thick.filter((region) => !grooveOf(part, region)).reduce((sum, { area }) => sum + area, 0);
-    const inside = insideOf(part);
-    if (left.length === 0 || !inside || rough > LITTLE * Math.abs(areaOfRing(inside))) return [];
-    const all = left.flatMap(({ rings }) => rings);
+    const least = THIN * (rules.allowance.diameter / 2);
+    const thick = insideRegions(stock, part, least);
+    // What is thicker is for a groove's own tool, for roughing, or for the second clamping.
+    const heavy = offset(
+      thick.flatMap(({ rings }) => rings),
+      least,
+    );
+    const thin = difference(
+      insideRegions(stock, part).flatMap(({ rings }) => rings),
+      heavy,
+    );
+    const left = regionsOf(opened(thin, SLIVER), LEAST_REGION);
+    if (left.length === 0) return [];
+    const all = left.flatMap(({ outline, holes }) => [outline, ...holes]);
     const region = { rings: all, box: boxAround(all), area: left.reduce((sum, { area }) => sum + area, 0) };
     const section = sectionInBore(stock, part, region);
     const last = section?.segments.at(-1);
