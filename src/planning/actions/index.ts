@@ -9,6 +9,7 @@ import { restRough } from "./rest-rough.ts";
 import { roughInside } from "./rough-inside.ts";
 import { roughOutside } from "./rough-outside.ts";
 import { thread } from "./thread.ts";
+import { undercut } from "./undercut.ts";
 
 /** Every kind of action, one file and one line each, in the usual order of a working plan. */
 export const actionSources: readonly ActionSource[] = [
@@ -20,6 +21,7 @@ export const actionSources: readonly ActionSource[] = [
   recess,
   finishOutside,
   finishInside,
+  undercut,
   thread,
   partOff,
 ];
