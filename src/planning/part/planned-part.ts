@@ -1,0 +1,178 @@
+import { areaOf } from "../../kernel/area/area.ts";
+import { boxAround } from "../../kernel/area/box.ts";
+import { clampingBodies, type Clamped } from "../../kernel/area/clamping.ts";
+import { difference, union } from "../../kernel/area/clip.ts";
+import { selfCrossing } from "../../kernel/contour/crossing.ts";
+import { at, part as space, type Pt, type Ring } from "../../kernel/geometry/point.ts";
+import { SAME } from "../../kernel/tolerance.ts";
+import { toDiameter } from "../../kernel/units.ts";
+import type { PlannedPart } from "../types.ts";
+import {
+  chainOf,
+  endedAt,
+  firstPoint,
+  joinedAtFront,
+  lastPoint,
+  lineTo,
+  orientedSides,
+  pointsOf,
+  reversed,
+  segmentsOf,
+  type Links,
+} from "./chain-links.ts";
+import type { FinishedPart } from "./finished-part.ts";
+import { blankOfPart, clampingOfPart } from "./part-blank.ts";
+import { partProblem, type PartProblem } from "./part-problem.ts";
+import { markedRows } from "./marked-rows.ts";
+
+/** A part as the planner needs it; null with at least one error. */
+export interface PlannedPartResult {
+  readonly part: PlannedPart | null;
+  /** The stock in the chuck, mm; empty where it is wrong. */
+  readonly blank: readonly Ring[];
+  readonly clamping: Clamped | null;
+  readonly problems: readonly PartProblem[];
+}
+
+/** Smaller areas are rounding, mm² of the half section. */
+const LEAST_AREA = 0.01;
+/** A part that is larger than its blank by less is within the errors of chords, mm². */
+const BEYOND = 0.05;
+/** Past every part, mm. */
+const PAST = 100;
+
+const spot = (p: Pt) => ({ x: toDiameter(p.r), z: p.z });
+const onAxisAt = ({ z }: Pt): Pt => at(z, 0);
+
+/** Both sides of a part, joined at the front and ended at the rear. */
+interface Sides {
+  readonly outside: Links;
+  readonly inside: Links;
+}
+
+/** The outside from the axis on: a missing front face is added. */
+function withFrontFace(outside: Links): Links {
+  const [begin] = outside,
+    first = firstPoint(outside);
+  return begin && first && first.r > SAME ? [lineTo(onAxisAt(first), first, begin), ...outside] : outside;
+}
+
+/** The bottom of a bore that ends in the solid: a missing one is added, down to the hole of the blank or to the axis. */
+function withFloor(inside: Links, rearZ: number, hole: number): Links {
+  const [end, last] = [inside.at(-1), lastPoint(inside)];
+  if (!end || !last || last.r <= SAME || last.z <= rearZ + SAME) return inside;
+  const floor = at(last.z, Math.min(hole, last.r)),
+    links = last.r - floor.r > SAME ? [...inside, lineTo(last, floor, end)] : inside;
+  return hole > SAME ? [...links, lineTo(floor, at(rearZ, floor.r), end)] : links;
+}
+
+function sidesOf(part: FinishedPart, blank: readonly Ring[], problems: PartProblem[]): Sides | null {
+  const read = (side: "outside" | "inside") => {
+    const { links, problems: found } = markedRows(part, side);
+    problems.push(...found);
+    return links;
+  };
+  const typed = { outside: read("outside"), inside: read("inside") };
+  if (problems.some((p) => p.severity === "error")) return null;
+  const { outside: bare, inside: bore } = orientedSides(typed.outside, typed.inside);
+  const outside = withFrontFace(bare),
+    [begin, end, first, last] = [outside[0], outside.at(-1), firstPoint(outside), lastPoint(outside)];
+  if (!begin || !end || !first || !last) {
+    problems.push(partProblem("noOutside", {}));
+    return null;
+  }
+  const low = blank.length > 0 ? boxAround(blank).low : 0,
+    hole = low > SAME ? low : 0;
+  // A part made of a tube without a word on its bore has that of the tube.
+  const own = bore.length === 0 && hole > 0 ? [lineTo(at(first.z, hole), at(last.z, hole), begin)] : bore;
+  if (own.length === 0) return { outside, inside: [] };
+  const joined = joinedAtFront(outside, own);
+  const from = firstPoint(own) ?? first;
+  if (!joined) {
+    problems.push(partProblem("openFront", spot(from), { side: "inside", ...(own[0] && { row: own[0].mark.row }) }));
+    return null;
+  }
+  const rear = part.unmachinedBehind ? -Infinity : last.z;
+  const ended = part.unmachinedBehind ? joined.inside : endedAt(joined.inside, lineTo(last, onAxisAt(last), end));
+  if (part.unmachinedBehind && hole > 0) return { ...joined, inside: ended };
+  return { outside: joined.outside, inside: withFloor(ended, rear, hole) };
+}
+
+/** The closed half section of both sides. */
+function ringOf({ outside, inside }: Sides): Ring {
+  const [outer, inner] = [pointsOf(outside), pointsOf(reversed(inside))],
+    last = lastPoint(outside);
+  const isThrough = inside.length > 0 && (lastPoint(inside)?.r ?? 0) > SAME;
+  return last && !isThrough && last.r > SAME ? [...outer, onAxisAt(last), ...inner] : [...outer, ...inner];
+}
+
+/** What remains of a blank in front of the ends of both sides; behind them it is as it was. */
+function remaining({ outside, inside }: Sides, blank: readonly Ring[]): readonly Ring[] {
+  const [outer, inner] = [pointsOf(outside), pointsOf(inside)],
+    { right, high } = boxAround([...blank, outer]),
+    far = Math.max(right, high) + PAST;
+  const [first, last, begin, bottom] = [outer[0], outer.at(-1), inner[0], inner.at(-1)];
+  if (!first || !last) return [];
+  const gone: Ring[] = [[...outer, at(last.z, far), at(far, far), at(far, 0), onAxisAt(first)]];
+  if (begin && bottom) gone.push([...inner, onAxisAt(bottom), at(far, 0), at(far, begin.r)]);
+  const solid = gone.flatMap((ring) => union([areaOf([ring]) < 0 ? ring.toReversed() : ring]));
+  return difference(blank, solid);
+}
+
+/** Where the closed outline of a part crosses itself; null where it does not. */
+function crossingOf({ outside, inside }: Sides): PartProblem | null {
+  const last = lastPoint(outside),
+    end = outside.at(-1),
+    to = lastPoint(inside);
+  if (!last || !end) return null;
+  const rear = last.r > SAME ? [lineTo(last, to && to.r > SAME ? to : onAxisAt(last), end)] : [];
+  const through = inside.length === 0 || (to && (to.r <= SAME || Math.abs(to.z - last.z) <= SAME));
+  const loop = [...outside, ...(through ? rear : []), ...reversed(inside)],
+    found = selfCrossing(segmentsOf(loop));
+  const [late, early] = found ? [loop[found[0]], loop[found[1]]] : [];
+  if (!late || !early) return null;
+  const on = (p: Pt) => [late, early].every((l) => space.distanceTo(l.segment, p) <= SAME);
+  const p = space.meetings(late.segment, early.segment).find(on) ?? late.segment.from;
+  const isBore = inside.some((l) => l.mark.row === late.mark.row) && !inside.some((l) => l.mark.row === early.mark.row);
+  return partProblem(isBore ? "boreOutside" : "crosses", spot(p), {
+    side: isBore ? "inside" : "outside",
+    row: late.mark.row,
+  });
+}
+
+/**
+ * A finished part as geometry: both sides from the front face to the rear with the marks of their elements, the closed
+ * half section, its blank and its clamping. Contours may run from either end, with or without their faces; a bore may be
+ * part of a closed outline. Never throws.
+ */
+export function plannedPart(part: FinishedPart): PlannedPartResult {
+  const problems: PartProblem[] = [];
+  const stated = blankOfPart(part, null, problems);
+  const none = (blank: readonly Ring[] = []): PlannedPartResult => ({ part: null, blank, clamping: null, problems });
+  const sides = sidesOf(part, stated ?? [], problems);
+  if (!sides) return none(stated ?? []);
+  const ring = ringOf(sides),
+    crossing = crossingOf(sides);
+  if (crossing) problems.push(crossing);
+  else if (areaOf([ring]) < LEAST_AREA)
+    problems.push(
+      sides.inside.length > 0
+        ? partProblem("boreOutside", spot(firstPoint(sides.inside) ?? at(0, 0)), { side: "inside" })
+        : partProblem("noArea", {}),
+    );
+  if (problems.some((p) => p.severity === "error")) return none(stated ?? []);
+  const blank = stated ?? blankOfPart(part, boxAround([ring]), problems) ?? [];
+  const rings = part.unmachinedBehind ? remaining(sides, blank) : [ring],
+    front = boxAround([ring]).right;
+  if (Math.abs(front) > SAME) problems.push(partProblem("front", { z: front }, { severity: "warning" }));
+  const beyond = blank.length > 0 ? areaOf(difference([ring], blank)) : 0;
+  if (beyond > BEYOND && !part.unmachinedBehind)
+    problems.push(partProblem("beyondBlank", { area: beyond }, { severity: "warning" }));
+  const clamping = clampingOfPart(part, problems);
+  return {
+    part: { name: part.name, outside: chainOf(sides.outside), inside: chainOf(sides.inside), rings },
+    blank,
+    clamping: clamping && { clamping, bodies: clampingBodies(clamping, blank) },
+    problems,
+  };
+}

@@ -1,0 +1,19 @@
+import { describe, expect, test } from "vitest";
+import { areaOf } from "../../src/kernel/area/area.ts";
+import { printPart, readPart } from "../../src/planning/part/part-file.ts";
+import { plannedPart } from "../../src/planning/part/planned-part.ts";
+import { PART_NAMES, partOfTrade } from "./parts.ts";
+
+describe("parts of the trade", () => {
+  test.each(PART_NAMES)("%s is a part within its blank", (name) => {
+    const { part, blank, problems } = plannedPart(partOfTrade(name));
+    expect(problems).toEqual([]);
+    expect(areaOf(part?.rings ?? [])).toBeGreaterThan(50);
+    expect(areaOf(blank)).toBeGreaterThan(areaOf(part?.rings ?? []));
+  });
+
+  test.each(PART_NAMES)("%s is the same when it is printed and read", (name) => {
+    const part = partOfTrade(name);
+    expect(readPart(printPart(part))).toEqual({ part, problems: [] });
+  });
+});
