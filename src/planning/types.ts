@@ -69,6 +69,8 @@ export interface PlanRequest {
   readonly withoutCycles: readonly number[];
   readonly withoutTools: readonly number[];
   readonly labels: Labels;
+  /** Words of the structure item of each kind of operation, in the language of the labels; absent: none. */
+  readonly titles?: Readonly<Record<ActionKind, string>>;
 }
 
 /** Kinds of actions, in the usual order of a working plan. */
