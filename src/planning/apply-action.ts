@@ -8,7 +8,7 @@ import { withHandOperation, withOperation, type OperationPlace } from "../progra
 import { emptyProgram } from "../program/job/empty-program.ts";
 import { cylinderAround } from "../program/job/requested-shape.ts";
 import { run } from "../program/run/run.ts";
-import { verdictOf } from "../report/verdict.ts";
+import { verdictOf, type VerdictReason } from "../report/verdict.ts";
 import { simulate } from "../sim/simulate.ts";
 import type { Action, PlanRequest, PlanState, TriedAction } from "./types.ts";
 
@@ -16,6 +16,14 @@ import type { Action, PlanRequest, PlanState, TriedAction } from "./types.ts";
 const LEAST_CUT = 0.05;
 /** Less is no damage, mm²: chords of arcs. */
 const LEAST_GOUGE = 0.01;
+
+/** Reasons that do not count against an action: a tool that is not described in full, and notes. */
+const UNCHECKED: ReadonlySet<VerdictReason["kind"]> = new Set([
+  "notes",
+  "holderUnknown",
+  "flanksUnknown",
+  "curvatureUnknown",
+]);
 
 /** A program with the blocks of an action added. */
 export const withAction = (
@@ -35,7 +43,7 @@ export function applyAction(action: Action, { stock }: Pick<PlanState, "stock">,
   const made = run(program, shop);
   const simulation = simulate({ ...made, blank: stock, clamping });
   const { reasons } = verdictOf(made, simulation);
-  const faults = reasons.filter((r) => r.kind !== "notes" && r.kind !== "holderUnknown" && r.kind !== "flanksUnknown");
+  const faults = reasons.filter(({ kind }) => !UNCHECKED.has(kind));
   const cut = areaOf(stock) - areaOf(simulation.final);
   const gouge = areaBeyond(intersection(stock, part.rings), simulation.final);
   const isMade = action.threads.length > 0 || cut > LEAST_CUT;

@@ -1,5 +1,7 @@
 import type { ActionSource } from "../types.ts";
 import { face } from "./face.ts";
+import { finishOutside } from "./finish-outside.ts";
+import { roughOutside } from "./rough-outside.ts";
 
 /** Every kind of action, one file and one line each, in the usual order of a working plan. */
-export const actionSources: readonly ActionSource[] = [face];
+export const actionSources: readonly ActionSource[] = [face, roughOutside, finishOutside];
