@@ -9,7 +9,7 @@ import { emptyProgram } from "../program/job/empty-program.ts";
 import { cylinderAround } from "../program/job/requested-shape.ts";
 import { run } from "../program/run/run.ts";
 import { verdictOf, type VerdictReason } from "../report/verdict.ts";
-import { simulate } from "../sim/simulate.ts";
+import { simulateCuts } from "../sim/simulate.ts";
 import type { Action, PlanRequest, PlanState, TriedAction } from "./types.ts";
 
 /** Less is no cut, mm² of the half plane. */
@@ -41,7 +41,7 @@ export function applyAction(action: Action, { stock }: Pick<PlanState, "stock">,
   const { labels, part, shop, clamping } = request;
   const program = withAction(parse(emptyProgram("PLAN", cylinderAround(stock))), action, labels);
   const made = run(program, shop);
-  const simulation = simulate({ ...made, blank: stock, clamping });
+  const simulation = simulateCuts({ ...made, blank: stock, clamping });
   const { reasons } = verdictOf(made, simulation);
   const faults = reasons.filter(({ kind }) => !UNCHECKED.has(kind));
   const cut = areaOf(stock) - areaOf(simulation.final);

@@ -84,11 +84,7 @@ function comparedWith({ tried: { action }, longer, leaves }: OtherWay): StepReas
 }
 
 /** The steps of a plan with their reasons. Yields before every try. */
-export function* explained(
-  end: Node,
-  byHand: ReadonlySet<string>,
-  s: Searching,
-): Generator<Node, readonly PlanStep[]> {
+export function* explained(end: Node, byHand: ReadonlySet<string>, s: Searching): Generator<Node, readonly PlanStep[]> {
   const steps: PlanStep[] = [];
   for (const node of nodesOf(end)) {
     const { tried, before: state } = node;

@@ -2,8 +2,8 @@ import type { Site } from "../cycles/shape-request.ts";
 import { boxAround } from "../kernel/area/box.ts";
 import { part, type Segment } from "../kernel/geometry/point.ts";
 import { CHORD, SAME } from "../kernel/tolerance.ts";
-import { degrees, toDegrees, toDiameter, radius } from "../kernel/units.ts";
-import { borderOf, openRegions, type OpenRegion } from "./open-regions.ts";
+import { inDegrees, toDiameter, radius } from "../kernel/units.ts";
+import { borderOf, type OpenRegion } from "./open-regions.ts";
 import type { Chain, PlanRequest, PlannedPart } from "./types.ts";
 import type { MissingTool } from "./working-plan.ts";
 
@@ -15,7 +15,10 @@ const LEVELS = 8;
 const whole = (n: number, digits = 2) => Number(n.toFixed(digits));
 
 /** The side of the part on which a region lies, and its elements there. */
-export function sideOf(region: OpenRegion, { outside, inside }: PlannedPart): { site: Site; border: readonly number[] } {
+export function sideOf(
+  region: OpenRegion,
+  { outside, inside }: PlannedPart,
+): { site: Site; border: readonly number[] } {
   const [out, into] = [borderOf(outside, region), borderOf(inside, region)];
   const indices = (b: readonly [number, number] | null) =>
     b ? Array.from({ length: b[1] - b[0] + 1 }, (_, i) => b[0] + i) : [];
@@ -50,7 +53,7 @@ function descents(elements: readonly Segment[], sign: 1 | -1): { readonly ahead:
     const points = part.flattenedChain([s], CHORD);
     return points.slice(1).map((b, i) => {
       const a = points[i] ?? b;
-      return toDegrees(Math.atan2((a.r - b.r) * sign, Math.abs(a.z - b.z)));
+      return inDegrees(Math.atan2((a.r - b.r) * sign, Math.abs(a.z - b.z)));
     });
   });
   return { ahead: Math.max(0, ...slopes), back: Math.max(0, ...slopes.map((n) => -n)) };
@@ -58,10 +61,7 @@ function descents(elements: readonly Segment[], sign: 1 | -1): { readonly ahead:
 
 /** Least radius of the hollows of a chain, mm; Infinity without one. */
 const leastHollow = (elements: readonly Segment[], site: Site): number =>
-  Math.min(
-    Infinity,
-    ...elements.flatMap((s) => (s.kind === "arc" && isHollow(s, site) ? [part.radiusOf(s)] : [])),
-  );
+  Math.min(Infinity, ...elements.flatMap((s) => (s.kind === "arc" && isHollow(s, site) ? [part.radiusOf(s)] : [])));
 
 /** Whether the centre of an arc lies outside the material. */
 function isHollow(s: Extract<Segment, { kind: "arc" }>, site: Site): boolean {
@@ -80,7 +80,9 @@ export function missingFor(region: OpenRegion, { part: planned, blank }: PlanReq
   const inside = site === "inside" ? boring(region, planned, blank) : {};
   const { ahead, back } = descents(elements, site === "inside" ? -1 : 1);
   if (Math.min(ahead, back) > WALL) {
-    const around = chain.segments.flatMap((s) => [s.from, s.to]).filter(({ z }) => z >= box.left - 1 && z <= box.right + 1);
+    const around = chain.segments
+      .flatMap((s) => [s.from, s.to])
+      .filter(({ z }) => z >= box.left - 1 && z <= box.right + 1);
     const edge = around.map(({ r }) => r);
     const open = site === "inside" ? Math.min(box.low, ...edge) : Math.max(box.high, ...edge);
     const depth = site === "inside" ? box.high - open : open - box.low;
@@ -115,5 +117,3 @@ function boring({ box }: OpenRegion, { inside }: PlannedPart, blank: PlanRequest
     leastReach: whole(boxAround(blank).right - box.left),
   };
 }
-
-export { openRegions };

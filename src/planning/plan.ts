@@ -1,16 +1,80 @@
 import { actionSources } from "./actions/index.ts";
+import { explained, nodesOf } from "./explain.ts";
+import { residueOf } from "./residue.ts";
+import { beam, compareEnds, firstNode, nodeBehind, progressOf, type Node, type Searching } from "./search.ts";
+import { Tries } from "./tries.ts";
 import type { ActionSource, PlanRequest } from "./types.ts";
+import { wholeProgram } from "./whole-program.ts";
 import type { PlanChanges, PlanProgress, WorkingPlan } from "./working-plan.ts";
 
+/** Widths of the beam, one pass each: the first gives a plan at once, the others use its tries. */
+const WIDTHS = [1, 3] as const;
+/** Most tries of a search. */
+const MOST = 1500;
+
+/** The state behind the steps that an operator keeps or has chosen, as far as they are possible and work. */
+function* replayed({ keep = [], instead }: PlanChanges, s: Searching): Generator<Node, Node> {
+  let node = firstNode(s);
+  const kept = instead ? keep.slice(0, instead.at) : keep;
+  const keys = kept.map(({ tried }) => tried.action.key);
+  for (const key of instead ? [...keys, instead.actionKey] : keys) {
+    const action = node.next().find((a) => a.key === key);
+    if (!action) return node;
+    yield node;
+    const tried = s.tries.of(action, node);
+    if (!tried.works) return node;
+    node = nodeBehind(s, node, tried);
+  }
+  return node;
+}
+
 /**
- * Searches the working plan with the least time that leaves nothing a tool of the shop could take. Yields after every
- * few tries; to cancel, stop asking. Pure and deterministic: the same request gives the same plan.
+ * Searches the working plan with the least time that leaves nothing a tool of the shop could take. Yields before every
+ * try with the best plan so far; to cancel, stop asking. Pure and deterministic: the same request gives the same plan.
  */
-// eslint-disable-next-line require-yield
 export function* planning(
-  _request: PlanRequest,
-  _changes: PlanChanges = {},
-  _sources: readonly ActionSource[] = actionSources,
+  request: PlanRequest,
+  changes: PlanChanges = {},
+  sources: readonly ActionSource[] = actionSources,
 ): Generator<PlanProgress, WorkingPlan> {
-  throw new Error("not yet");
+  const { keep = [], instead, locked = [] } = changes;
+  const byHand = keep.filter((step, i) => step.isByHand && i !== instead?.at).map(({ tried }) => tried.action);
+  const s: Searching = {
+    request,
+    sources,
+    tries: new Tries(request),
+    locked: [...locked, ...byHand.filter(({ key }) => !locked.some((l) => l.key === key))],
+    most: MOST,
+  };
+  const hand = new Set([...s.locked.map(({ key }) => key), ...(instead ? [instead.actionKey] : [])]);
+  const from = yield* reported(replayed(changes, s), s, () => null);
+  let best: Node | null = null;
+  for (const width of WIDTHS) {
+    const end = yield* reported(beam(s, from, width), s, () => best);
+    if (!best || compareEnds(end, best) < 0) best = end;
+  }
+  const end = best ?? from;
+  const steps = yield* reported(explained(end, hand, s), s, () => end);
+  const residue = yield* reported(residueOf(end, s), s, () => end);
+  const whole = wholeProgram(
+    nodesOf(end).flatMap(({ tried }) => tried?.action ?? []),
+    request,
+  );
+  return {
+    ...whole,
+    steps,
+    residue,
+    isComplete: whole.judged.verdict === "proved" && residue.every(({ why }) => why === "rear" || why === "clamping"),
+    second: null,
+    tries: s.tries.count,
+  };
+}
+
+/** Turns the states that a part of the search looks at into its progress; `best`: the plan to show instead. */
+function* reported<T>(part: Generator<Node, T>, s: Searching, best: () => Node | null): Generator<PlanProgress, T> {
+  for (;;) {
+    const next = part.next();
+    if (next.done) return next.value;
+    yield progressOf(best() ?? next.value, s);
+  }
 }

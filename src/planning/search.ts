@@ -80,11 +80,7 @@ const made = (s: Searching, state: PlanState, rest: Omit<Node, keyof PlanState |
 
 /** The state before the first action. */
 export const firstNode = (s: Searching): Node =>
-  made(
-    s,
-    { stock: s.request.blank, done: [], threads: new Set() },
-    { before: null, tried: null, cost: 0, seconds: 0 },
-  );
+  made(s, { stock: s.request.blank, done: [], threads: new Set() }, { before: null, tried: null, cost: 0, seconds: 0 });
 
 /** The state behind an action that works. */
 export function nodeBehind(s: Searching, node: Node, tried: TriedAction): Node {
@@ -158,8 +154,7 @@ function isOtherOrder({ node, action }: Candidate): boolean {
     last.tool.T === action.tool.T &&
     last.kind === action.kind &&
     isBeside(last, action) &&
-    (action.place.front > last.place.front ||
-      (action.place.front === last.place.front && action.key < last.key)) &&
+    (action.place.front > last.place.front || (action.place.front === last.place.front && action.key < last.key)) &&
     (node.before?.next().some(({ key }) => key === action.key) ?? false)
   );
 }

@@ -1,5 +1,4 @@
-import { areaOf } from "../kernel/area/area.ts";
-import { difference, intersection } from "../kernel/area/clip.ts";
+import { intersection } from "../kernel/area/clip.ts";
 import type { Clamping } from "../kernel/area/clamping.ts";
 import { rounded } from "../kernel/units.ts";
 import { parse } from "../nc/parse.ts";
@@ -39,7 +38,10 @@ function emptyOf({ part, blank, clamping }: PlanRequest): Program {
 }
 
 /** The check of a whole program. */
-export type WholeProgram = Pick<WorkingPlan, "text" | "seconds" | "tools" | "toolChanges" | "stock" | "judged" | "gouge">;
+export type WholeProgram = Pick<
+  WorkingPlan,
+  "text" | "seconds" | "tools" | "toolChanges" | "stock" | "judged" | "gouge"
+>;
 
 /** The program of a plan, each action under its title, run and cut as one. */
 export function wholeProgram(actions: readonly Action[], request: PlanRequest): WholeProgram {
@@ -62,4 +64,3 @@ export function wholeProgram(actions: readonly Action[], request: PlanRequest): 
     gouge: areaBeyond(intersection(request.blank, part.rings), simulation.final),
   };
 }
-
