@@ -79,6 +79,7 @@ const FOLDERS: Readonly<Record<string, readonly string[]>> = {
     "plan",
     "reach",
     "contour",
+    "fit",
     "thread",
     "solve",
     "time",

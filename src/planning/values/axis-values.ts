@@ -1,0 +1,73 @@
+import { radius, toDiameter } from "../../kernel/units.ts";
+import {
+  DEEP_HOLES,
+  HSS_DRILL,
+  MOST_DRILL_FEED,
+  MOST_FIRST_PASS,
+  SPEED_SHARE,
+  THREAD_PASSES,
+} from "../../program/tools/cutting-work.ts";
+import { specificForce } from "../../report/advice/formulas.ts";
+import { atLeast, LEAST, leastOf, reasoned, typedDown } from "./formulas.ts";
+import { constantSpindle, GRID, powerFor } from "./spindle-values.ts";
+import { feedForForce } from "./stability.ts";
+import type { CuttingValues, ValuesRequest } from "./values-request.ts";
+
+/** Threads: a constant speed within the feed rate of the machine. */
+export function threading(request: ValuesRequest): CuttingValues {
+  const { material, largest, depth = 0, pitch = 1, fastest } = request;
+  const vc = Math.round(material.roughSpeed * SPEED_SHARE.thread);
+  const byRate = fastest ? reasoned(fastest / pitch, "rpmOfThread", "pitch", { vf: fastest, P: pitch }) : null;
+  const passes = THREAD_PASSES.find(([upTo]) => pitch <= upTo)?.[1] ?? 1;
+  const first = leastOf(
+    reasoned(depth / Math.sqrt(passes), "depthOfThread", "pitch", { h: depth, i: passes }),
+    reasoned(MOST_FIRST_PASS, "depthOfTooth", "insert", {}),
+  );
+  return {
+    ...constantSpindle(request, vc, largest, byRate),
+    feed: reasoned(pitch, "feedOfPitch", "pitch", { P: pitch }),
+    infeed: typedDown(first, GRID.feed),
+    plungeFeed: null,
+    step: null,
+    oversize: null,
+    risks: [],
+  };
+}
+
+/** Drills and centre drills of high-speed steel, on the axis. */
+export function drilling(request: ValuesRequest): CuttingValues {
+  const { tool, material, depth = 0, work, largest } = request;
+  const d = Math.max(work === "centre" ? largest : toDiameter(radius(tool.R ?? 0)), 0.5);
+  const across = work === "centre" ? (tool.centre?.hole.d1 ?? d) : d;
+  const data = HSS_DRILL[material.group] ?? HSS_DRILL.S ?? { speed: 1, feed: 0.01 };
+  const deep = work === "drill" ? DEEP_HOLES.findLast(([from]) => depth / d >= from) : undefined;
+  const [, slower, finer] = deep ?? [0, 1, 1];
+  const vc = Math.round(data.speed * slower);
+  const turning = constantSpindle(request, vc, d);
+  const c = data.feed * finer;
+  const power = powerFor(request, turning.spindle);
+  const cut = Math.max((Math.PI * d * turning.speed.value) / 1000, 1);
+  // Both edges cut half of the diameter, at half of the speed on average.
+  const strong = feedForForce((240_000 * power) / cut, material, d);
+  const feed = leastOf(
+    reasoned(c * across, "feedOfDrill", "material", { c, d: across }),
+    reasoned(MOST_DRILL_FEED, "feedOfMaterial", "material", { f: MOST_DRILL_FEED }),
+    reasoned(strong, "feedOfPower", "power", {
+      Pc: power,
+      b: d,
+      vc: cut,
+      kc: Math.round(specificForce(material, strong)),
+    }),
+  );
+  return {
+    ...turning,
+    feed: typedDown(atLeast(feed, Math.min(LEAST.feed, strong)), GRID.feed),
+    infeed: null,
+    plungeFeed: null,
+    step: deep
+      ? typedDown(reasoned(d, "stepOfDiameter", "depth", { d }), GRID.depth)
+      : reasoned(depth, "wholeDepth", "depth", { t: depth }),
+    oversize: null,
+    risks: HSS_DRILL[material.group] ? [] : [{ kind: "notDrilled", ratio: 0 }],
+  };
+}
