@@ -119,15 +119,15 @@ function remaining({ outside, inside }: Sides, blank: readonly Ring[]): readonly
   return difference(blank, solid);
 }
 
-/** Where the closed outline of a part crosses itself; null where it does not. */
-function crossingOf({ outside, inside }: Sides): PartProblem | null {
+/** Where the outline of a part crosses itself; null where it does not. `isOpen`: it has no rear face. */
+function crossingOf({ outside, inside }: Sides, isOpen: boolean): PartProblem | null {
   const last = lastPoint(outside),
     end = outside.at(-1),
     to = lastPoint(inside);
   if (!last || !end) return null;
-  const rear = last.r > SAME ? [lineTo(last, to && to.r > SAME ? to : onAxisAt(last), end)] : [];
-  const through = inside.length === 0 || (to && (to.r <= SAME || Math.abs(to.z - last.z) <= SAME));
-  const loop = [...outside, ...(through ? rear : []), ...reversed(inside)],
+  const isThrough = inside.length === 0 || (to && (to.r <= SAME || Math.abs(to.z - last.z) <= SAME)),
+    rear = !isOpen && isThrough && last.r > SAME ? [lineTo(last, to && to.r > SAME ? to : onAxisAt(last), end)] : [];
+  const loop = [...outside, ...rear, ...reversed(inside)],
     found = selfCrossing(segmentsOf(loop));
   const [late, early] = found ? [loop[found[0]], loop[found[1]]] : [];
   if (!late || !early) return null;
@@ -152,7 +152,7 @@ export function plannedPart(part: FinishedPart): PlannedPartResult {
   const sides = sidesOf(part, stated ?? [], problems);
   if (!sides) return none(stated ?? []);
   const ring = ringOf(sides),
-    crossing = crossingOf(sides);
+    crossing = crossingOf(sides, part.unmachinedBehind);
   if (crossing) problems.push(crossing);
   else if (areaOf([ring]) < LEAST_AREA)
     problems.push(

@@ -1,0 +1,213 @@
+import * as fc from "fast-check";
+import { newPart, type FinishedPart, type RowMark } from "../../src/planning/part/finished-part.ts";
+import { newRow, type ContourRow } from "../../src/program/job/job.ts";
+
+/*
+ * Random parts of the trade's elements for laws: steps, tapers, arcs, chamfers, roundings, grooves, undercuts, valleys,
+ * bores with recesses, threads with their relief. All of them are parts: plannedPart finds no problem.
+ */
+
+const FEATURES = ["plain", "plain", "thread", "undercut", "groove", "valley", "taper", "convex", "concave"] as const;
+/** Those that begin in the middle of their rise. */
+const SLOPED: ReadonlySet<string> = new Set(["taper", "convex", "concave"]);
+const BORE_FEATURES = ["plain", "plain", "groove", "thread"] as const;
+
+/** A step of a side: lengths in mm, `rise` in half millimetres of the radius, so that diameters are whole numbers. */
+const stepOf = <F>(features: readonly F[]) =>
+  fc.record({
+    rise: fc.integer({ min: 4, max: 20 }),
+    long: fc.integer({ min: 12, max: 40 }),
+    corner: fc.constantFrom("none", "CHF", "RND"),
+    feature: fc.constantFrom(...features),
+    /** Size of the feature, share of its room. */
+    share: fc.integer({ min: 0, max: 4 }),
+    tolerance: fc.constantFrom(null, null, "h6", "+0.02/-0.01"),
+    ra: fc.constantFrom(null, null, 0.8, 1.6),
+  });
+type Step<F> = {
+  readonly rise: number;
+  readonly long: number;
+  readonly corner: "none" | "CHF" | "RND";
+  readonly feature: F;
+  readonly share: number;
+  readonly tolerance: string | null;
+  readonly ra: number | null;
+};
+type Outer = Step<(typeof FEATURES)[number]>;
+type Inner = Step<(typeof BORE_FEATURES)[number]>;
+
+const text = (n: number) => String(Number(n.toFixed(3)) || 0);
+/** ⌀ of a radius in half millimetres. */
+const across = (halves: number) => text(halves);
+/** Least wall between bore and outside, half millimetres. */
+const WALL = 8;
+/** Half the point angle of a drill, radians. */
+const DRILL_POINT = (59 * Math.PI) / 180;
+const pitchFor = (diameter: number) => (diameter < 20 ? 1 : diameter < 50 ? 1.5 : 2);
+
+/** Collects rows with their marks. */
+function table(letter: string) {
+  const rows: ContourRow[] = [],
+    marks: Record<string, RowMark> = {};
+  const row = (given: Partial<ContourRow>, mark: RowMark = {}) => {
+    const id = `${letter}${rows.length + 1}`;
+    rows.push(newRow(id, given));
+    if (Object.keys(mark).length > 0) marks[id] = mark;
+  };
+  return { rows, marks, row };
+}
+
+/** An edge that is broken by no more than fits. */
+const edge = ({ corner, share }: Outer | Inner, room: number): Partial<ContourRow> | null =>
+  corner === "none" ? null : { kind: corner, r: text(Math.min(0.3 + 0.4 * share, room)) };
+
+const markOf = ({ tolerance, ra }: Outer | Inner): RowMark => ({
+  ...(tolerance !== null && { tolerance }),
+  ...(ra !== null && { ra }),
+});
+
+/** The outside over a core that bore and features must not reach, in half millimetres. */
+function outsideOf(steps: readonly Outer[], core: number) {
+  const { rows, marks, row } = table("e");
+  row({ x: "0", z: "0" });
+  let [halves, z] = [core, 0];
+  for (const [i, step] of steps.entries()) {
+    const { rise, long, share } = step,
+      next = steps[i + 1],
+      before = halves,
+      end = z - long;
+    halves += rise;
+    const r = halves / 2,
+      room = (halves - before) / 2;
+    if (SLOPED.has(step.feature)) {
+      // From the middle of the rise to its top.
+      const low = before + Math.floor(rise / 2);
+      row({ x: across(low) });
+      if (step.feature === "taper") row({ x: across(halves), z: text(end) }, markOf({ ...step, tolerance: null }));
+      else {
+        // A hill has its top at its end, or it would be higher than that.
+        const up = (halves - low) / 2,
+          chord = Math.hypot(long, up);
+        const radius = step.feature === "convex" ? (chord ** 2 / (2 * up)) * (1 + 0.2 * share) : chord * (2 + share);
+        const turn = step.feature === "convex" ? "ccw" : "cw";
+        row({ kind: "CR", x: across(halves), z: text(end), r: text(radius), turn });
+      }
+    } else {
+      row({ x: across(halves) });
+      const broken = edge(step, Math.min(room * 0.25, long * 0.1));
+      if (broken) row(broken);
+      if (step.feature === "thread") row({ z: text(end) }, { thread: `M${across(halves)}x${text(pitchFor(halves))}` });
+      else if (step.feature === "valley") {
+        const deep = Math.min(0.4 + 0.4 * share, room * 0.8),
+          lean = share % 2 === 0 ? deep / Math.tan(Math.PI / 6) : 0;
+        const [from, to] = [z - long * 0.25, z - long * 0.85];
+        row({ z: text(from) });
+        row({ x: text(2 * (r - deep)), z: text(from - Math.min(lean, long * 0.3)) });
+        row({ z: text(to) }, markOf({ ...step, tolerance: null }));
+        row({ x: across(halves) });
+        row({ z: text(end) });
+      } else row({ z: text(end) }, markOf(step));
+      if (step.feature === "groove") {
+        const breadth = Math.min(3 + share, long * 0.4),
+          words = {
+            CENTER: text(z - long * 0.55),
+            BREADTH: text(breadth),
+            DEPTH: text(-Math.min(0.5 + 0.5 * share, room * 0.8)),
+            ...(share % 2 === 1 && { ANGLE: "15" }),
+            ...(share > 2 && { CHF: "0.2", FAR_CHF: "0.2" }),
+          };
+        row({ kind: "GRV", form: "RADIAL", words });
+      }
+      const isShoulder = next !== undefined && !SLOPED.has(next.feature) && next.rise >= 10;
+      if (step.feature === "thread" && isShoulder) row({ kind: "UDC" }, { undercut: "DIN 76-A" });
+      if (step.feature === "undercut" && isShoulder) row({ kind: "UDC", form: share % 2 === 0 ? "E" : "F" });
+    }
+    z = end;
+  }
+  return { rows, marks, length: -z, halves };
+}
+
+/** A bore from the front, wide to narrow; returns its widest and narrowest place, half millimetres. */
+function insideOf(steps: readonly Inner[], length: number, through: boolean) {
+  const { rows, marks, row } = table("i");
+  const widest = steps.reduce((sum, { rise }) => sum + rise, 6);
+  let [halves, z] = [widest, 0];
+  const reach = steps.reduce((sum, { long }) => sum + long, 0),
+    shrink = Math.min(1, (length - (through ? 0 : 24)) / reach);
+  for (const [i, step] of steps.entries()) {
+    const last = i === steps.length - 1,
+      end = last && through ? -length : z - step.long * shrink,
+      room = Math.min(0.5, (z - end) * 0.1);
+    row({ x: across(halves), ...(i === 0 && { z: "0" }) });
+    const broken = i === 0 ? null : edge(step, room);
+    if (broken) row(broken);
+    const isThread = step.feature === "thread" && halves >= 12;
+    row(
+      { z: text(end) },
+      isThread ? { ...markOf({ ...step, tolerance: null }) } : markOf({ ...step, tolerance: null }),
+    );
+    if (step.feature === "groove" && z - end > 6)
+      row({
+        kind: "GRV",
+        form: "RADIAL",
+        words: {
+          CENTER: text((z + end) / 2),
+          BREADTH: text(Math.min(3, (z - end) * 0.3)),
+          DEPTH: text(0.5 + 0.2 * step.share),
+        },
+      });
+    z = end;
+    if (!last) halves -= step.rise;
+  }
+  // The bottom that a drill leaves.
+  if (!through) row({ x: "0", z: text(z - halves / 2 / Math.tan(DRILL_POINT)) });
+  return { rows, marks, widest, narrowest: halves };
+}
+
+export interface ArbitraryPart {
+  readonly part: FinishedPart;
+  /** What it has, for the name of a case. */
+  readonly features: readonly string[];
+}
+
+/** Finished parts with their blank: solid and hollow, from bar and as blanks, some with a clamping. */
+export const arbitraryParts: fc.Arbitrary<ArbitraryPart> = fc
+  .record({
+    outside: fc.array(stepOf(FEATURES), { minLength: 1, maxLength: 5 }),
+    inside: fc.array(stepOf(BORE_FEATURES), { maxLength: 3 }),
+    through: fc.boolean(),
+    drilled: fc.boolean(),
+    over: fc.integer({ min: 1, max: 6 }),
+    facing: fc.integer({ min: 0, max: 4 }),
+    rear: fc.constantFrom("bar", "chuck", "sawn"),
+    material: fc.constantFrom("c45", "42crmo4", "brass", "x5crni"),
+  })
+  .map(({ outside: outer, inside: inner, through, drilled, over, facing, rear, material }): ArbitraryPart => {
+    const length = outer.reduce((sum, { long }) => sum + long, 0);
+    const isThrough = inner.length > 0 && (through || length < 48);
+    const bore = insideOf(inner, length, isThrough);
+    const core = inner.length > 0 ? bore.widest + WALL : 0;
+    const outside = outsideOf(outer, core),
+      isKept = rear === "chuck" && !isThrough,
+      behind = rear === "sawn" ? 1 : 35;
+    const hole = drilled && isThrough ? bore.narrowest - 3 : 0;
+    return {
+      features: [...outer, ...inner].map((step) => step.feature),
+      part: {
+        ...newPart("RANDOM"),
+        material,
+        outside: outside.rows,
+        inside: inner.length > 0 ? bore.rows : [],
+        marks: { ...outside.marks, ...(inner.length > 0 && bore.marks) },
+        general: { tolerance: "ISO 2768-m", ra: 3.2 },
+        blank: {
+          outside: text(outside.halves + over),
+          bore: hole > 0 ? across(hole) : "0",
+          length: text(length + facing / 2 + behind),
+          allowance: text(facing / 2),
+        },
+        partsOff: rear !== "sawn" && !isKept,
+        unmachinedBehind: isKept,
+      },
+    };
+  });
