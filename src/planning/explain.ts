@@ -1,8 +1,16 @@
 import { areaOf } from "../kernel/area/area.ts";
 import { difference } from "../kernel/area/clip.ts";
 import { LEAST_REGION } from "./open-regions.ts";
-import { changeBefore, type Node, type Searching } from "./search.ts";
-import { ruleBehind } from "./trade-rules.ts";
+import {
+  actionsIn,
+  areRivals,
+  changeBefore,
+  doneIn,
+  isInPlace,
+  nodesOf,
+  type PlanNode,
+  type Searching,
+} from "./plan-node.ts";
 import type { Action, TriedAction } from "./types.ts";
 import type { OtherWay, PlanStep, StepReason } from "./working-plan.ts";
 
@@ -11,30 +19,12 @@ const MOST_OTHERS = 2;
 /** Part of the material of a step that another way has to take, too. */
 const SHARED = 0.5;
 
-/** Whether two actions work in the same place. */
-const isInPlace = (a: Action["place"], b: Action["place"]) =>
-  Math.min(a.front, b.front) > Math.max(a.rear, b.rear) && Math.min(a.high, b.high) > Math.max(a.low, b.low);
-
-/** The nodes of a plan from its beginning, the first state left out. */
-export function nodesOf(end: Node): readonly Node[] {
-  const nodes: Node[] = [];
-  for (let node: Node | null = end; node?.before; node = node.before) nodes.unshift(node);
-  return nodes;
-}
-
-/** Other actions for the material, or the thread, of a step that were open there. */
-const rivalsOf = ({ action }: TriedAction, state: Node): readonly Action[] =>
-  state
-    .next()
-    .filter(
-      (a) =>
-        a.key !== action.key &&
-        isInPlace(a.place, action.place) &&
-        (action.threads.length === 0 || a.threads.some((t) => action.threads.includes(t))),
-    );
+/** Other ways that were open for a step. */
+const rivalsOf = ({ action }: TriedAction, state: PlanNode, s: Searching): readonly Action[] =>
+  actionsIn(state, s).filter((a) => areRivals(a, action));
 
 /** A rival as another way; null where it does not work or works elsewhere. */
-function wayOf(rival: TriedAction, chosen: TriedAction, state: Node, { request }: Searching): OtherWay | null {
+function wayOf(rival: TriedAction, chosen: TriedAction, state: PlanNode, { request }: Searching): OtherWay | null {
   if (!rival.works) return null;
   const taken = difference(state.stock, chosen.stock);
   const leaves = areaOf(difference(rival.stock, chosen.stock)) - areaOf(difference(chosen.stock, rival.stock));
@@ -50,15 +40,15 @@ function wayOf(rival: TriedAction, chosen: TriedAction, state: Node, { request }
 const compareWays = (a: OtherWay, b: OtherWay): number =>
   (Math.abs(a.leaves - b.leaves) < LEAST_REGION ? 0 : a.leaves - b.leaves) || a.longer - b.longer;
 
-function reasonsOf(node: Node, ways: readonly OtherWay[], isByHand: boolean, s: Searching): readonly StepReason[] {
+function reasonsOf(node: PlanNode, ways: readonly OtherWay[], isByHand: boolean, s: Searching): readonly StepReason[] {
   const { tried, before } = node;
   if (!tried || !before) return [];
   const { action } = tried;
   const last = before.tried?.action ?? null;
-  const done = before.done.map((d) => d.action);
+  const done = doneIn(before);
   const [next] = ways;
-  const rule = ruleBehind(action, done, s.request);
-  const rest = done.findLastIndex(({ site, place }) => site === action.site && isInPlace(place, action.place));
+  const rule = last && s.trade.between(last, action);
+  const rest = done.findLastIndex((d) => d.site === action.site && isInPlace(d, action));
   const way: readonly StepReason[] = !next
     ? [{ kind: "onlyWay", tool: action.tool.T, cycle: action.cycle }]
     : [
@@ -84,13 +74,17 @@ function comparedWith({ tried: { action }, longer, leaves }: OtherWay): StepReas
 }
 
 /** The steps of a plan with their reasons. Yields before every try. */
-export function* explained(end: Node, byHand: ReadonlySet<string>, s: Searching): Generator<Node, readonly PlanStep[]> {
+export function* explained(
+  end: PlanNode,
+  byHand: ReadonlySet<string>,
+  s: Searching,
+): Generator<PlanNode, readonly PlanStep[]> {
   const steps: PlanStep[] = [];
   for (const node of nodesOf(end)) {
     const { tried, before: state } = node;
     if (!tried || !state) continue;
     const ways: OtherWay[] = [];
-    for (const rival of rivalsOf(tried, state)) {
+    for (const rival of rivalsOf(tried, state, s)) {
       yield end;
       const way = wayOf(s.tries.of(rival, state), tried, state, s);
       if (way) ways.push(way);

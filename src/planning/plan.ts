@@ -1,7 +1,9 @@
 import { actionSources } from "./actions/index.ts";
-import { explained, nodesOf } from "./explain.ts";
+import { explained } from "./explain.ts";
+import { actionsIn, compareEnds, firstNode, nodeBehind, nodesOf, type PlanNode, type Searching } from "./plan-node.ts";
 import { residueOf } from "./residue.ts";
-import { beam, compareEnds, firstNode, nodeBehind, progressOf, type Node, type Searching } from "./search.ts";
+import { beam, pruned } from "./search.ts";
+import { Trade } from "./trade-rules.ts";
 import { Tries } from "./tries.ts";
 import type { ActionSource, PlanRequest } from "./types.ts";
 import { wholeProgram } from "./whole-program.ts";
@@ -13,17 +15,17 @@ const WIDTHS = [1, 3] as const;
 const MOST = 1500;
 
 /** The state behind the steps that an operator keeps or has chosen, as far as they are possible and work. */
-function* replayed({ keep = [], instead }: PlanChanges, s: Searching): Generator<Node, Node> {
+function* replayed({ keep = [], instead }: PlanChanges, s: Searching): Generator<PlanNode, PlanNode> {
   let node = firstNode(s);
   const kept = instead ? keep.slice(0, instead.at) : keep;
   const keys = kept.map(({ tried }) => tried.action.key);
   for (const key of instead ? [...keys, instead.actionKey] : keys) {
-    const action = node.next().find((a) => a.key === key);
+    const action = actionsIn(node, s).find((a) => a.key === key);
     if (!action) return node;
     yield node;
     const tried = s.tries.of(action, node);
     if (!tried.works) return node;
-    node = nodeBehind(s, node, tried);
+    node = nodeBehind(node, tried, s);
   }
   return node;
 }
@@ -43,14 +45,17 @@ export function* planning(
     request,
     sources,
     tries: new Tries(request),
+    trade: new Trade(request),
+    known: new Map(),
     locked: [...locked, ...byHand.filter(({ key }) => !locked.some((l) => l.key === key))],
     most: MOST,
   };
   const hand = new Set([...s.locked.map(({ key }) => key), ...(instead ? [instead.actionKey] : [])]);
   const from = yield* reported(replayed(changes, s), s, () => null);
-  let best: Node | null = null;
+  let best: PlanNode | null = null;
   for (const width of WIDTHS) {
-    const end = yield* reported(beam(s, from, width), s, () => best);
+    const found = yield* reported(beam(from, width, s), s, () => best);
+    const end = yield* reported(pruned(found, s), s, () => best);
     if (!best || compareEnds(end, best) < 0) best = end;
   }
   const end = best ?? from;
@@ -71,10 +76,24 @@ export function* planning(
 }
 
 /** Turns the states that a part of the search looks at into its progress; `best`: the plan to show instead. */
-function* reported<T>(part: Generator<Node, T>, s: Searching, best: () => Node | null): Generator<PlanProgress, T> {
+function* reported<T>(
+  part: Generator<PlanNode, T>,
+  s: Searching,
+  best: () => PlanNode | null,
+): Generator<PlanProgress, T> {
   for (;;) {
     const next = part.next();
     if (next.done) return next.value;
     yield progressOf(best() ?? next.value, s);
   }
 }
+
+/** What a search tells about where it is. */
+const progressOf = ({ done, stock, seconds, left }: PlanNode, { tries, most }: Searching): PlanProgress => ({
+  tries: tries.count,
+  most,
+  done,
+  stock,
+  seconds,
+  left,
+});

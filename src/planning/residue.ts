@@ -2,7 +2,7 @@ import { boxAround } from "../kernel/area/box.ts";
 import { SAME } from "../kernel/tolerance.ts";
 import { missingFor, sideOf } from "./missing.ts";
 import { openRegions, type OpenRegion } from "./open-regions.ts";
-import type { Node, Searching } from "./search.ts";
+import { actionsIn, type PlanNode, type Searching } from "./plan-node.ts";
 import type { Action, ElementMark, PlanRequest } from "./types.ts";
 import type { Residue } from "./working-plan.ts";
 
@@ -30,7 +30,7 @@ function placeReason({ box }: OpenRegion, request: PlanRequest): "rear" | "clamp
 }
 
 /** Whether something that is excluded would take some of a region. Yields before every try. */
-function* isExcluded(region: OpenRegion, end: Node, s: Searching): Generator<Node, boolean> {
+function* isExcluded(region: OpenRegion, end: PlanNode, s: Searching): Generator<PlanNode, boolean> {
   const { withoutCycles, withoutTools } = s.request;
   if (withoutCycles.length + withoutTools.length === 0) return false;
   const free: PlanRequest = { ...s.request, withoutCycles: [], withoutTools: [] };
@@ -53,7 +53,7 @@ const threadsOf = ({ part: { outside, inside } }: PlanRequest) =>
   );
 
 /** Threads that no step makes. */
-function threadsLeft({ done }: Node, request: PlanRequest): readonly Residue[] {
+function threadsLeft({ done }: PlanNode, request: PlanRequest): readonly Residue[] {
   const made = done.flatMap(({ action }) => action.threads);
   const wanted = threadsOf(request);
   return wanted
@@ -71,9 +71,9 @@ function threadsLeft({ done }: Node, request: PlanRequest): readonly Residue[] {
 }
 
 /** What the end of a search leaves, with the reason and the tool that is missing. */
-export function* residueOf(end: Node, s: Searching): Generator<Node, readonly Residue[]> {
+export function* residueOf(end: PlanNode, s: Searching): Generator<PlanNode, readonly Residue[]> {
   const { request, tries, most } = s;
-  const failed = end.next();
+  const failed = actionsIn(end, s);
   const left: Residue[] = [];
   for (const region of openRegions(end.stock, request.part)) {
     const { site, border } = sideOf(region, request.part);

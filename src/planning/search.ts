@@ -1,220 +1,191 @@
-import { areaOf } from "../kernel/area/area.ts";
-import { difference, opened } from "../kernel/area/clip.ts";
-import { SLIVER } from "../kernel/tolerance.ts";
 import { LEAST_REGION } from "./open-regions.ts";
-import { turnedVolume } from "./stock-key.ts";
-import { penaltyAfter, penaltyBefore } from "./trade-rules.ts";
-import type { Tries } from "./tries.ts";
-import type { Action, ActionSource, PlanRequest, PlanState, TriedAction } from "./types.ts";
-import type { PlanProgress } from "./working-plan.ts";
+import {
+  actionsIn,
+  areRivals,
+  changeBefore,
+  compareEnds,
+  doneIn,
+  isCorner,
+  isInPlace,
+  nodeBehind,
+  nodesOf,
+  type PlanNode,
+  type Searching,
+  volumeIn,
+} from "./plan-node.ts";
+import type { Expected } from "./tries.ts";
+import { ROUGHING, type Action } from "./types.ts";
 
-/** A state of the search with the way to it. */
-export interface Node extends PlanState {
-  readonly before: Node | null;
-  /** The step that led here; null at the beginning. */
-  readonly tried: TriedAction | null;
-  /** Cost so far, s: time, tool changes, rules; and the time alone. */
-  readonly cost: number;
-  readonly seconds: number;
-  /** Material outside the finished part: mm² of the half plane, and mm³. */
-  readonly left: number;
-  readonly volume: number;
-  /** Actions that could be next; made when they are asked for. */
-  readonly next: () => readonly Action[];
-}
-
-/** What a search works with. */
-export interface Searching {
-  readonly request: PlanRequest;
-  readonly sources: readonly ActionSource[];
-  readonly tries: Tries;
-  /** Actions with values by hand: each takes the place of the action with its key and of others in its place. */
-  readonly locked: readonly Action[];
-  /** Bound of tries. */
-  readonly most: number;
-}
-
-const isBeside = (a: Action, b: Action) =>
-  a.place.front <= b.place.rear ||
-  b.place.front <= a.place.rear ||
-  a.place.high <= b.place.low ||
-  b.place.high <= a.place.low;
-
-/** Actions that could be next in a state, those by hand in place of what they replace. */
-function actionsIn(state: PlanState, { request, sources, locked }: Searching): readonly Action[] {
-  const { withoutCycles, withoutTools } = request;
-  const all = sources
-    .flatMap((source) => source.actions(state, request))
-    .filter(
-      ({ cycle, tool, threads }) =>
-        (cycle === null || !withoutCycles.includes(cycle)) &&
-        !withoutTools.includes(tool.T) &&
-        (threads.length === 0 || threads.some((t) => !state.threads.has(t))),
-    );
-  if (locked.length === 0) return all;
-  const byKey = new Map(locked.map((l) => [l.key, l]));
-  const own = all.map((a) => byKey.get(a.key) ?? a);
-  const here = own.filter((a) => byKey.get(a.key) === a);
-  return own.filter((a) => here.includes(a) || !here.some((l) => l.kind === a.kind && !isBeside(l, a)));
-}
-
-/** Time of a tool change on the machine, s. */
-export const changeTime = ({ shop: { machine }, rules }: PlanRequest): number =>
-  machine?.toolChange ?? rules.toolChange;
-
-/** Time of the tool change before an action, s. */
-export const changeBefore = ({ tool }: Action, before: Action | null, request: PlanRequest): number =>
-  before?.tool.T === tool.T ? 0 : changeTime(request);
-
-const made = (s: Searching, state: PlanState, rest: Omit<Node, keyof PlanState | "left" | "volume" | "next">): Node => {
-  const open = opened(difference(state.stock, s.request.part.rings), SLIVER);
-  let actions: readonly Action[] | null = null;
-  return {
-    ...state,
-    ...rest,
-    left: areaOf(open),
-    volume: turnedVolume(open),
-    next: () => (actions ??= actionsIn(state, s)),
-  };
-};
-
-/** The state before the first action. */
-export const firstNode = (s: Searching): Node =>
-  made(s, { stock: s.request.blank, done: [], threads: new Set() }, { before: null, tried: null, cost: 0, seconds: 0 });
-
-/** The state behind an action that works. */
-export function nodeBehind(s: Searching, node: Node, tried: TriedAction): Node {
-  const { action, stock, seconds: cutting } = tried;
-  const seconds = cutting + changeBefore(action, node.tried?.action ?? null, s.request);
-  const penalty = penaltyAfter(
-    action,
-    node.done.map((d) => d.action),
-    s.request,
-  );
-  return made(
-    s,
-    { stock, done: [...node.done, tried], threads: new Set([...node.threads, ...action.threads]) },
-    { before: node, tried, cost: node.cost + seconds + penalty, seconds: node.seconds + seconds },
-  );
-}
-
-/** Whether nothing is left to do. */
-const isDone = (node: Node, { request }: Searching): boolean =>
-  node.left < LEAST_REGION &&
-  !node.next().some(({ kind, threads }) => threads.length > 0 || (kind === "partOff" && request.partsOff));
-
-/** Differences of two ends of a search in the order in which they count; negative: the first is better. */
-export function compareEnds(a: Node, b: Node): number {
-  const parted = (n: Node) => Number(n.done.some(({ action }) => action.kind === "partOff"));
-  const left = a.left - b.left;
-  return (
-    parted(b) - parted(a) ||
-    b.threads.size - a.threads.size ||
-    (Math.abs(left) < LEAST_REGION ? 0 : left) ||
-    a.cost - b.cost
-  );
-}
-
-/** An action in a state with the least that a whole plan through it can cost, as far as is known. */
+/** An action in a state, with the cost so far and that of a tool change, s. */
 interface Candidate {
-  readonly node: Node;
+  readonly node: PlanNode;
   readonly action: Action;
-  readonly bound: number;
-  /** It failed where the stock in its place was the same. */
-  readonly hasFailed: boolean;
+  readonly base: number;
 }
 
-function candidatesOf(node: Node, s: Searching): readonly Candidate[] {
-  const { tries, request } = s;
-  const all = node.next();
-  const expected = new Map(all.map((a) => [a, tries.expectedOf(a, node)]));
-  const waiting = all.filter((a) => expected.get(a)?.works !== false);
-  const done = node.done.map((d) => d.action);
-  return all.map((action) => {
-    const known = expected.get(action);
-    const base =
-      node.cost +
-      changeBefore(action, node.tried?.action ?? null, request) +
-      penaltyAfter(action, done, request) +
-      penaltyBefore(action, waiting, request);
-    // Nothing takes material faster than the best action so far.
-    const rest = known?.works ? known.seconds + restOf(node.volume - known.volume, tries) : restOf(node.volume, tries);
-    return { node, action, bound: base + rest, hasFailed: known?.works === false };
+/** An action that was not tried may be this many times as quick as the quickest so far. */
+const QUICKER = 2;
+
+/** The candidates of one level of a search, and what is known of them. */
+class Level {
+  readonly candidates: readonly Candidate[];
+  private readonly ofNode = new Map<PlanNode, readonly Action[]>();
+
+  constructor(
+    nodes: readonly PlanNode[],
+    private readonly s: Searching,
+  ) {
+    this.candidates = nodes.flatMap((node) => {
+      const actions = actionsIn(node, s);
+      this.ofNode.set(node, actions);
+      const last = node.tried?.action ?? null;
+      return actions
+        .filter((action) => !this.isOtherOrder(node, action))
+        .map((action) => ({
+          node,
+          action,
+          base: node.cost + changeBefore(action, last, s.request),
+        }));
+    });
+  }
+
+  expected({ action, node }: Candidate): Expected | null {
+    return this.s.tries.expectedOf(action, node);
+  }
+
+  /**
+   * The least that a plan through a candidate costs as far as is known, s: nothing takes material faster than the
+   * quickest cut so far, others wait, and what a finishing cut leaves has to be taken by the next better one.
+   */
+  value(candidate: Candidate): number {
+    const { node, action, base } = candidate;
+    const { tries, trade, request } = this.s;
+    const known = this.expected(candidate);
+    const waiting = (this.ofNode.get(node) ?? []).filter((a) => this.isWaiting(a, node));
+    const early = base + trade.before(action, waiting);
+    if (!known) {
+      const most = volumeIn(node, action, request);
+      return early + tries.leastFor(node.volume - most) + tries.leastFor(most) / QUICKER;
+    }
+    const late = isCorner(known) ? 0 : trade.after(action, doneIn(node));
+    return early + late + known.seconds + tries.leastFor(node.volume - known.volume) + this.restFor(candidate, known);
+  }
+
+  private isWaiting(action: Action, node: PlanNode): boolean {
+    const known = this.s.tries.expectedOf(action, node);
+    return !known || (known.works && !isCorner(known));
+  }
+
+  /** Time of the quickest rival that takes what a finishing cut leaves, s. */
+  private restFor({ node, action }: Candidate, { cut }: Expected): number {
+    if (ROUGHING.has(action.kind)) return 0;
+    const better = (this.ofNode.get(node) ?? []).flatMap((rival) => {
+      if (!areRivals(action, rival)) return [];
+      const known = this.s.tries.expectedOf(rival, node);
+      if (!known?.works || known.cut < cut + LEAST_REGION) return [];
+      return [known.seconds + changeBefore(rival, action, this.s.request)];
+    });
+    return better.length > 0 ? Math.min(...better) : 0;
+  }
+
+  /** Two actions of one tool and kind in places apart lead to the same in either order: from the front is enough. */
+  private isOtherOrder(node: PlanNode, action: Action): boolean {
+    const last = node.tried?.action;
+    if (!last || !node.before || last.tool.T !== action.tool.T || last.kind !== action.kind) return false;
+    if (isInPlace(last, action) || action.place.front < last.place.front) return false;
+    if (action.place.front === last.place.front && action.key >= last.key) return false;
+    return actionsIn(node.before, this.s).some(({ key }) => key === action.key);
+  }
+}
+
+/** The first of the candidates that could still be among the best and was not tried; null where none could. */
+function untried(level: Level, width: number): Candidate | null {
+  const all = level.candidates.flatMap((candidate) => {
+    const known = level.expected(candidate);
+    return known && !known.works ? [] : [{ candidate, known, value: level.value(candidate) }];
   });
+  all.sort((a, b) => a.value - b.value);
+  return all.slice(0, width).find(({ known }) => !known)?.candidate ?? null;
 }
 
-/** Least time for a volume, s. */
-const restOf = (volume: number, { rate }: Tries): number => (rate > 0 ? Math.max(0, volume) / rate : 0);
+/** The best states behind the candidates of a level, each stock once. Yields before every try. */
+function* nextLevel(level: Level, width: number, s: Searching): Generator<PlanNode, readonly PlanNode[]> {
+  for (let next = untried(level, width); next && s.tries.count < s.most; next = untried(level, width)) {
+    yield next.node;
+    s.tries.of(next.action, next.node);
+  }
+  const works = level.candidates
+    .filter((candidate) => level.expected(candidate)?.works)
+    .map((candidate) => ({ candidate, value: level.value(candidate) }))
+    .sort((a, b) => a.value - b.value);
+  const reached = new Map<string, PlanNode>();
+  for (const { candidate } of works) {
+    if (reached.size >= width || s.tries.count >= s.most) break;
+    yield* reach(candidate, reached, s);
+  }
+  if (reached.size > 0) return [...reached.values()];
+  // What failed may work now that the stock beside its place is gone.
+  for (const candidate of level.candidates) {
+    if (reached.size >= width || s.tries.count >= s.most) break;
+    const known = level.expected(candidate);
+    if (known && !known.works && known.cut >= LEAST_REGION) yield* reach(candidate, reached, s);
+  }
+  return [...reached.values()];
+}
 
-/** Skips an order of two actions of one tool in places apart when the other order was open, too: it leads to the same. */
-function isOtherOrder({ node, action }: Candidate): boolean {
-  const last = node.tried?.action;
-  return (
-    last !== undefined &&
-    last.tool.T === action.tool.T &&
-    last.kind === action.kind &&
-    isBeside(last, action) &&
-    (action.place.front > last.place.front || (action.place.front === last.place.front && action.key < last.key)) &&
-    (node.before?.next().some(({ key }) => key === action.key) ?? false)
-  );
+/** Adds the state behind a candidate where it works and its stock is new. */
+function* reach({ action, node }: Candidate, reached: Map<string, PlanNode>, s: Searching): Generator<PlanNode, void> {
+  yield node;
+  const tried = s.tries.of(action, node);
+  if (!tried.works) return;
+  const behind = nodeBehind(node, tried, s);
+  const key = [action.tool.T, ...[...behind.threads].toSorted(), s.tries.keyOf(behind.stock)].join();
+  const same = reached.get(key);
+  if (!same || behind.cost < same.cost) reached.set(key, behind);
 }
 
 /**
- * Beam search from one state: of the states behind each step the `width` best go on. Yields before every try. Returns
- * the best end that it found.
+ * Beam search from one state: of the states behind each step the `width` best go on. Returns the best end that it
+ * found.
  */
-export function* beam(s: Searching, from: Node, width: number): Generator<Node, Node> {
-  let [level, best]: [readonly Node[], Node | null] = [[from], null];
-  const take = (end: Node) => {
-    if (!best || compareEnds(end, best) < 0) best = end;
-  };
-  while (level.length > 0 && s.tries.count < s.most) {
-    const ends = level.filter((node) => isDone(node, s));
-    ends.forEach(take);
-    const open = level.filter((node) => !ends.includes(node));
-    const all = open
-      .flatMap((node) => candidatesOf(node, s))
-      .toSorted((a, b) => Number(a.hasFailed) - Number(b.hasFailed) || a.bound - b.bound);
-    const next = new Map<string, { readonly node: Node; readonly value: number }>();
-    const kept = () => [...next.values()].toSorted((a, b) => a.value - b.value).slice(0, width);
-    for (const candidate of all) {
-      const worst = kept()[width - 1]?.value ?? Infinity;
-      if (candidate.bound >= worst || (candidate.hasFailed && next.size > 0)) break;
-      if (s.tries.count >= s.most) break;
-      if (isOtherOrder(candidate)) continue;
-      const { node, action } = candidate;
-      yield node;
-      const tried = s.tries.of(action, node);
-      if (!tried.works) continue;
-      const behind = nodeBehind(s, node, tried);
-      const waits = penaltyBefore(
-        action,
-        node.next().filter((a) => s.tries.expectedOf(a, node)?.works !== false),
-        s.request,
-      );
-      const value = behind.cost + restOf(behind.volume, s.tries) + waits;
-      const key = `${action.tool.T} ${[...behind.threads].sort().join()} ${s.tries.keyOf(behind.stock)}`;
-      const same = next.get(key);
-      if (!same || value < same.value) next.set(key, { node: behind, value });
-    }
-    const reached = kept().map(({ node }) => node);
-    // Where nothing works any more, a plan ends.
-    open
-      .filter((node) => !reached.some(({ before }) => before === node))
-      .filter(() => next.size === 0)
-      .forEach(take);
-    level = reached;
+export function* beam(from: PlanNode, width: number, s: Searching): Generator<PlanNode, PlanNode> {
+  let [nodes, best]: [readonly PlanNode[], PlanNode | null] = [[from], null];
+  while (nodes.length > 0) {
+    const next: readonly PlanNode[] = yield* nextLevel(new Level(nodes, s), width, s);
+    const ended = next.length === 0 ? nodes : nodes.filter((node) => node.left < LEAST_REGION);
+    for (const node of ended) if (!best || compareEnds(node, best) < 0) best = node;
+    nodes = next;
   }
-  level.forEach(take);
   return best ?? from;
 }
 
-/** What a search tells about where it is. */
-export const progressOf = ({ done, stock, seconds, left }: Node, { tries, most }: Searching): PlanProgress => ({
-  tries: tries.count,
-  most,
-  done,
-  stock,
-  seconds,
-  left,
-});
+/**
+ * A plan without the steps that a later one makes needless, as a finishing cut before a better one. Yields before every
+ * try.
+ */
+export function* pruned(end: PlanNode, s: Searching): Generator<PlanNode, PlanNode> {
+  let best = end;
+  for (let i = end.done.length - 2; i >= 0; i -= 1) {
+    const nodes = nodesOf(best);
+    const action = nodes[i]?.tried?.action;
+    const later = nodes.slice(i + 1).flatMap(({ tried }) => tried?.action ?? []);
+    const start = nodes[i]?.before;
+    if (!action || !start || !later.some((a) => areRivals(a, action))) continue;
+    const without = yield* followed(start, later, s);
+    if (compareEnds(without, best) < 0) best = without;
+  }
+  return best;
+}
+
+/** The state behind actions one after the other, without those that do not work there. */
+function* followed(from: PlanNode, actions: readonly Action[], s: Searching): Generator<PlanNode, PlanNode> {
+  let node = from;
+  for (const { key } of actions) {
+    const action = actionsIn(node, s).find((a) => a.key === key);
+    if (!action) continue;
+    yield node;
+    const tried = s.tries.of(action, node);
+    if (tried.works) node = nodeBehind(node, tried, s);
+  }
+  return node;
+}

@@ -2,10 +2,11 @@ import type { Action, ActionKind, PlanRequest, ShopRules } from "./types.ts";
 import { FINISHING, type TradeRule } from "./working-plan.ts";
 
 /** One rule of the trade: doing something of `first` after something of `then` costs time that a shop can set. */
-export interface Rule {
+interface Rule {
   readonly rule: TradeRule;
   readonly first: (action: Action, request: PlanRequest) => boolean;
   readonly then: (action: Action, request: PlanRequest) => boolean;
+  /** s. */
   readonly cost: (rules: ShopRules) => number;
 }
 
@@ -14,9 +15,7 @@ const isOf =
   ({ kind }: Action) =>
     kinds.includes(kind);
 
-const ROUGHING = ["roughOutside", "roughInside", "restRough"] as const;
-const BORING = ["centre", "drill"] as const;
-
+const CHIPS = ["roughOutside", "roughInside", "restRough"] as const;
 const finishes = ({ kind }: Action) => FINISHING.has(kind);
 
 /** Whether an action finishes an element with a tolerance. */
@@ -33,11 +32,11 @@ function isToleranced(action: Action, { part }: PlanRequest): boolean {
 const NEVER = 100_000;
 
 /** Rules of the trade. "One tool as long as it can" needs none: a tool change costs its time. */
-export const TRADE_RULES: readonly Rule[] = [
+const TRADE_RULES: readonly Rule[] = [
   { rule: "faceFirst", first: isOf("face"), then: ({ kind }) => kind !== "face", cost: (r) => r.finishBeforeRough },
   {
     rule: "roughBeforeFinish",
-    first: isOf(...ROUGHING, ...BORING),
+    first: isOf(...CHIPS, "centre", "drill"),
     then: finishes,
     cost: (r) => r.finishBeforeRough,
   },
@@ -76,24 +75,48 @@ export const TRADE_RULES: readonly Rule[] = [
   { rule: "partOffLast", first: ({ kind }) => kind !== "partOff", then: isOf("partOff"), cost: () => NEVER },
 ];
 
-/** What it costs to do an action after others, s. */
-export const penaltyAfter = (action: Action, done: readonly Action[], request: PlanRequest): number =>
-  TRADE_RULES.reduce(
-    (sum, { first, then, cost }) =>
-      first(action, request) && done.some((d) => then(d, request)) ? sum + cost(request.rules) : sum,
-    0,
-  );
+/** The sides of the rules on which an action stands, as bits in the order of the rules. */
+interface Sides {
+  readonly first: number;
+  readonly then: number;
+}
 
-/** What it will cost to do an action while others are still to be done, s: the price of the costliest rule. */
-export const penaltyBefore = (action: Action, waiting: readonly Action[], request: PlanRequest): number =>
-  TRADE_RULES.reduce(
-    (sum, { first, then, cost }) =>
-      then(action, request) && waiting.some((w) => w.key !== action.key && first(w, request))
-        ? sum + cost(request.rules)
-        : sum,
-    0,
-  );
+/** The rules of the trade for one request. */
+export class Trade {
+  private readonly known = new WeakMap<Action, Sides>();
 
-/** The first rule that puts an action behind those that are done. */
-export const ruleBehind = (action: Action, done: readonly Action[], request: PlanRequest): TradeRule | null =>
-  TRADE_RULES.find(({ first, then }) => then(action, request) && done.some((d) => first(d, request)))?.rule ?? null;
+  constructor(private readonly request: PlanRequest) {}
+
+  /** What it costs to do an action after others, s. */
+  after(action: Action, done: readonly Action[]): number {
+    return this.cost(this.sides(action).first & done.reduce((bits, d) => bits | this.sides(d).then, 0));
+  }
+
+  /** What doing an action makes others cost that are still to be done, s. */
+  before(action: Action, waiting: readonly Action[]): number {
+    const bits = waiting.reduce((all, w) => (w.key === action.key ? all : all | this.sides(w).first), 0);
+    return this.cost(this.sides(action).then & bits);
+  }
+
+  /** The rule that puts an action behind the action before it; null where none does. */
+  between(before: Action, action: Action): TradeRule | null {
+    const bits = this.sides(before).first & this.sides(action).then;
+    return TRADE_RULES.find((_, i) => (bits & (1 << i)) !== 0)?.rule ?? null;
+  }
+
+  private cost(bits: number): number {
+    return bits === 0
+      ? 0
+      : TRADE_RULES.reduce((sum, { cost }, i) => (bits & (1 << i) ? sum + cost(this.request.rules) : sum), 0);
+  }
+
+  private sides(action: Action): Sides {
+    const known = this.known.get(action);
+    if (known) return known;
+    const bits = (side: "first" | "then") =>
+      TRADE_RULES.reduce((all, rule, i) => (rule[side](action, this.request) ? all | (1 << i) : all), 0);
+    const made = { first: bits("first"), then: bits("then") };
+    this.known.set(action, made);
+    return made;
+  }
+}

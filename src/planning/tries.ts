@@ -2,12 +2,13 @@ import { applyAction } from "./apply-action.ts";
 import { localKey, stockKey, turnedVolume } from "./stock-key.ts";
 import type { Action, PlanRequest, PlanState, TriedAction } from "./types.ts";
 
-/** What is known of an action before it is tried on a stock. */
+/** What an action did where the stock in its place was the same. */
 export interface Expected {
-  readonly seconds: number;
-  /** mm³ of material that it takes. */
-  readonly volume: number;
   readonly works: boolean;
+  readonly seconds: number;
+  /** Material that it takes: mm² of the half plane, and mm³. */
+  readonly cut: number;
+  readonly volume: number;
 }
 
 /** Everything that was tried in one search. */
@@ -19,27 +20,34 @@ export class Tries {
   private readonly results = new Map<string, TriedAction>();
   private readonly expected = new Map<string, Expected>();
   private readonly names = new WeakMap<Action, string>();
+  private readonly places = new WeakMap<PlanState["stock"], WeakMap<Action, string>>();
   private readonly stocks = new WeakMap<PlanState["stock"], string>();
 
   constructor(private readonly request: PlanRequest) {}
 
   /** The result of an action on the stock of a state. */
-  of(action: Action, state: Pick<PlanState, "stock">): TriedAction {
-    const question = `${this.nameOf(action)}\n${this.keyOf(state.stock)}`;
+  of(action: Action, { stock }: Pick<PlanState, "stock">): TriedAction {
+    const question = `${this.nameOf(action)}\n${this.keyOf(stock)}`;
     const known = this.results.get(question);
     if (known) return known.action === action ? known : { ...known, action };
     this.count += 1;
-    const tried = applyAction(action, state, this.request);
-    const volume = tried.works ? turnedVolume(state.stock) - turnedVolume(tried.stock) : 0;
+    const tried = applyAction(action, { stock }, this.request);
+    const { works, seconds, cut } = tried;
+    const volume = works ? turnedVolume(stock) - turnedVolume(tried.stock) : 0;
     this.results.set(question, tried);
-    this.expected.set(this.placeOf(action, state.stock), { seconds: tried.seconds, volume, works: tried.works });
-    if (tried.works && tried.seconds > 0) this.rate = Math.max(this.rate, volume / tried.seconds);
+    this.expected.set(this.placeOf(action, stock), { works, seconds, cut, volume });
+    if (works && seconds > 0) this.rate = Math.max(this.rate, volume / seconds);
     return tried;
   }
 
-  /** What the action did where the stock in its place was the same; null where it was not tried there. */
+  /** What an action does to a stock as far as that is known without a try; null where it is not. */
   expectedOf(action: Action, { stock }: Pick<PlanState, "stock">): Expected | null {
     return this.expected.get(this.placeOf(action, stock)) ?? null;
+  }
+
+  /** Least time for a volume, s. */
+  leastFor(volume: number): number {
+    return this.rate > 0 ? Math.max(0, volume) / this.rate : 0;
   }
 
   /** A stock as a text. */
@@ -60,6 +68,10 @@ export class Tries {
   }
 
   private placeOf(action: Action, stock: PlanState["stock"]): string {
-    return `${this.nameOf(action)}\n${localKey(stock, action)}`;
+    const inStock = this.places.get(stock) ?? new WeakMap<Action, string>();
+    this.places.set(stock, inStock);
+    const place = inStock.get(action) ?? `${this.nameOf(action)}\n${localKey(stock, action)}`;
+    inStock.set(action, place);
+    return place;
   }
 }

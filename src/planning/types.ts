@@ -90,6 +90,15 @@ export const ACTION_KINDS = [
 ] as const;
 export type ActionKind = (typeof ACTION_KINDS)[number];
 
+/** Kinds that take material for other kinds to finish. */
+export const ROUGHING: ReadonlySet<ActionKind> = new Set([
+  "drill",
+  "roughOutside",
+  "roughInside",
+  "restRough",
+  "recess",
+]);
+
 /** A value of an action with the reason for it; the formula and its inputs are those of `values/`. */
 export interface ReasonedValue {
   /** The parameter ("Q463") or the place of the set-up ("speed"). */
