@@ -14,6 +14,8 @@ export interface ElementMark {
   readonly row: string;
   /** Greatest arithmetical mean roughness, µm. */
   readonly roughness?: number;
+  /** Greatest mean roughness depth, µm. */
+  readonly rz?: number;
   /** Designation of a thread on this cylinder or cone, as typed: "M30x1.5". */
   readonly thread?: string;
   /** Designation of the undercut that the element belongs to: "DIN 76-A 1.5". */

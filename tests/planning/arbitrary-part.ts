@@ -186,7 +186,7 @@ export const arbitraryParts: fc.Arbitrary<ArbitraryPart> = fc
     const length = outer.reduce((sum, { long }) => sum + long, 0);
     const isThrough = inner.length > 0 && (through || length < 48);
     const bore = insideOf(inner, length, isThrough);
-    const core = inner.length > 0 ? bore.widest + WALL : 0;
+    const core = inner.length > 0 ? bore.widest + WALL : WALL;
     const outside = outsideOf(outer, core),
       isKept = rear === "chuck" && !isThrough,
       behind = rear === "sawn" ? 1 : 35;

@@ -59,14 +59,15 @@ function startOf(cycle: Cycle, { segments, way, stock }: ContourWork): { readonl
   const points = part.flattenedChain(segments, CHORD);
   const { left, right, high } = boxAround([points]);
   const all = boxAround(stock);
+  const above = Math.max(high, highest(stock, left, right)) + ABOVE;
+  const recesses = cycle.group === "recessTurning" || cycle.group === "recessing";
   if (worksAcross(cycle)) {
     const front = Math.max(right, ...stock.flat().flatMap((p) => (p.z >= left ? [p.z] : [])));
-    return { z: front, r: Math.max(high, highest(stock, left, all.right)) + AHEAD };
+    return recesses
+      ? { z: front + ABOVE, r: points[0]?.r ?? high }
+      : { z: front, r: Math.max(high, highest(stock, left, all.right)) + AHEAD };
   }
-  if (cycle.group === "recessTurning" || cycle.group === "recessing") {
-    const z = (way === "back" ? points.at(-1) : points[0])?.z ?? right;
-    return { z, r: Math.max(high, highest(stock, left, right)) + ABOVE };
-  }
+  if (recesses) return { z: points[0]?.z ?? right, r: above };
   const z = way === "back" ? left - AHEAD : right + AHEAD;
   const top = Math.max(high, highest(stock, left, right));
   const clear = highest(stock, way === "back" ? z - AHEAD : z, way === "back" ? left : z + AHEAD);

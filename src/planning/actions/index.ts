@@ -1,7 +1,9 @@
 import type { ActionSource } from "../types.ts";
 import { face } from "./face.ts";
 import { finishOutside } from "./finish-outside.ts";
+import { recess } from "./recess.ts";
+import { restRough } from "./rest-rough.ts";
 import { roughOutside } from "./rough-outside.ts";
 
 /** Every kind of action, one file and one line each, in the usual order of a working plan. */
-export const actionSources: readonly ActionSource[] = [face, roughOutside, finishOutside];
+export const actionSources: readonly ActionSource[] = [face, roughOutside, restRough, recess, finishOutside];

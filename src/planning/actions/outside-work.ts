@@ -6,6 +6,7 @@ import { CHORD, SAME, SLIVER } from "../../kernel/tolerance.ts";
 import { perSide, diameter } from "../../kernel/units.ts";
 import { regionsOf } from "../../sim/region.ts";
 import { LEAST_REGION, type OpenRegion } from "../open-regions.ts";
+import { pocketsOf, type Pocket } from "./pockets.ts";
 import type { Chain, ElementMark, PlannedPart, PlanRequest, PlanState } from "../types.ts";
 
 /** A piece of material to remove, with the section of the chain that bounds it, from the front to the rear. */
@@ -13,6 +14,10 @@ export interface Piece extends OpenRegion {
   readonly section: Chain;
   /** True where no part of the chain stands in front of it: a tool comes in along Z. */
   readonly opensAhead: boolean;
+  /** Indices of the first and the last element of the chain that it touches. */
+  readonly borders: readonly [first: number, last: number];
+  /** The same of its section. */
+  readonly span: readonly [first: number, last: number];
 }
 
 /** Distance from jaws and other bodies of the clamping, mm. */
@@ -96,6 +101,8 @@ export interface OutsideWork {
   readonly pieces: readonly Piece[];
   /** The same beyond the oversize for finishing, without thin remains. */
   readonly rough: readonly Piece[];
+  /** Grooves and valleys of the chain. */
+  readonly pockets: readonly Pocket[];
 }
 
 /** What is left to turn outside in a state. */
@@ -109,9 +116,16 @@ export function outsideWork({ stock }: PlanState, request: PlanRequest): Outside
   const grown = offset([solid], over);
   return {
     chain,
+    pockets: [...pocketsOf(chain, "r"), ...pocketsOf(chain, "z")],
     pieces: piecesOf(opened(left, SLIVER), chain, SLIVER),
     rough: piecesOf(opened(difference(left, grown), THIN), chain, over + SLIVER),
   };
+}
+
+/** The innermost pocket that a piece lies in; null for none. */
+export function pocketOf({ borders: [from, to] }: Pick<Piece, "borders">, pockets: readonly Pocket[]): Pocket | null {
+  const around = pockets.find(({ first, last }) => first <= from && to <= last);
+  return around ? (pocketOf({ borders: [from, to] }, around.inner) ?? around) : null;
 }
 
 const piecesOf = (area: readonly Ring[], chain: Chain, near: number): readonly Piece[] =>
@@ -136,7 +150,7 @@ function sectionAt(
   { segments, marks }: Chain,
   { rings, box }: OpenRegion,
   near: number,
-): Pick<Piece, "section" | "opensAhead"> | null {
+): Pick<Piece, "section" | "opensAhead" | "borders" | "span"> | null {
   const wide = offset(rings, near + 2 * SLIVER);
   const isNear = (p: Pt) => wide.filter((ring) => isInside(ring, p)).length % 2 === 1;
   const borders = (s: Segment) => {
@@ -145,7 +159,8 @@ function sectionAt(
     return Array.from({ length: count }, (_, i) => part.pointOn(s, (i + 0.5) / count)).some(isNear);
   };
   const hit = segments.flatMap((s, i) => (borders(s) ? [i] : []));
-  let [first, last] = [hit[0] ?? -1, hit.at(-1) ?? -1];
+  const touched = [hit[0] ?? -1, hit.at(-1) ?? -1] as const;
+  let [first, last] = touched;
   if (first < 0) return null;
   const level = box.high - near - 2 * SLIVER;
   while (first > 0 && (segments[first]?.from.r ?? 0) < level) first -= 1;
@@ -160,8 +175,30 @@ function sectionAt(
   const end = section.at(-1) as Segment;
   if (end.kind === "line" && b.to.z < rear - SAME && end.from.z > rear)
     section[section.length - 1] = part.line(end.from, onLine(end, rear));
-  return { section: { segments: section, marks: marks.slice(first, last + 1) }, opensAhead };
+  return {
+    section: { segments: section, marks: marks.slice(first, last + 1) },
+    opensAhead,
+    borders: touched,
+    span: [first, last],
+  };
 }
 
 const meets = (a: Box, b: Box, by: number): boolean =>
   a.left <= b.right + by && b.left <= a.right + by && a.low <= b.high + by && b.low <= a.high + by;
+
+/** The chain from its front to the end of the section of a piece, with what lies along it. */
+export function workUpTo(
+  { chain, pieces, rough, pockets }: OutsideWork,
+  { section, span: [, last] }: Piece,
+): OutsideWork {
+  const end = section.segments.at(-1);
+  return {
+    chain: {
+      segments: [...chain.segments.slice(0, last), ...(end ? [end] : [])],
+      marks: chain.marks.slice(0, last + 1),
+    },
+    pieces,
+    rough,
+    pockets: pockets.filter((pocket) => pocket.last <= last),
+  };
+}

@@ -11,7 +11,12 @@ export interface Link {
 export type Links = readonly Link[];
 
 export const segmentsOf = (links: Links): readonly Segment[] => links.map((l) => l.segment);
-export const chainOf = (links: Links): Chain => ({ segments: segmentsOf(links), marks: links.map((l) => l.mark) });
+const hasRoughness = ({ roughness, rz }: ElementMark) => roughness !== undefined || rz !== undefined;
+/** A chain of links; `general` is the roughness of elements without their own. */
+export const chainOf = (links: Links, general: Omit<ElementMark, "row"> = {}): Chain => ({
+  segments: segmentsOf(links),
+  marks: links.map(({ mark }) => (hasRoughness(mark) ? mark : { ...general, ...mark })),
+});
 export const pointsOf = (links: Links): Pt[] => part.flattenedChain(segmentsOf(links), CHORD);
 export const firstPoint = (links: Links): Pt | undefined => links[0]?.segment.from;
 export const lastPoint = (links: Links): Pt | undefined => links.at(-1)?.segment.to;
@@ -27,8 +32,11 @@ const inPlane = ({ segment: { kind, from, to } }: Link, z: number) =>
   kind === "line" && near(from.z, z) && near(to.z, z);
 const rearOf = (links: Links) => links.reduce((least, { segment: s }) => Math.min(least, part.boxOf(s).left), Infinity);
 
-/** A straight element with the mark of a neighbour. */
-export const lineTo = (from: Pt, to: Pt, { mark }: Link): Link => ({ segment: part.line(from, to), mark });
+/** A straight element that no row states. It has no marks but the row of its neighbour. */
+export const lineTo = (from: Pt, to: Pt, { mark: { row } }: Link): Link => ({
+  segment: part.line(from, to),
+  mark: { row },
+});
 
 /** Runs of elements from the front face to the rear. */
 const fromFront = (links: Links): Links => {

@@ -7,13 +7,18 @@ import { UNDERCUT_FORMS } from "../../kernel/contour/undercut.ts";
 import { nameOfUndercut, readUndercutName, undercutsNamed } from "../../program/job/undercut-name.ts";
 import { undercutPlace } from "../../program/job/undercut-place.ts";
 import type { ElementMark } from "../types.ts";
+import { middleRows } from "./middle-rows.ts";
 import type { Links } from "./chain-links.ts";
 import type { FinishedPart, RowMark } from "./finished-part.ts";
 import { partProblem, type PartProblem, type PartSide } from "./part-problem.ts";
 
 /** Rows of undercuts with the form and the words of their designation; typed words stay. */
-function withUndercuts(part: FinishedPart, side: "outside" | "inside", problems: PartProblem[]): readonly ContourRow[] {
-  const rows = part[side];
+function withUndercuts(
+  part: FinishedPart,
+  rows: readonly ContourRow[],
+  side: PartSide,
+  problems: PartProblem[],
+): readonly ContourRow[] {
   if (!rows.some((row) => row.kind === "UDC" && part.marks[row.id]?.undercut !== undefined)) return rows;
   const reading = readRows(rows);
   return rows.map((row, i) => {
@@ -71,7 +76,7 @@ export function markedRows(
   side: "outside" | "inside",
 ): { readonly links: Links; readonly problems: readonly PartProblem[] } {
   const problems: PartProblem[] = [];
-  const rows = withUndercuts(part, side, problems);
+  const rows = withUndercuts(part, middleRows(part, side, problems), side, problems);
   if (rows.length === 0) return { links: [], problems };
   const { contour, rowOfSegment, issues } = readRows(rows);
   problems.push(
@@ -83,11 +88,11 @@ export function markedRows(
   );
   const marks = rows.map((row): ElementMark => {
     const own = part.marks[row.id],
-      undercut = undercutOf(row, own),
-      roughness = own?.ra ?? part.general.ra;
+      undercut = undercutOf(row, own);
     return {
       row: row.id,
-      ...(roughness !== undefined && { roughness }),
+      ...(own?.ra !== undefined && { roughness: own.ra }),
+      ...(own?.rz !== undefined && { rz: own.rz }),
       ...(own?.thread !== undefined && { thread: own.thread }),
       ...(undercut !== undefined && { undercut }),
       ...(own?.tolerance !== undefined && { tolerance: own.tolerance }),

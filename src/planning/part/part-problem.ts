@@ -19,6 +19,7 @@ export interface PartProblemValues {
   /** A mark for a row that does not exist. */
   readonly noRow: { readonly id: string };
   readonly noOutside: {};
+  readonly belowAxis: { readonly x: number; readonly z: number };
   readonly crosses: { readonly x: number; readonly z: number };
   /** Bore and outside do not meet at the front, or at the rear. */
   readonly openFront: { readonly x: number; readonly z: number };
@@ -29,6 +30,8 @@ export interface PartProblemValues {
   readonly front: { readonly z: number };
   readonly threadName: { readonly text: string };
   readonly threadPlace: { readonly text: string };
+  /** The cylinder of a thread has neither its nominal nor its crest ⌀. */
+  readonly threadSize: { readonly text: string; readonly x: number; readonly crest: number };
   readonly undercutName: { readonly text: string };
   readonly toleranceText: { readonly text: string };
   readonly tolerancePlace: { readonly text: string };

@@ -73,6 +73,10 @@ function sidesOf(part: FinishedPart, blank: readonly Ring[], problems: PartProbl
     return links;
   };
   const typed = { outside: read("outside"), inside: read("inside") };
+  for (const side of ["outside", "inside"] as const) {
+    const below = typed[side].find(({ segment }) => space.boxOf(segment).low < -SAME);
+    if (below) problems.push(partProblem("belowAxis", spot(below.segment.to), { side, row: below.mark.row }));
+  }
   if (problems.some((p) => p.severity === "error")) return null;
   const { outside: bare, inside: bore } = orientedSides(typed.outside, typed.inside);
   const outside = withFrontFace(bare),
@@ -168,9 +172,11 @@ export function plannedPart(part: FinishedPart): PlannedPartResult {
   const beyond = blank.length > 0 ? areaOf(difference([ring], blank)) : 0;
   if (beyond > BEYOND && !part.unmachinedBehind)
     problems.push(partProblem("beyondBlank", { area: beyond }, { severity: "warning" }));
-  const clamping = clampingOfPart(part, problems);
+  const clamping = clampingOfPart(part, problems),
+    { ra, rz } = part.general,
+    general = { ...(ra !== undefined && { roughness: ra }), ...(rz !== undefined && { rz }) };
   return {
-    part: { name: part.name, outside: chainOf(sides.outside), inside: chainOf(sides.inside), rings },
+    part: { name: part.name, outside: chainOf(sides.outside, general), inside: chainOf(sides.inside, general), rings },
     blank,
     clamping: clamping && { clamping, bodies: clampingBodies(clamping, blank) },
     problems,
