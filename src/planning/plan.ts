@@ -1,3 +1,4 @@
+import { AnswerCache } from "../kernel/answer-cache.ts";
 import { actionSources } from "./actions/index.ts";
 import { explained } from "./explain.ts";
 import { actionsIn, compareEnds, firstNode, nodeBehind, nodesOf, type PlanNode, type Searching } from "./plan-node.ts";
@@ -13,6 +14,8 @@ import type { PlanChanges, PlanProgress, WorkingPlan } from "./working-plan.ts";
 const WIDTHS = [1, 3] as const;
 /** Most tries of a search. */
 const MOST = 1500;
+/** Plans of cycles that a search remembers, bytes. */
+const MEMORY = 50_000_000;
 
 /** The state behind the steps that an operator keeps or has chosen, as far as they are possible and work. */
 function* replayed({ keep = [], instead }: PlanChanges, s: Searching): Generator<PlanNode, PlanNode> {
@@ -35,11 +38,12 @@ function* replayed({ keep = [], instead }: PlanChanges, s: Searching): Generator
  * try with the best plan so far; to cancel, stop asking. Pure and deterministic: the same request gives the same plan.
  */
 export function* planning(
-  request: PlanRequest,
+  asked: PlanRequest,
   changes: PlanChanges = {},
   sources: readonly ActionSource[] = actionSources,
 ): Generator<PlanProgress, WorkingPlan> {
   const { keep = [], instead, locked = [] } = changes;
+  const request: PlanRequest = { ...asked, shop: { ...asked.shop, memory: new AnswerCache(MEMORY) } };
   const byHand = keep.filter((step, i) => step.isByHand && i !== instead?.at).map(({ tried }) => tried.action);
   const s: Searching = {
     request,

@@ -59,12 +59,12 @@ class Level {
    */
   value(candidate: Candidate): number {
     const { node, action, base } = candidate;
-    const { tries, trade, request } = this.s;
+    const { tries, trade } = this.s;
     const known = this.expected(candidate);
     const waiting = (this.ofNode.get(node) ?? []).filter((a) => this.isWaiting(a, node));
     const early = base + trade.before(action, waiting);
     if (!known) {
-      const most = volumeIn(node, action, request);
+      const most = volumeIn(node, action);
       return early + tries.leastFor(node.volume - most) + tries.leastFor(most) / QUICKER;
     }
     const late = isCorner(known) ? 0 : trade.after(action, doneIn(node));
