@@ -49,14 +49,12 @@ function reasonsOf(node: PlanNode, ways: readonly OtherWay[], isByHand: boolean,
   const [next] = ways;
   const rule = last && s.trade.between(last, action);
   const rest = done.findLastIndex((d) => d.site === action.site && isInPlace(d, action));
-  const way: readonly StepReason[] = !next
-    ? [{ kind: "onlyWay", tool: action.tool.T, cycle: action.cycle }]
-    : [
-        ...(ways.every((w) => w.tried.action.tool.T === action.tool.T)
-          ? [{ kind: "onlyTool" as const, tool: action.tool.T }]
-          : []),
-        comparedWith(next),
-      ].flatMap((r) => r ?? []);
+  const sole: readonly StepReason[] = ways.every((w) => w.tried.action.tool.T === action.tool.T)
+    ? [{ kind: "onlyTool", tool: action.tool.T }]
+    : ways.every((w) => w.tried.action.cycle === action.cycle)
+      ? [{ kind: "onlyCycle", cycle: action.cycle }]
+      : [];
+  const way = [...sole, ...(next ? [comparedWith(next)] : [])].flatMap((r) => r ?? []);
   return [
     ...(isByHand ? [{ kind: "byHand" as const }] : []),
     ...way,

@@ -3,7 +3,8 @@ import { FINISHING, type TradeRule } from "./working-plan.ts";
 
 /** One rule of the trade: doing something of `first` after something of `then` costs time that a shop can set. */
 interface Rule {
-  readonly rule: TradeRule;
+  /** Null: it goes without saying. */
+  readonly rule: TradeRule | null;
   readonly first: (action: Action, request: PlanRequest) => boolean;
   readonly then: (action: Action, request: PlanRequest) => boolean;
   /** s. */
@@ -58,7 +59,7 @@ const TRADE_RULES: readonly Rule[] = [
     then: isOf("finishInside"),
     cost: (r) => r.insideBeforeOutside,
   },
-  { rule: "centreFirst", first: isOf("centre"), then: isOf("drill"), cost: (r) => r.finishBeforeRough },
+  { rule: null, first: isOf("centre"), then: isOf("drill"), cost: (r) => r.finishBeforeRough },
   {
     rule: "undercutBeforeThread",
     first: isOf("recess", "undercut", "finishOutside", "finishInside"),
@@ -72,7 +73,7 @@ const TRADE_RULES: readonly Rule[] = [
     then: isToleranced,
     cost: (r) => r.thinBeforeLong,
   },
-  { rule: "partOffLast", first: ({ kind }) => kind !== "partOff", then: isOf("partOff"), cost: () => NEVER },
+  { rule: null, first: ({ kind }) => kind !== "partOff", then: isOf("partOff"), cost: () => NEVER },
 ];
 
 /** The sides of the rules on which an action stands, as bits in the order of the rules. */

@@ -11,16 +11,14 @@ export type TradeRule =
   | "longBeforeThin"
   | "tolerancedLast"
   | "undercutBeforeThread"
-  | "faceFirst"
-  | "centreFirst"
-  | "partOffLast";
+  | "faceFirst";
 
 /** Why a step is what it is and stands where it stands. Another way is named by its cycle (null: path blocks) and tool. */
 export type StepReason =
-  /** No other tool takes this material; other cycles do it with this one. */
+  /** No other tool takes this material. */
   | { readonly kind: "onlyTool"; readonly tool: number }
-  /** No other way takes this material. */
-  | { readonly kind: "onlyWay"; readonly tool: number; readonly cycle: number | null }
+  /** Other tools do it, no other cycle does. */
+  | { readonly kind: "onlyCycle"; readonly cycle: number | null }
   /** Quicker than the next way, tool changes included, s. */
   | { readonly kind: "faster"; readonly seconds: number; readonly cycle: number | null; readonly tool: number }
   /** Takes more material than the quickest other way, mm² of the half plane. */
