@@ -36,20 +36,23 @@ export const withAction = (
 /** Area of `a` outside `b` that is thicker than the error of chords, mm². */
 export const areaBeyond = (a: readonly Ring[], b: readonly Ring[]): number => areaOf(opened(difference(a, b), SLIVER));
 
-/** Runs one action on the stock of a state and measures what it takes. */
+/** Runs one action on the stock of a state and measures what it takes. After parting off the stock is the part. */
 export function applyAction(action: Action, { stock }: Pick<PlanState, "stock">, request: PlanRequest): TriedAction {
   const { labels, part, shop, clamping } = request;
   const program = withAction(parse(emptyProgram("PLAN", cylinderAround(stock))), action, labels);
   const made = run(program, shop);
   const simulation = simulateCuts({ ...made, blank: stock, clamping });
   const { reasons } = verdictOf(made, simulation);
-  const faults = reasons.filter(({ kind }) => !UNCHECKED.has(kind));
-  const cut = areaOf(stock) - areaOf(simulation.final);
-  const gouge = areaBeyond(intersection(stock, part.rings), simulation.final);
+  const faults = reasons.filter(({ kind }) => !UNCHECKED.has(kind) && !(action.cut && kind === "noOperation"));
+  // What is parted off is the part; the rest of the bar no longer counts.
+  const parted = simulation.proof.loose.filter(({ isPartedOff }) => isPartedOff).flatMap(({ rings }) => rings);
+  const left = parted.length > 0 ? parted : simulation.final;
+  const { cut } = simulation.proof;
+  const gouge = areaBeyond(intersection(stock, part.rings), left);
   const isMade = action.threads.length > 0 || cut > LEAST_CUT;
   return {
     action,
-    stock: simulation.final,
+    stock: left,
     seconds: simulation.totalSeconds,
     cut,
     gouge,

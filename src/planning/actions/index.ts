@@ -1,9 +1,19 @@
 import type { ActionSource } from "../types.ts";
 import { face } from "./face.ts";
 import { finishOutside } from "./finish-outside.ts";
+import { partOff } from "./part-off.ts";
 import { recess } from "./recess.ts";
 import { restRough } from "./rest-rough.ts";
 import { roughOutside } from "./rough-outside.ts";
+import { thread } from "./thread.ts";
 
 /** Every kind of action, one file and one line each, in the usual order of a working plan. */
-export const actionSources: readonly ActionSource[] = [face, roughOutside, restRough, recess, finishOutside];
+export const actionSources: readonly ActionSource[] = [
+  face,
+  roughOutside,
+  restRough,
+  recess,
+  finishOutside,
+  thread,
+  partOff,
+];

@@ -39,12 +39,14 @@ function solidOf({ segments }: Chain): Ring {
 }
 
 /** Z of the rearmost cut outside: behind the rear face of the part, in front of jaws and stated limits. */
-export function rearOf({ part: { outside }, clamping }: PlanRequest, stock: readonly Ring[]): number {
-  const rear = boxOf(part.flattenedChain(outside.segments, CHORD)).left;
+export function rearOf({ part: { outside, rings }, clamping }: PlanRequest, stock: readonly Ring[]): number {
+  const end = boxOf(part.flattenedChain(outside.segments, CHORD)).left;
+  // A part that goes on in the unmachined stock has no rear face.
+  const rear = boxAround(rings).left < end - SAME ? end : end - BEHIND_REAR;
   const jaws = (clamping?.bodies ?? [])
     .filter((body) => body.part !== "tailstock")
     .map(({ rings }) => boxAround(rings).right + BESIDE_JAWS);
-  return Math.max(rear - BEHIND_REAR, boxAround(stock).left, ...jaws);
+  return Math.max(rear, boxAround(stock).left, ...jaws);
 }
 
 /**
