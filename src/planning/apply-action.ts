@@ -10,12 +10,16 @@ import { cylinderAround } from "../program/job/requested-shape.ts";
 import { run } from "../program/run/run.ts";
 import { verdictOf, type VerdictReason } from "../report/verdict.ts";
 import { simulateCuts } from "../sim/simulate.ts";
-import type { Action, PlanRequest, PlanState, TriedAction } from "./types.ts";
+import type { Simulation } from "../sim/simulation.ts";
+import { FINISHING, type Action, type PlanRequest, type PlanState, type TriedAction } from "./types.ts";
 
 /** Less is no cut, mm² of the half plane. */
 const LEAST_CUT = 0.05;
 /** Less is no damage, mm²: chords of arcs. */
 const LEAST_GOUGE = 0.01;
+
+/** Material beyond its oversize that a finishing cut takes at most, mm: the ground of an undercut. */
+const THICKEST = 1.5;
 
 /** Reasons that do not count against an action: a tool that is not described in full, and notes. */
 const UNCHECKED: ReadonlySet<VerdictReason["kind"]> = new Set([
@@ -36,6 +40,12 @@ export const withAction = (
 /** Area of `a` outside `b` that is thicker than the error of chords, mm². */
 export const areaBeyond = (a: readonly Ring[], b: readonly Ring[]): number => areaOf(opened(difference(a, b), SLIVER));
 
+/** The stock after a run: what was parted off is the part, and the rest of the bar no longer counts. */
+export function leftBy({ final, proof }: Pick<Simulation, "final" | "proof">): readonly Ring[] {
+  const parted = proof.loose.filter(({ isPartedOff }) => isPartedOff).flatMap(({ rings }) => rings);
+  return parted.length > 0 ? parted : final;
+}
+
 /** Runs one action on the stock of a state and measures what it takes. After parting off the stock is the part. */
 export function applyAction(action: Action, { stock }: Pick<PlanState, "stock">, request: PlanRequest): TriedAction {
   const { labels, part, shop, clamping } = request;
@@ -44,10 +54,10 @@ export function applyAction(action: Action, { stock }: Pick<PlanState, "stock">,
   const simulation = simulateCuts({ ...made, blank: stock, clamping });
   const { reasons } = verdictOf(made, simulation);
   const faults = reasons.filter(({ kind }) => !UNCHECKED.has(kind) && !(action.cut && kind === "noOperation"));
-  // What is parted off is the part; the rest of the bar no longer counts.
-  const parted = simulation.proof.loose.filter(({ isPartedOff }) => isPartedOff).flatMap(({ rings }) => rings);
-  const left = parted.length > 0 ? parted : simulation.final;
-  const { cut } = simulation.proof;
+  const left = leftBy(simulation);
+  const { cut, operations } = simulation.proof;
+  const most = request.rules.allowance.diameter / 2 + THICKEST;
+  const isThick = FINISHING.has(action.kind) && operations.some(({ thickest }) => (thickest?.depth ?? 0) > most);
   const gouge = areaBeyond(intersection(stock, part.rings), left);
   const isMade = action.threads.length > 0 || cut > LEAST_CUT;
   return {
@@ -57,6 +67,6 @@ export function applyAction(action: Action, { stock }: Pick<PlanState, "stock">,
     cut,
     gouge,
     faults,
-    works: faults.length === 0 && gouge < LEAST_GOUGE && isMade,
+    works: faults.length === 0 && !isThick && gouge < LEAST_GOUGE && isMade,
   };
 }

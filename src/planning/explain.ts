@@ -16,6 +16,8 @@ import type { OtherWay, PlanStep, StepReason } from "./working-plan.ts";
 
 /** Most other ways that a step shows. */
 const MOST_OTHERS = 2;
+/** Shorter differences are none, s. */
+const NO_TIME = 0.5;
 /** Part of the material of a step that another way has to take, too. */
 const SHARED = 0.5;
 
@@ -68,7 +70,7 @@ function reasonsOf(node: PlanNode, ways: readonly OtherWay[], isByHand: boolean,
 function comparedWith({ tried: { action }, longer, leaves }: OtherWay): StepReason | null {
   const other = { cycle: action.cycle, tool: action.tool.T };
   if (leaves >= LEAST_REGION) return { kind: "takesMore", area: leaves, ...other };
-  return longer > 0 ? { kind: "faster", seconds: longer, ...other } : null;
+  return longer > NO_TIME ? { kind: "faster", seconds: longer, ...other } : null;
 }
 
 /** The steps of a plan with their reasons. Yields before every try. */

@@ -1,5 +1,5 @@
-import type { Action, ActionKind, PlanRequest, ShopRules } from "./types.ts";
-import { FINISHING, type TradeRule } from "./working-plan.ts";
+import { FINISHING, type Action, type ActionKind, type PlanRequest, type ShopRules } from "./types.ts";
+import type { TradeRule } from "./working-plan.ts";
 
 /** One rule of the trade: doing something of `first` after something of `then` costs time that a shop can set. */
 interface Rule {

@@ -36,7 +36,8 @@ export class Tries {
     const volume = works ? turnedVolume(stock) - turnedVolume(tried.stock) : 0;
     this.results.set(question, tried);
     this.expected.set(this.placeOf(action, stock), { works, seconds, cut, volume });
-    if (works && seconds > 0) this.rate = Math.max(this.rate, volume / seconds);
+    // Parting off takes the rest of the bar at once.
+    if (works && seconds > 0 && action.kind !== "partOff") this.rate = Math.max(this.rate, volume / seconds);
     return tried;
   }
 

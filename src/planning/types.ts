@@ -92,6 +92,9 @@ export const ACTION_KINDS = [
 ] as const;
 export type ActionKind = (typeof ACTION_KINDS)[number];
 
+/** Kinds that finish a surface. */
+export const FINISHING: ReadonlySet<ActionKind> = new Set(["finishOutside", "finishInside", "thread"]);
+
 /** Kinds that take material for other kinds to finish. */
 export const ROUGHING: ReadonlySet<ActionKind> = new Set([
   "drill",

@@ -10,7 +10,7 @@ import { cylinderAround } from "../program/job/requested-shape.ts";
 import { run } from "../program/run/run.ts";
 import { verdictOf } from "../report/verdict.ts";
 import { simulate } from "../sim/simulate.ts";
-import { areaBeyond, withAction } from "./apply-action.ts";
+import { areaBeyond, leftBy, withAction } from "./apply-action.ts";
 import type { Action, PlanRequest } from "./types.ts";
 import type { WorkingPlan } from "./working-plan.ts";
 
@@ -53,14 +53,15 @@ export function wholeProgram(actions: readonly Action[], request: PlanRequest): 
   const text = print(program);
   const made = run(parse(text), shop);
   const simulation = simulate(made);
+  const stock = leftBy(simulation);
   const changes = actions.filter(({ tool }, i) => tool.T !== actions[i - 1]?.tool.T).length;
   return {
     text,
     seconds: made.seconds + (shop.machine?.toolChange === undefined ? changes * rules.toolChange : 0),
     tools: [...new Set(actions.map(({ tool }) => tool.T))],
     toolChanges: changes,
-    stock: simulation.final,
+    stock,
     judged: verdictOf(made, simulation),
-    gouge: areaBeyond(intersection(request.blank, part.rings), simulation.final),
+    gouge: areaBeyond(intersection(request.blank, part.rings), stock),
   };
 }

@@ -2,7 +2,7 @@ import type { Site } from "../cycles/shape-request.ts";
 import type { Ring } from "../kernel/geometry/point.ts";
 import type { Judged } from "../report/verdict.ts";
 import type { OpenRegion } from "./open-regions.ts";
-import type { Action, ActionKind, TriedAction } from "./types.ts";
+import type { Action, TriedAction } from "./types.ts";
 
 /** Rules of the trade by their name: each makes a plan that breaks it dearer, none forbids. */
 export type TradeRule =
@@ -133,6 +133,3 @@ export interface PlanChanges {
   /** Actions with values changed by hand, or locked as they are: each replaces the action with its key and is done. */
   readonly locked?: readonly Action[];
 }
-
-/** Kinds that finish a surface; the others rough. */
-export const FINISHING: ReadonlySet<ActionKind> = new Set(["finishOutside", "finishInside", "thread"]);
