@@ -6,8 +6,7 @@ import { parse } from "../nc/parse.ts";
 import type { Program } from "../nc/program.ts";
 import { withHandOperation, withOperation, type OperationPlace } from "../program/edits/added-operation.ts";
 import { emptyProgram } from "../program/job/empty-program.ts";
-import { cylinderAround } from "../program/job/requested-shape.ts";
-import { run } from "../program/run/run.ts";
+import { runOn } from "../program/run/run.ts";
 import { verdictOf, type VerdictReason } from "../report/verdict.ts";
 import { simulateCuts } from "../sim/simulate.ts";
 import type { Simulation } from "../sim/simulation.ts";
@@ -21,12 +20,13 @@ const LEAST_GOUGE = 0.01;
 /** Material beyond its oversize that a finishing cut takes at most, mm: the ground of an undercut. */
 const THICKEST = 1.5;
 
-/** Reasons that do not count against an action: a tool that is not described in full, and notes. */
-const UNCHECKED: ReadonlySet<VerdictReason["kind"]> = new Set([
+/** What a setter should see, and what says nothing about the stock: an operation without a cycle. */
+const NO_FAULT: ReadonlySet<VerdictReason["kind"]> = new Set([
   "notes",
   "holderUnknown",
   "flanksUnknown",
   "curvatureUnknown",
+  "noOperation",
 ]);
 
 /** A program with the blocks of an action added. */
@@ -49,11 +49,10 @@ export function leftBy({ final, proof }: Pick<Simulation, "final" | "proof">): r
 /** Runs one action on the stock of a state and measures what it takes. After parting off the stock is the part. */
 export function applyAction(action: Action, { stock }: Pick<PlanState, "stock">, request: PlanRequest): TriedAction {
   const { labels, part, shop, clamping } = request;
-  const program = withAction(parse(emptyProgram("PLAN", cylinderAround(stock))), action, labels);
-  const made = run(program, shop);
-  const simulation = simulateCuts({ ...made, blank: stock, clamping });
-  const { reasons } = verdictOf(made, simulation);
-  const faults = reasons.filter(({ kind }) => !UNCHECKED.has(kind) && !(action.cut && kind === "noOperation"));
+  const program = withAction(parse(emptyProgram("PLAN", null)), action, labels);
+  const made = runOn(stock, program, shop);
+  const simulation = simulateCuts({ ...made, clamping });
+  const faults = verdictOf(made, simulation).reasons.filter(({ kind }) => !NO_FAULT.has(kind));
   const left = leftBy(simulation);
   const { cut, operations } = simulation.proof;
   const most = request.rules.allowance.diameter / 2 + THICKEST;
