@@ -212,8 +212,7 @@ export function readPart(source: string): ReadPart {
     part: null,
     problems: [partProblem(code, {})],
   });
-  if (source.length > LONGEST_FILE)
-    return { part: null, problems: [partProblem("high", { at: "", limit: LONGEST_FILE })] };
+  if (source.length > LONGEST_FILE) return { part: null, problems: [partProblem("tooLong", { limit: LONGEST_FILE })] };
   let raw: unknown = null;
   try {
     raw = JSON.parse(source.replace(/^\uFEFF/, ""));
