@@ -1,7 +1,7 @@
 import { areaOf } from "../kernel/area/area.ts";
-import { opened, intersection, difference } from "../kernel/area/clip.ts";
+import { difference, intersection, opened, union } from "../kernel/area/clip.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
-import type { Ring } from "../kernel/geometry/point.ts";
+import { at, type Ring } from "../kernel/geometry/point.ts";
 import { parse } from "../nc/parse.ts";
 import type { Program } from "../nc/program.ts";
 import { withHandOperation, withOperation, type OperationPlace } from "../program/edits/added-operation.ts";
@@ -40,10 +40,26 @@ export const withAction = (
 /** Area of `a` outside `b` that is thicker than the error of chords, mm². */
 export const areaBeyond = (a: readonly Ring[], b: readonly Ring[]): number => areaOf(opened(difference(a, b), SLIVER));
 
-/** The stock after a run: what was parted off is the part, and the rest of the bar no longer counts. */
-export function leftBy({ final, proof }: Pick<Simulation, "final" | "proof">): readonly Ring[] {
+const placeOf = ({ place: { front, rear, high, low } }: Action): Ring => [
+  at(rear, low),
+  at(front, low),
+  at(front, high),
+  at(rear, high),
+];
+
+/**
+ * The stock after a run. What was parted off is the part, and the rest of the bar no longer counts. The grooves of a
+ * thread are no area: where one is cut, the crest stays as `crests` have it.
+ */
+export function leftBy(
+  { final, proof }: Pick<Simulation, "final" | "proof">,
+  actions: readonly Action[],
+  crests: readonly Ring[],
+): readonly Ring[] {
   const parted = proof.loose.filter(({ isPartedOff }) => isPartedOff).flatMap(({ rings }) => rings);
-  return parted.length > 0 ? parted : final;
+  const left = parted.length > 0 ? parted : final;
+  const threaded = actions.filter(({ threads }) => threads.length > 0).map(placeOf);
+  return threaded.length > 0 ? union(left, intersection(crests, threaded)) : left;
 }
 
 /** Runs one action on the stock of a state and measures what it takes. After parting off the stock is the part. */
@@ -53,7 +69,7 @@ export function applyAction(action: Action, { stock }: Pick<PlanState, "stock">,
   const made = runOn(stock, program, shop);
   const simulation = simulateCuts({ ...made, clamping });
   const faults = verdictOf(made, simulation).reasons.filter(({ kind }) => !NO_FAULT.has(kind));
-  const left = leftBy(simulation);
+  const left = leftBy(simulation, [action], stock);
   const { cut, operations } = simulation.proof;
   const most = request.rules.allowance.diameter / 2 + THICKEST;
   const isThick = FINISHING.has(action.kind) && operations.some(({ thickest }) => (thickest?.depth ?? 0) > most);

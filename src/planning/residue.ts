@@ -70,25 +70,24 @@ function threadsLeft({ done }: PlanNode, request: PlanRequest): readonly Residue
     }));
 }
 
+/** Why a region is left that no place and no choice protects. */
+function triedReason(isOpen: boolean, { tries, most }: Searching): "bound" | "fault" | "tool" {
+  if (tries.count >= most) return "bound";
+  return isOpen ? "fault" : "tool";
+}
+
 /** What the end of a search leaves, with the reason and the tool that is missing. */
 export function* residueOf(end: PlanNode, s: Searching): Generator<PlanNode, readonly Residue[]> {
-  const { request, tries, most } = s;
+  const { request } = s;
   const failed = actionsIn(end, s);
   const left: Residue[] = [];
   for (const region of openRegions(end.stock, request.part)) {
     const { site, border } = sideOf(region, request.part);
     const chain = site === "inside" ? request.part.inside : request.part.outside;
     const rows = [...new Set(border.flatMap((i) => chain.marks[i]?.row ?? []))];
-    const place = placeReason(region, request);
-    const why: Residue["why"] =
-      place ??
-      ((yield* isExcluded(region, end, s))
-        ? "excluded"
-        : tries.count >= most
-          ? "bound"
-          : failed.some((a) => meets(a, region))
-            ? "fault"
-            : "tool");
+    const isOpen = failed.some((a) => meets(a, region));
+    const why =
+      placeReason(region, request) ?? ((yield* isExcluded(region, end, s)) ? "excluded" : triedReason(isOpen, s));
     left.push({
       region,
       site,

@@ -46,14 +46,23 @@ export type WholeProgram = Pick<
 /** The program of a plan, each action under its title, run and cut as one. */
 export function wholeProgram(actions: readonly Action[], request: PlanRequest): WholeProgram {
   const { shop, rules, labels, titles, part } = request;
+  // Operations on the same contour share its label.
+  const contours = new Map<string, number>();
   const program = actions.reduce((all, action) => {
+    const rows = JSON.stringify(action.job.contour);
+    const isOwn = action.cut !== undefined || action.job.contour.length === 0;
+    const contour = contours.get(rows);
+    if (!isOwn && contour === undefined) contours.set(rows, contours.size + 1);
     const title = titles?.[action.kind];
-    return withAction(all, action, labels, title === undefined ? {} : { title });
+    return withAction(all, action, labels, {
+      ...(title !== undefined && { title }),
+      ...(!isOwn && contour !== undefined && { contour }),
+    });
   }, emptyOf(request));
   const text = print(program);
   const made = run(parse(text), shop);
   const simulation = simulate(made);
-  const stock = leftBy(simulation);
+  const stock = leftBy(simulation, actions, part.rings);
   const changes = actions.filter(({ tool }, i) => tool.T !== actions[i - 1]?.tool.T).length;
   return {
     text,
