@@ -37,15 +37,15 @@ export const withAction = (
   place?: OperationPlace,
 ) => (cut ? withHandOperation(program, job, cut, place) : withOperation(program, job, labels, place));
 
-/** Area of `a` outside `b` that is thicker than the error of chords, mm². */
-export const areaBeyond = (a: readonly Ring[], b: readonly Ring[]): number => areaOf(opened(difference(a, b), SLIVER));
-
 const placeOf = ({ place: { front, rear, high, low } }: Action): Ring => [
   at(rear, low),
   at(front, low),
   at(front, high),
   at(rear, high),
 ];
+
+/** Area of `a` outside `b` that is thicker than the error of chords, mm². */
+export const areaBeyond = (a: readonly Ring[], b: readonly Ring[]): number => areaOf(opened(difference(a, b), SLIVER));
 
 /**
  * The stock after a run. What was parted off is the part, and the rest of the bar no longer counts. The grooves of a

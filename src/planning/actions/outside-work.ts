@@ -29,7 +29,12 @@ const THIN = 1;
 /** Farther than any stock, mm. */
 const FAR = 10_000;
 
-const beyond = (left: number): Ring => [at(left, -1), at(FAR, -1), at(FAR, FAR), at(left, FAR)];
+const inFrontOf = (area: readonly Ring[], left: number): Ring[] =>
+  intersection(area, [[at(left, -1), at(FAR, -1), at(FAR, FAR), at(left, FAR)]]);
+
+/** Z of the rear end of the outside. */
+const rearOfPart = ({ part: { outside } }: PlanRequest): number =>
+  boxOf(part.flattenedChain(outside.segments, CHORD)).left;
 
 /** The finished part under a chain, without its bore. */
 function solidOf({ segments }: Chain): Ring {
@@ -39,8 +44,12 @@ function solidOf({ segments }: Chain): Ring {
 }
 
 /** Z of the rearmost cut outside: behind the rear face of the part, in front of jaws and stated limits. */
-export function rearOf({ part: { outside, rings }, clamping }: PlanRequest, stock: readonly Ring[]): number {
-  const end = boxOf(part.flattenedChain(outside.segments, CHORD)).left;
+export function rearOf(request: PlanRequest, stock: readonly Ring[]): number {
+  const {
+    part: { rings },
+    clamping,
+  } = request;
+  const end = rearOfPart(request);
   // A part that goes on in the unmachined stock has no rear face.
   const rear = boxAround(rings).left < end - SAME ? end : end - BEHIND_REAR;
   const jaws = (clamping?.bodies ?? [])
@@ -113,13 +122,13 @@ export function outsideWork({ stock }: PlanState, request: PlanRequest): Outside
   const rear = rearOf(request, stock);
   const chain = reachable(request.part, rear, stock);
   const solid = solidOf(chain);
-  const left = intersection(difference(stock, [solid]), [beyond(rear)]);
+  const left = inFrontOf(difference(stock, [solid]), rear);
   const over = Math.max(perSide(diameter(allowance.diameter)), allowance.z);
   const grown = offset([solid], over);
   return {
     chain,
     pockets: [...pocketsOf(chain, "r"), ...pocketsOf(chain, "z")],
-    pieces: piecesOf(opened(left, SLIVER), chain, SLIVER),
+    pieces: piecesOf(opened(inFrontOf(left, rearOfPart(request)), SLIVER), chain, SLIVER),
     rough: piecesOf(opened(difference(left, grown), THIN), chain, over + SLIVER),
   };
 }

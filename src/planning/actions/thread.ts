@@ -6,7 +6,7 @@ import { readThread } from "../../kernel/thread/threads.ts";
 import { boxOf } from "../../kernel/area/box.ts";
 import { part, type Ring } from "../../kernel/geometry/point.ts";
 import { CHORD, SAME } from "../../kernel/tolerance.ts";
-import { axial, diameter, radius, rounded, roundedUp, toDiameter } from "../../kernel/units.ts";
+import { axial, diameter, radius, radiusOf, rounded, roundedUp, toDiameter } from "../../kernel/units.ts";
 import { jobFor, tipAtCall, withValue } from "../../program/job/requested-job.ts";
 import type { SetJob } from "../../program/job/job.ts";
 import { hasAngleOf } from "../../program/tools/thread-tool.ts";
@@ -58,6 +58,8 @@ export const thread: ActionSource = {
 
 /** Clearance above the stock on the way to a thread, mm. */
 const ABOVE = 1;
+/** Depth of the grooves beyond the root of the drawing that rounded values may give, mm. */
+const ROOT = 0.05;
 /** Length of a run-out in a cylinder without relief, in pitches. */
 const RUN_OUT = 2;
 
@@ -122,7 +124,8 @@ function threadings(
         const fit = fitted({ cycle, job, cut }, tool, request);
         if (!fit) return [];
         const action = actionOf({ kind: "thread", site: "outside", cycle, box }, tool, fit.job, fit.values);
-        return [{ ...action, threads: [threadId(chain, place)] }];
+        const low = radiusOf(fill.cut.root) - ROOT;
+        return [{ ...action, place: { ...action.place, low }, threads: [threadId(chain, place)] }];
       }),
   );
 }
