@@ -1,3 +1,4 @@
+import { areaOf } from "../kernel/area/area.ts";
 import { boxAround } from "../kernel/area/box.ts";
 import { part as space, type Ring, type Segment } from "../kernel/geometry/point.ts";
 import { SAME } from "../kernel/tolerance.ts";
@@ -5,12 +6,14 @@ import { diameter, toRadius } from "../kernel/units.ts";
 import { newPart, type FinishedPart, type RowMark } from "../planning/part/finished-part.ts";
 import { rowsOfSides } from "../planning/part/part-rows.ts";
 import { readRows } from "../program/job/contour-rows.ts";
-import { rowsOf } from "../program/job/requested-shape.ts";
+import { cylinderAround, rowsOf } from "../program/job/requested-shape.ts";
 import type { ContourRow } from "../program/job/job.ts";
 import type { DrawnTask } from "./drawn-task.ts";
 
 /** A place on a drawing belongs to an element that is this near, mm. */
 const NEAR = 0.02;
+/** Smaller areas are rounding, mm² of the half section. */
+const LEAST_AREA = 0.01;
 
 const closed = (ring: Ring): readonly Segment[] => ring.map((p, i) => space.line(p, ring[(i + 1) % ring.length] ?? p));
 
@@ -67,6 +70,14 @@ function marksOf({ threads, sizes, marks }: DrawnTask, sides: Pick<FinishedPart,
   return found;
 }
 
+/** A blank as a cylinder; of any other shape as the rows of its outline. */
+function blankOf(rings: readonly Ring[]): FinishedPart["blank"] {
+  const { left, right, low, high } = boxAround(rings);
+  if (Math.abs((right - left) * (high - low) - areaOf(rings)) < LEAST_AREA) return cylinderAround(rings);
+  const outline = rings.slice(0, 1).flatMap((ring) => rowsOf(closed(ring)));
+  return { outline: outline.map((row, i) => ({ ...row, id: `b${i + 1}` })) };
+}
+
 /** An outside that ends where a thread on the unmachined blank begins goes on along the thread. */
 function withBlankThreads({ outside, threads }: DrawnTask): readonly Segment[] {
   const end = outside.at(-1)?.to;
@@ -85,13 +96,12 @@ export function partOfDrawn(
   const sides = rowsOfSides(withBlankThreads(drawn), drawn.bore);
   if (sides.outside.length < 2 || drawn.blank.length === 0) return null;
   const partsOff = boxAround(drawn.rings).left > boxAround(drawn.blank).left + SAME;
-  const [outline] = drawn.blank;
   return {
     ...newPart(name),
     ...(material !== undefined && { material }),
     ...sides,
     marks: marksOf(drawn, sides),
-    blank: outline ? { outline: rowsOf(closed(outline)) } : null,
+    blank: blankOf(drawn.blank),
     partsOff,
     unmachinedBehind: !partsOff,
   };
