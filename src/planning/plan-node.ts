@@ -59,6 +59,7 @@ export const areRivals = (a: Action, b: Action): boolean =>
 
 function actionsOf(state: PlanState, { request, sources, locked }: Searching): readonly Action[] {
   const { withoutCycles, withoutTools } = request;
+  if (state.done.some(({ action }) => action.kind === "partOff")) return [];
   const all = sources
     .flatMap((source) => source.actions(state, request))
     .filter(

@@ -61,7 +61,7 @@ class Level {
     const { node, action, base } = candidate;
     const { tries, trade } = this.s;
     const known = this.expected(candidate);
-    const waiting = (this.ofNode.get(node) ?? []).filter((a) => this.isWaiting(a, node));
+    const waiting = (this.ofNode.get(node) ?? []).filter((a) => this.isWaiting(a, node, action));
     const early = base + trade.before(action, waiting);
     if (!known) {
       const most = volumeIn(node, action);
@@ -71,9 +71,10 @@ class Level {
     return early + late + known.seconds + tries.leastFor(node.volume - known.volume) + this.restFor(candidate, known);
   }
 
-  private isWaiting(action: Action, node: PlanNode): boolean {
+  /** Whether an action is still to be done before a next one; a part that is off is in no chuck, even for corners. */
+  private isWaiting(action: Action, node: PlanNode, next: Action): boolean {
     const known = this.s.tries.expectedOf(action, node);
-    return !known || (known.works && !isCorner(known));
+    return !known || (known.works && (next.kind === "partOff" || !isCorner(known)));
   }
 
   /** Time of the quickest rival that takes what a finishing cut leaves, s. */
