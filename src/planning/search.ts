@@ -99,14 +99,26 @@ class Level {
   }
 }
 
-/** The first of the candidates that could still be among the best and was not tried; null where none could. */
+/**
+ * The first of the candidates that has to be tried to know the best ones: it could be one itself, or could be what a
+ * finishing cut leaves to do. Null where all are known.
+ */
 function untried(level: Level, width: number): Candidate | null {
   const all = level.candidates.flatMap((candidate) => {
     const known = level.expected(candidate);
     return known && !known.works ? [] : [{ candidate, known, value: level.value(candidate) }];
   });
   all.sort((a, b) => a.value - b.value);
-  return all.slice(0, width).find(({ known }) => !known)?.candidate ?? null;
+  for (const { candidate, known } of all.slice(0, width)) {
+    if (!known) return candidate;
+    if (ROUGHING.has(candidate.action.kind)) continue;
+    const rival = all.find(
+      (other) =>
+        !other.known && other.candidate.node === candidate.node && areRivals(other.candidate.action, candidate.action),
+    );
+    if (rival) return rival.candidate;
+  }
+  return null;
 }
 
 /** The best states behind the candidates of a level, each stock once. Yields before every try. */
@@ -178,11 +190,16 @@ export function* pruned(end: PlanNode, s: Searching): Generator<PlanNode, PlanNo
   return best;
 }
 
+/** Whether an action does with the same tool and cycle more or less of another. */
+const isLike = (a: Action, b: Action): boolean =>
+  a.kind === b.kind && a.cycle === b.cycle && a.tool.T === b.tool.T && isInPlace(a, b);
+
 /** The state behind actions one after the other, without those that do not work there. */
 function* followed(from: PlanNode, actions: readonly Action[], s: Searching): Generator<PlanNode, PlanNode> {
   let node = from;
-  for (const { key } of actions) {
-    const action = actionsIn(node, s).find((a) => a.key === key);
+  for (const wanted of actions) {
+    const open = actionsIn(node, s);
+    const action = open.find(({ key }) => key === wanted.key) ?? open.find((a) => isLike(a, wanted));
     if (!action) continue;
     yield node;
     const tried = s.tries.of(action, node);
