@@ -71,6 +71,8 @@ export interface PlanRequest {
   readonly withoutCycles: readonly number[];
   readonly withoutTools: readonly number[];
   readonly labels: Labels;
+  /** Words of the structure item of each kind of operation, in the language of the labels; absent: none. */
+  readonly titles?: Readonly<Record<ActionKind, string>>;
 }
 
 /** Kinds of actions, in the usual order of a working plan. */
@@ -89,6 +91,18 @@ export const ACTION_KINDS = [
   "partOff",
 ] as const;
 export type ActionKind = (typeof ACTION_KINDS)[number];
+
+/** Kinds that finish a surface. */
+export const FINISHING: ReadonlySet<ActionKind> = new Set(["finishOutside", "finishInside", "thread"]);
+
+/** Kinds that take material for other kinds to finish. */
+export const ROUGHING: ReadonlySet<ActionKind> = new Set([
+  "drill",
+  "roughOutside",
+  "roughInside",
+  "restRough",
+  "recess",
+]);
 
 /** A value of an action with the reason for it; the formula and its inputs are those of `values/`. */
 export interface ReasonedValue {

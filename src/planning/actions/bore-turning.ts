@@ -2,40 +2,65 @@ import type { Cycle } from "../../cycles/define.ts";
 import type { ShapeRequest } from "../../cycles/shape-request.ts";
 import { holderOutlines } from "../../kernel/cutter/holder.ts";
 import { tipDirection } from "../../kernel/cutter/insert.ts";
-import { part as geometry, type Ring, type Segment } from "../../kernel/geometry/point.ts";
+import { part as geometry, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
+import type { Box } from "../../kernel/geometry/segments.ts";
+import type { Plan } from "../../kernel/plan/plan.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
-import { rounded, radius, toDiameter } from "../../kernel/units.ts";
-import { readRows } from "../../program/job/contour-rows.ts";
+import { readThread } from "../../kernel/thread/threads.ts";
+import { CHORD, SAME } from "../../kernel/tolerance.ts";
+import { radius, toDiameter } from "../../kernel/units.ts";
 import type { SetJob } from "../../program/job/job.ts";
-import { readDraft } from "../../program/job/read-draft.ts";
-import { jobFor, tipAtCall } from "../../program/job/requested-job.ts";
+import { jobFor, withValue } from "../../program/job/requested-job.ts";
 import { boxAroundContour, cylinderAround } from "../../program/job/requested-shape.ts";
 import { frontOf } from "../../program/job/stock-surface.ts";
-import { checkTool } from "../../program/tools/check-tool.ts";
-import { fitOf } from "../../program/tools/which-tool.ts";
 import { positionAsTyped } from "../../program/values/typed-value.ts";
 import { borderOf, type OpenRegion } from "../open-regions.ts";
-import type { Action, ActionKind, PlannedPart, PlanRequest } from "../types.ts";
+import type { Action, ActionKind, ElementMark, PlannedPart, PlanRequest } from "../types.ts";
+import { barDiameter } from "../values/cutting-values.ts";
+import type { HeldBar } from "../values/stability.ts";
 import { boredTo, clearRadius, solidFrom } from "./bore.ts";
+import { actionOf, fitted, ranked, toolsOf, type Better } from "./candidates.ts";
+import type { CutRequest } from "./values-of-job.ts";
 
 /** Clearance of the tip in front of the material, and beside the wall of the bore, mm. */
 const [AHEAD, BESIDE] = [2, 0.2];
-/** Radius at which the cone that a drill has left is measured, mm. */
-const CONE_AT = 0.5;
+/** Steps of the radius at which the cone that a drill has left is measured, mm; a flat bottom rises less. */
+const [CONE_AT, FLAT] = [0.5, 0.2];
 /** Distance that a cut goes beyond the rear end of a bore, mm, so that its nose radius leaves nothing. */
 const BEYOND = 1;
+/** Roughing goes farther, mm: the edge of a finishing insert leans over its tip. */
+export const ROUGH_BEYOND = 1;
+/** Room that the run-out of a thread needs there, in pitches. */
+const RUN_OUT = 3;
+
+/** Distance that the inside of a part is cut beyond its rear end, mm: a thread runs out there. */
+export function beyondRear({ inside: { marks } }: Pick<PlannedPart, "inside">): number {
+  const thread = readThread(marks.at(-1)?.thread ?? "");
+  return BEYOND + RUN_OUT * (thread?.pitch ?? 0);
+}
 /** Halvings that find a point of an element: below every resolution. */
 const HALVINGS = 40;
 
-/** Elements of the inside that a region borders; at the rear end of a through bore a little beyond it. */
-export function sectionOf({ inside }: PlannedPart, region: OpenRegion): readonly Segment[] {
+/** Elements of the inside, and the marks of those that are surfaces of the part. */
+export interface Section {
+  readonly segments: readonly Segment[];
+  readonly marks: readonly ElementMark[];
+}
+
+/**
+ * Elements of the inside that a region borders; at the rear end of a through bore they go on beyond it, by `more` mm
+ * than finishing does.
+ */
+export function sectionOf(part: PlannedPart, region: OpenRegion, more = 0): Section {
+  const { inside } = part;
   const border = borderOf(inside, region);
-  if (!border) return [];
+  if (!border) return { segments: [], marks: [] };
   const [first, last] = border;
   const section = inside.segments.slice(first, last + 1);
   const end = section.at(-1)?.to;
-  if (last < inside.segments.length - 1 || !end || end.r < BESIDE) return section;
-  return [...section, geometry.line(end, geometry.point(end.z - BEYOND, end.r))];
+  const marks = inside.marks.slice(first, last + 1);
+  if (last < inside.segments.length - 1 || !end || end.r < BESIDE) return { segments: section, marks };
+  return { segments: [...section, geometry.line(end, geometry.point(end.z - beyondRear(part) - more, end.r))], marks };
 }
 
 /** A chain from its last point in front of a Z; the whole chain where it begins behind it. */
@@ -56,19 +81,16 @@ function upToZ(section: readonly Segment[], z: number): readonly Segment[] {
   return [...section.slice(0, last), { ...s, to: geometry.pointOn(s, crossing(s, z)) }];
 }
 
-/** The share of a segment at which it passes a Z. */
-function crossing(s: Segment, z: number): number {
+/** The share of a segment at which it passes a place along an axis. */
+export function crossing(s: Segment, value: number, axis: "z" | "r" = "z"): number {
+  const falls = s.from[axis] > s.to[axis];
   let [low, high] = [0, 1];
   for (let i = 0; i < HALVINGS; i += 1) {
     const k = (low + high) / 2;
-    [low, high] = geometry.pointOn(s, k).z > z ? [k, high] : [low, k];
+    [low, high] = geometry.pointOn(s, k)[axis] > value === falls ? [k, high] : [low, k];
   }
   return high;
 }
-
-/** A chain between two Z. */
-export const between = (section: readonly Segment[], { front, rear }: Pick<BoreWay, "front" | "rear">) =>
-  upToZ(fromZ(section, front), rear);
 
 /** The way into a bore, mm. */
 export interface BoreWay {
@@ -77,38 +99,63 @@ export interface BoreWay {
   readonly clear: number;
   /** The least radius of the start: passes begin there. */
   readonly low: number;
-  /** Z between which the contour is cut: no farther than the cone that a drill has left, and not beside the start. */
-  readonly front: number;
-  readonly rear: number;
 }
 
-/** Length of the cone at the bottom of a bore in radii. */
-const coneSlope = (stock: readonly Ring[], bottom: number): number =>
-  bottom === -Infinity ? 0 : (solidFrom(stock, CONE_AT) - bottom) / CONE_AT;
+/** Where the cone at the bottom of a bore begins: the Z that a bar may reach; −Infinity without a cone. */
+function coneFront(stock: readonly Ring[], bottom: number, clear: number): number {
+  if (bottom === -Infinity) return bottom;
+  const slope = (solidFrom(stock, CONE_AT) - bottom) / CONE_AT;
+  if (slope < FLAT) return -Infinity;
+  let r = CONE_AT;
+  const isCone = (at: number) => Math.abs(solidFrom(stock, at) - bottom - slope * at) < BESIDE;
+  while (r < clear && isCone(r + CONE_AT)) r += CONE_AT;
+  return bottom + slope * r + BESIDE;
+}
 
-/** The way to a region; null without a bore that leads to it. */
-export function wayInto(stock: readonly Ring[], { box }: OpenRegion): BoreWay | null {
+/** A section of the contour, and the way to it. */
+export interface BoreSection extends Section {
+  readonly way: BoreWay;
+}
+
+/**
+ * The section that borders a region, and the way to it; null without a bore that leads there. `oversize`: what is left
+ * on the wall, mm; `more`: how much farther than finishing it goes beyond the rear end.
+ */
+export function sectionInBore(
+  stock: readonly Ring[],
+  part: PlannedPart,
+  region: OpenRegion,
+  { oversize = 0, more = 0 } = {},
+): BoreSection | null {
+  const { box } = region;
+  const { segments: whole, marks } = sectionOf(part, region, more);
   const front = frontOf(stock);
   const bottom = boredTo(stock);
-  if (bottom >= box.right - BESIDE) return null;
-  const isDeep = box.right < front - AHEAD;
-  const clear = clearRadius(stock, Math.min(box.right, front) - BESIDE, front);
+  const begin = whole[0]?.from;
+  if (!begin || bottom >= box.right - BESIDE) return null;
+  const isBehind = box.right < front - AHEAD;
+  const clear = clearRadius(stock, isBehind ? box.right + BESIDE : Math.min(box.right, front) - BESIDE, front);
+  const atFront = (z: number) => (z < front - AHEAD ? z + AHEAD : front + AHEAD);
+  // In a bore whose wall stands already the passes begin beside the region, behind a neck where the contour leaves it.
+  const beside = fromZ(whole, box.right + BESIDE);
+  const isWall = (beside[0]?.from.r ?? Infinity) - oversize < clear + BESIDE;
+  const isDeep = isBehind && (isWall || begin.z < front - AHEAD);
+  const z = atFront(isDeep && !isWall ? Math.max(begin.z, box.right) : box.right);
   // The cone that a drill has left is taken by passes of its own, from its front.
-  const rear = isDeep ? -Infinity : bottom + clear * coneSlope(stock, bottom) + BESIDE;
+  const rear = isDeep ? -Infinity : coneFront(stock, bottom, clear);
   const along = clearRadius(stock, Math.max(box.left, rear), front);
-  return {
-    z: (isDeep ? box.right : front) + AHEAD,
-    clear,
-    low: Math.min(along, isDeep ? box.low : Infinity) - BESIDE,
-    front: isDeep ? box.right + BESIDE : Infinity,
-    rear,
-  };
+  const segments = upToZ(isDeep && isWall ? beside : whole, rear);
+  const low = Math.min(along, isDeep ? box.low : Infinity) - BESIDE;
+  return segments.length > 0 ? { segments, marks, way: { z, clear, low } } : null;
 }
 
-/** Radius at which the tip of a bar starts so that its body is clear of the opposite wall; null where it is too thick. */
+/** The least radius at which the tip of a bar may be in a bore, so that its body is clear of the opposite wall. */
+const leastTip = (tool: Tool, bore: number): number =>
+  -Math.min(0, ...holderOutlines(tool).flatMap((ring) => ring.map(({ r }) => r))) - bore;
+
+/** Radius at which the tip of a bar starts; null where the bar is too thick. */
 export function startFor(tool: Tool, { clear, low }: BoreWay): number | null {
-  const least = -Math.min(0, ...holderOutlines(tool).flatMap((ring) => ring.map(({ r }) => r))) - clear + BESIDE;
-  const r = Math.max(0, low, least);
+  const r = Math.max(0, low, leastTip(tool, clear) + BESIDE);
   return r <= clear - BESIDE && (tool.DMIN ?? 0) <= toDiameter(radius(clear)) ? r : null;
 }
 
@@ -129,73 +176,97 @@ export function jobInside(
   wanted: ShapeRequest,
   stock: readonly Ring[],
   start: { readonly z: number; readonly r: number },
-  values: Readonly<Record<string, number>>,
 ): SetJob {
-  const job = jobFor(cycle, wanted, stock);
-  const own = Object.entries(values).filter(([q]) => cycle.params[q]);
   const bore = clearRadius(stock, start.z, frontOf(stock));
   return {
-    ...job,
+    ...jobFor(cycle, wanted, stock),
     // The way into the bore depends on its size at the mouth.
     blank: { ...cylinderAround(stock), bore: Number.isFinite(bore) ? positionAsTyped(toDiameter(radius(bore))) : "0" },
     start: { x: positionAsTyped(toDiameter(radius(start.r))), z: positionAsTyped(start.z) },
-    drafts: {
-      [cycle.number]: {
-        ...job.drafts[cycle.number],
-        ...Object.fromEntries(own.map(([q, value]) => [q, String(rounded(value))])),
-      },
-    },
   };
 }
 
-/** Whether a tool points away from the axis. */
-const isBoring = ({ TO }: Tool): boolean => tipDirection(TO).v > 0;
+/** Tools that point away from the axis. */
+export const barsOf = (request: PlanRequest, types: (tool: Tool) => boolean): readonly Tool[] =>
+  toolsOf(request).filter((tool) => tipDirection(tool.TO).v > 0 && types(tool));
 
-/** A boring bar and its job. */
-export interface BarJob {
-  readonly tool: Tool;
-  readonly job: SetJob;
+/** Length of a bar behind its tip in addition to the depth of its cut, mm. */
+const HELD_BEHIND = 5;
+
+/** A bar as it sticks out for a cut. */
+export function heldBar(tool: Tool, depth: number): HeldBar | null {
+  const across = barDiameter(tool);
+  return across === null ? null : { overhang: depth + HELD_BEHIND, diameter: across };
 }
 
-/** Jobs of a cycle with each boring bar that enters and cuts, those that reach most first. */
-export function barJobs(
+/** A cut reaches this share of the height of its region. */
+const REACHES = 0.25;
+
+/** Whether a path cuts into a region, and not only along it. */
+function cutsInto({ moves }: Plan, { left, right, low, high }: Box): boolean {
+  const least = low + REACHES * (high - low);
+  return moves.some(({ kind, to }, i) => {
+    const from = moves[i - 1]?.to ?? to;
+    return kind !== "rapid" && to.r > least && Math.min(from.z, to.z) < right && Math.max(from.z, to.z) > left;
+  });
+}
+
+/** A bore is wider by so much when its wall is cut, mm. */
+const WIDER = 0.5;
+
+/** Whether the body of a bar stays clear of the opposite wall where its tip is nearest to the axis. */
+function staysClear({ moves }: Plan, tool: Tool, stock: readonly Ring[]): boolean {
+  const nearest = moves.reduce<Pt | null>((best, { to }) => (best && best.r <= to.r ? best : to), null);
+  if (!nearest) return true;
+  return nearest.r >= leastTip(tool, clearRadius(stock, nearest.z + WIDER, frontOf(stock)) + WIDER);
+}
+
+/** Whether a cycle plunges into valleys. */
+const PLUNGING = "Q487";
+
+/** Whether a section gets narrower behind a wider place: with and without plunging into it. */
+export function plungings(segments: readonly Segment[]): readonly (boolean | undefined)[] {
+  const points = geometry.flattenedChain(segments, CHORD);
+  return points.some((p, i) => p.r > (points[i - 1]?.r ?? p.r) + SAME) ? [false, true] : [undefined];
+}
+
+/** What a bar does inside. */
+export interface BoreWork {
+  readonly kind: ActionKind;
+  readonly wanted: ShapeRequest;
+  readonly region: Pick<OpenRegion, "box">;
+  readonly way: BoreWay;
+  readonly cut: Omit<CutRequest, "stock" | "bar" | "smallest" | "largest">;
+  /** Whether it goes into a contour that widens behind a neck; absent where there is none. */
+  readonly plunges?: boolean;
+  /** Most tools for each cycle. */
+  readonly most: number;
+}
+
+/** The actions of a cycle with the bars that enter and cut, those that reach most first. */
+export function barActions(
+  { kind, wanted, region: { box }, way, cut, plunges, most }: BoreWork,
   cycle: Cycle,
-  wanted: ShapeRequest,
-  stock: readonly Ring[],
-  way: BoreWay,
-  values: Readonly<Record<string, number>>,
   tools: readonly Tool[],
-): readonly BarJob[] {
-  return tools
-    .filter((tool) => isBoring(tool) && checkTool(tool).length === 0)
-    .flatMap((tool) => {
-      const r = startFor(tool, way);
-      if (r === null) return [];
-      const job = { ...jobInside(cycle, wanted, stock, { z: way.z, r }, values), tool: tool.T };
-      const read = readDraft(cycle, job.drafts[job.cycle] ?? {}).values;
-      const start = tipAtCall(job);
-      const contour = cycle.contour === "free" ? readRows(job.contour).contour.segments : null;
-      if (!read) return [];
-      const setting = { tool, start, feedUnit: "mm/rev", autoFeed: null, stock: null } as const;
-      const fit = fitOf(tool, cycle.plan(read, setting, { contour, start }));
-      return fit.cuts ? [{ tool, job, fit }] : [];
-    })
-    .toSorted((a, b) => a.fit.unreached - b.fit.unreached);
+  stock: readonly Ring[],
+  request: PlanRequest,
+  better: Better = () => 0,
+): readonly Action[] {
+  const depth = frontOf(stock) - box.left;
+  const [smallest, largest] = [toDiameter(radius(way.clear)), toDiameter(radius(box.high))];
+  const fits = tools.flatMap((tool) => {
+    const r = startFor(tool, way);
+    if (r === null) return [];
+    const own = jobInside(cycle, wanted, stock, { z: way.z, r });
+    const job = plunges === undefined || !cycle.params[PLUNGING] ? own : withValue(own, PLUNGING, plunges ? 1 : 0);
+    const asked = { ...cut, stock, smallest, largest, bar: heldBar(tool, depth) };
+    const fit = fitted({ cycle, job, cut: asked }, tool, request);
+    return fit && cutsInto(fit.plan, box) && staysClear(fit.plan, tool, stock) ? [fit] : [];
+  });
+  return ranked(fits, better)
+    .slice(0, most)
+    .map(({ tool, job, values }) => {
+      const variant = `X${job.start.x} Z${job.start.z}${plunges === false ? " over" : ""}`;
+      return actionOf({ kind, site: "inside", cycle, box, variant }, tool, job, values);
+    });
 }
-
-/** The turning tools of a request that suit, without the excluded ones. */
-export const barsOf = ({ shop, withoutTools }: PlanRequest, suits: (tool: Tool) => boolean): readonly Tool[] =>
-  shop.tools.filter((tool) => isBoring(tool) && !withoutTools.includes(tool.T) && suits(tool));
-
-/** The action of a boring bar on a region. */
-export const barAction = (kind: ActionKind, { tool, job }: BarJob, { box }: Pick<OpenRegion, "box">): Action => ({
-  kind,
-  key: `${kind} ${job.cycle} T${tool.T} X${job.start.x} Z${job.start.z}`,
-  site: "inside",
-  tool,
-  cycle: job.cycle,
-  job,
-  place: { front: box.right, rear: box.left, high: box.high, low: box.low },
-  threads: [],
-  values: [],
-});

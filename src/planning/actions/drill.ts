@@ -5,11 +5,12 @@ import { intersection } from "../../kernel/area/clip.ts";
 import { at, part as geometry, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { CHORD, SAME } from "../../kernel/tolerance.ts";
-import { rounded, roundedUp, toDiameter, radius } from "../../kernel/units.ts";
+import { rounded } from "../../kernel/units.ts";
 import { canDo } from "../../program/edits/hand-operation.ts";
 import { frontOf } from "../../program/job/stock-surface.ts";
 import type { Action, ActionSource, ElementMark, PlannedPart, PlanRequest } from "../types.ts";
 import { insideOf } from "./bore.ts";
+import { beyondRear, ROUGH_BEYOND } from "./bore-turning.ts";
 import { drillsOf, onAxis } from "./on-axis.ts";
 
 /** Stock in front of the face that is no reason to face first, mm. */
@@ -18,12 +19,10 @@ const FACED = 0.05;
 const SMALLER = 0.15;
 /** Greatest roughness of a drilled wall, Ra in µm: finer ones are bored. */
 const DRILLED = 6.3;
-/** Distance that a drill goes beyond the rear end of a bore with its full radius, mm. */
-const BEYOND = 1;
+/** Least length of the cylinder that a drill makes, in radii. */
+const LEAST_LENGTH = 0.5;
 /** Least material that a drill takes, mm² of the half plane. */
 const LEAST = 2;
-/** Up to this depth in diameters chips come out by themselves; deeper holes are pecked by one diameter. */
-const UNPECKED = 3;
 /** Most drills that are proposed. */
 const MOST = 4;
 const NO_MARK: ElementMark = { row: "" };
@@ -35,13 +34,16 @@ function fits(r: number, { from, to }: Segment, { tolerance, roughness = Infinit
 }
 
 /** Z that the point of a drill may reach inside a part, with material left on the wall; null where it does not fit. */
-export function deepestPoint(tool: Tool, { inside }: PlannedPart, allowance: number): number | null {
+export function deepestPoint(tool: Tool, part: PlannedPart, allowance: number): number | null {
+  const { inside } = part;
   const [first, last] = [inside.segments[0]?.from, inside.segments.at(-1)?.to];
   const [r, point] = [tool.R ?? 0, pointLength(tool)];
   if (!first || !last || !(r > 0)) return null;
-  let deepest = last.r > SAME ? last.z - point - BEYOND : -Infinity;
-  inside.segments.forEach((segment, i) => {
-    const wide = r + (fits(r, segment, inside.marks[i] ?? NO_MARK) ? -SAME : allowance);
+  let deepest = last.r > SAME ? last.z - point - beyondRear(part) - ROUGH_BEYOND : -Infinity;
+  // A drill that makes one of the cylinders leaves nothing for boring.
+  const makes = inside.segments.some((segment, i) => fits(r, segment, inside.marks[i] ?? NO_MARK));
+  const wide = r + (makes ? -SAME : allowance);
+  inside.segments.forEach((segment) => {
     const corners = geometry.flattened(segment, CHORD);
     corners.forEach((p, k) => {
       const before = corners[k - 1];
@@ -50,7 +52,7 @@ export function deepestPoint(tool: Tool, { inside }: PlannedPart, allowance: num
       if (p.r < wide) deepest = Math.max(deepest, p.z - (p.r * point) / wide);
     });
   });
-  return deepest < first.z - point ? deepest : null;
+  return deepest < first.z - point - LEAST_LENGTH * r ? deepest : null;
 }
 
 /** The half section of a drill whose point is at a Z. */
@@ -59,12 +61,10 @@ function bodyOf(tool: Tool, z: number, front: number): Ring {
   return [at(z, 0), at(front, 0), at(front, r), at(z + pointLength(tool), r)];
 }
 
-function drillAction(tool: Tool, z: number, stock: readonly Ring[]): Action | null {
+function drillAction(tool: Tool, z: number, stock: readonly Ring[], request: PlanRequest): Action | null {
   const front = frontOf(stock);
-  const across = toDiameter(radius(tool.R ?? 0));
-  const depth = roundedUp(front - z);
-  const pecked = depth > UNPECKED * across ? rounded(across) : depth;
-  const made = onAxis("drill", tool, stock, { Q201: -depth, Q202: pecked, Q203: rounded(front) });
+  const depth = rounded(front - z);
+  const made = onAxis("drill", tool, depth, stock, request);
   return (
     made && {
       ...made,
@@ -75,7 +75,6 @@ function drillAction(tool: Tool, z: number, stock: readonly Ring[]): Action | nu
       cycle: null,
       place: { front, rear: front - depth, high: tool.R ?? 0, low: 0 },
       threads: [],
-      values: [],
     }
   );
 }
@@ -97,7 +96,7 @@ function drillsFor(stock: readonly Ring[], request: PlanRequest): readonly Actio
     })
     .toSorted((a, b) => b.taken - a.taken)
     .slice(0, MOST)
-    .flatMap(({ tool, z }) => drillAction(tool, z, stock) ?? []);
+    .flatMap(({ tool, z }) => drillAction(tool, z, stock, request) ?? []);
 }
 
 /** Drills the inside on the axis. */

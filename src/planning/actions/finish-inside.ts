@@ -1,37 +1,69 @@
 import { boxAround } from "../../kernel/area/box.ts";
+import { part as geometry } from "../../kernel/geometry/point.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
+import { CHORD, SAME } from "../../kernel/tolerance.ts";
 import { isUsualTool } from "../../program/tools/which-tool.ts";
 import { cyclesFor } from "../../report/which/ways.ts";
 import type { ActionSource } from "../types.ts";
 import { insideRegions } from "./bore.ts";
-import { barAction, barJobs, barsOf, freeInside, sectionOf, wayInto } from "./bore-turning.ts";
+import { barActions, barsOf, freeInside, plungings, sectionInBore } from "./bore-turning.ts";
+import { notDone } from "./candidates.ts";
+import { finestOf } from "./finest.ts";
+import { grooveOf } from "./recess-inside.ts";
 
 /** Thicker material is roughed first, in oversizes. */
 const THIN = 2.4;
-/** Operation of a cycle: finishing to size. */
-const FINISH = 2;
-const MOST_TOOLS = 3;
+const MOST_TOOLS = 2;
+
+const finishersFirst = (a: Tool, b: Tool) => Number(b.TYPE === "FINISH") - Number(a.TYPE === "FINISH");
 
 /** Finishes the inside to size, in one pass along all its elements that have material. */
 export const finishInside: ActionSource = {
   kind: "finishInside",
-  actions({ stock }, request) {
+  actions(state, request) {
     const { part, rules, withoutCycles } = request;
+    const { stock } = state;
     const left = insideRegions(stock, part);
-    if (left.length === 0 || insideRegions(stock, part, THIN * (rules.allowance.diameter / 2)).length > 0) return [];
+    const thick = insideRegions(stock, part, THIN * (rules.allowance.diameter / 2));
+    // A groove is cut by its own tool, before or behind.
+    if (left.length === 0 || thick.some((region) => !grooveOf(part, region))) return [];
     const all = left.flatMap(({ rings }) => rings);
     const region = { rings: all, box: boxAround(all), area: left.reduce((sum, { area }) => sum + area, 0) };
-    const section = sectionOf(part, region);
-    const way = wayInto(stock, region);
-    if (section.length === 0 || !way) return [];
-    const wanted = freeInside(section);
-    return cyclesFor(wanted)
-      .filter((c) => c.group === "longitudinal" && !withoutCycles.includes(c.number))
-      .flatMap((cycle) => {
-        const tools = barsOf(request, (tool) => isUsualTool(cycle.group, tool));
-        return barJobs(cycle, wanted, stock, way, { Q215: FINISH, Q483: 0, Q484: 0 }, tools)
-          .toSorted((a, b) => Number(b.tool.TYPE === "FINISH") - Number(a.tool.TYPE === "FINISH"))
-          .slice(0, MOST_TOOLS)
-          .map((bar) => barAction("finishInside", bar, region));
-      });
+    const section = sectionInBore(stock, part, region);
+    const last = section?.segments.at(-1);
+    if (!section || !last) return [];
+    const { segments: whole, way } = section;
+    // A thick bar leaves a bottom that a thinner one faces from the axis on.
+    const isFloor = last.to.r < SAME && last.from.z - last.to.z < SAME;
+    const variants = [
+      { segments: whole, groups: isFloor ? ["longitudinal", "transverse"] : ["longitudinal"] },
+      ...(isFloor && whole.length > 1 ? [{ segments: whole.slice(0, -1), groups: ["longitudinal"] }] : []),
+    ];
+    const roughness = finestOf(section);
+    const cut = { operation: "finish", work: "finish", ...(roughness !== undefined && { roughness }) } as const;
+    const actions = variants.flatMap(({ segments, groups }) => {
+      const wanted = freeInside(segments);
+      const box = boxAround([geometry.flattenedChain(segments, CHORD)]);
+      return cyclesFor(wanted)
+        .filter((c) => groups.includes(c.group) && !withoutCycles.includes(c.number))
+        .flatMap((cycle) => {
+          const tools = barsOf(request, (tool) => isUsualTool(cycle.group, tool));
+          return plungings(segments).flatMap((plunges) => {
+            if (plunges === true && thick.length > 0) return [];
+            const into = plunges === undefined ? {} : { plunges };
+            const work = {
+              kind: "finishInside",
+              wanted,
+              region: { box },
+              way,
+              cut,
+              most: MOST_TOOLS,
+              ...into,
+            } as const;
+            return barActions(work, cycle, tools, stock, request, finishersFirst);
+          });
+        });
+    });
+    return notDone(actions, state);
   },
 };

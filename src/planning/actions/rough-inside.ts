@@ -1,40 +1,48 @@
-import { cyclesFor } from "../../report/which/ways.ts";
-import { isUsualTool } from "../../program/tools/which-tool.ts";
-import type { OpenRegion } from "../open-regions.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
+import { SAME } from "../../kernel/tolerance.ts";
+import { isUsualTool } from "../../program/tools/which-tool.ts";
+import { cyclesFor } from "../../report/which/ways.ts";
+import type { OpenRegion } from "../open-regions.ts";
 import type { Action, ActionSource, PlanRequest } from "../types.ts";
 import { insideRegions } from "./bore.ts";
-import { barAction, barJobs, barsOf, between, freeInside, sectionOf, wayInto } from "./bore-turning.ts";
+import { barActions, barsOf, freeInside, plungings, ROUGH_BEYOND, sectionInBore } from "./bore-turning.ts";
+import { notDone } from "./candidates.ts";
 
 /** Thinner material is left to finishing, in oversizes. */
-const THICK = 1.6;
-/** Operation of a cycle: roughing only. */
-const ROUGH = 1;
+export const THICK = 1.6;
 /** Most regions, and most tools for each, that are proposed. */
-const [MOST_REGIONS, MOST_TOOLS] = [2, 3];
+const [MOST_REGIONS, MOST_TOOLS] = [2, 2];
 
 function roughing(region: OpenRegion, stock: readonly Ring[], request: PlanRequest): readonly Action[] {
-  const { part, rules, withoutCycles } = request;
-  const way = wayInto(stock, region);
-  const section = way ? between(sectionOf(part, region), way) : [];
-  if (section.length === 0 || !way) return [];
-  const wanted = freeInside(section);
-  const values = { Q215: ROUGH, Q483: rules.allowance.diameter, Q484: rules.allowance.z };
+  const oversize = request.rules.allowance.diameter / 2;
+  const section = sectionInBore(stock, request.part, region, { oversize, more: ROUGH_BEYOND });
+  if (!section) return [];
+  const { segments, way } = section;
+  const wanted = freeInside(segments);
+  // The cone that a drill has left on a flat bottom is faced from the axis on.
+  const hasFloor = (segments.at(-1)?.to.r ?? 1) < SAME;
+  const cut = { operation: "rough", work: "rough" } as const;
   return cyclesFor(wanted)
-    .filter((c) => c.group === "longitudinal" && !withoutCycles.includes(c.number))
+    .filter(({ group }) => group === "longitudinal" || (group === "transverse" && hasFloor))
+    .filter(({ number }) => !request.withoutCycles.includes(number))
     .flatMap((cycle) => {
       const tools = barsOf(request, (t) => isUsualTool(cycle.group, t) && t.TYPE !== "FINISH");
-      return barJobs(cycle, wanted, stock, way, values, tools)
-        .slice(0, MOST_TOOLS)
-        .map((bar) => barAction("roughInside", bar, region));
+      return plungings(segments).flatMap((plunges) => {
+        const into = plunges === undefined ? {} : { plunges };
+        const work = { kind: "roughInside", wanted, region, way, cut, most: MOST_TOOLS, ...into } as const;
+        return barActions(work, cycle, tools, stock, request);
+      });
     });
 }
 
 /** Bores roughly, where the stock has a bore that a bar enters. */
 export const roughInside: ActionSource = {
   kind: "roughInside",
-  actions: ({ stock }, request) =>
-    insideRegions(stock, request.part, THICK * (request.rules.allowance.diameter / 2))
-      .slice(0, MOST_REGIONS)
-      .flatMap((region) => roughing(region, stock, request)),
+  actions: (state, request) =>
+    notDone(
+      insideRegions(state.stock, request.part, THICK * (request.rules.allowance.diameter / 2))
+        .slice(0, MOST_REGIONS)
+        .flatMap((region) => roughing(region, state.stock, request)),
+      state,
+    ),
 };

@@ -16,15 +16,15 @@ import type { Action, ActionSource, Chain, PlanRequest } from "../types.ts";
 import { actionOf, fitted, toolsOf } from "./candidates.ts";
 import { highest, outsideWork } from "./outside-work.ts";
 
-/** A thread of the outside: its elements in the chain, and its name. */
-interface ThreadPlace {
+/** A thread of a side: its elements in the chain, and its name. */
+export interface ThreadPlace {
   readonly first: number;
   readonly last: number;
   readonly designation: string;
 }
 
 /** The threads of a chain, from the front to the rear. */
-function threadsOf({ marks }: Chain): readonly ThreadPlace[] {
+export function threadsOf({ marks }: Chain): readonly ThreadPlace[] {
   const found: ThreadPlace[] = [];
   marks.forEach(({ thread }, i) => {
     const last = found.at(-1);
@@ -60,14 +60,10 @@ export const thread: ActionSource = {
 const ABOVE = 1;
 /** Depth of the grooves beyond the root of the drawing that rounded values may give, mm. */
 const ROOT = 0.05;
-/** Length behind a thread that its tool cuts in the relief, in pitches. */
-const OVERRUN = 2;
-/** Length in front of a thread that its passes cut, mm. */
-const RUN_IN = 5;
 /** Largest edge break at the front end of a thread, mm. */
 const EDGE = 3;
 /** Length of a run-out in a cylinder without relief, in pitches. */
-const RUN_OUT = 2;
+export const RUN_OUT = 2;
 
 function threadings(
   named: NamedThread,
@@ -137,8 +133,7 @@ function threadings(
         if (!fit) return [];
         const action = actionOf({ kind: "thread", site: "outside", cycle, box }, tool, fit.job, fit.values);
         const low = root - ROOT;
-        // Run-in and overrun cut the chamfer in front and the edge of the relief.
-        const made = { ...action.place, low, front: front + RUN_IN, rear: end - OVERRUN * named.pitch };
+        const made = { ...action.place, low, front, rear: end };
         return [{ ...action, place: made, threads: [threadId(chain, place)] }];
       }),
   );
@@ -156,12 +151,18 @@ function reliefFrom({ segments }: Chain, { last }: ThreadPlace, root: number): n
 }
 
 /** The values of a thread whose crest is nearest to the cylinder of the drawing. */
-function fillOf(named: NamedThread, cycle: Cycle, across: number, nose: number): ThreadFill | null {
+export function fillOf(
+  named: NamedThread,
+  cycle: Cycle,
+  across: number,
+  nose: number,
+  site: "outside" | "inside" = "outside",
+): ThreadFill | null {
   const { thread: roles } = cycle;
   if (!roles) return null;
-  const aims: readonly Aim[] = named.outside?.tolerance ? ["middle", "basic"] : ["basic"];
+  const aims: readonly Aim[] = named[site]?.tolerance ? ["middle", "basic"] : ["basic"];
   const fills = aims.flatMap((aim) => {
-    const fill = valuesOfThread(named, roles, { [roles.position]: 0 }, { aim, nose });
+    const fill = valuesOfThread(named, roles, { [roles.position]: site === "inside" ? 1 : 0 }, { aim, nose });
     return typeof fill === "string" ? [] : [fill];
   });
   const off = ({ cut }: ThreadFill) => Math.abs(cut.crest - across);
