@@ -5,11 +5,11 @@ import { cycleSvg } from "./cycle-picture.ts";
 import { cyclePage } from "./cycle-page.ts";
 import { isoPage } from "./iso-page.ts";
 import { klartextPage } from "./klartext-page.ts";
-import { machineJsonSchema } from "./machine-schema.ts";
+import { machineJsonSchema, partJsonSchema } from "./json-schemas.ts";
 
 /**
  * `npm run docs`: writes the page of every cycle with its picture, the page of all blocks, the page of DIN/ISO and the
- * schema of machine files. Runs in the project folder.
+ * schemas of machine and part files. Runs in the project folder.
  */
 export function main(): number {
   const folder = join("docs", "cycles");
@@ -23,5 +23,6 @@ export function main(): number {
   writeFileSync(join("docs", "klartext.md"), klartextPage());
   writeFileSync(join("docs", "din-iso.md"), isoPage());
   writeFileSync(join("docs", "machine.schema.json"), machineJsonSchema());
+  writeFileSync(join("docs", "part.schema.json"), partJsonSchema());
   return 0;
 }

@@ -51,7 +51,7 @@ try {
   ensurePackages();
   const { main } = await import(pathToFileURL(await bundled()).href);
   // npm runs scripts in the project folder; file names are relative to the folder of the caller.
-  if (["verify", "contour"].includes(name) && process.env.INIT_CWD) process.chdir(process.env.INIT_CWD);
+  if (["verify", "contour", "plan"].includes(name) && process.env.INIT_CWD) process.chdir(process.env.INIT_CWD);
   process.exitCode = await main(args);
 } catch (error) {
   console.error(`${name}: ${error instanceof Error ? error.message : String(error)}`);

@@ -20,7 +20,7 @@ const RULES: Record<string, Rule> = {
   report: { values: ["kernel", "cycles", "nc", "program", "sim", "i18n"] },
   planning: { values: ["kernel", "cycles", "nc", "program", "sim", "report", "zod"], types: ["i18n"] },
   course: { values: ["kernel", "cycles", "nc", "program", "sim", "report", "i18n", "planning", "zod"] },
-  i18n: { values: ["nc"], types: ["kernel", "cycles", "program"] },
+  i18n: { values: ["nc"], types: ["kernel", "cycles", "program", "planning"] },
   examples: { values: [] },
 };
 const layerOf = (path: string) => path.split("/")[1] ?? "";

@@ -4,7 +4,7 @@ import { describe, expect, test } from "vitest";
 import { cycleSvg } from "../scripts/cycle-picture.ts";
 import { cyclePage } from "../scripts/cycle-page.ts";
 import { klartextPage } from "../scripts/klartext-page.ts";
-import { machineJsonSchema } from "../scripts/machine-schema.ts";
+import { machineJsonSchema, partJsonSchema } from "../scripts/json-schemas.ts";
 import { catalogue } from "../src/cycles/index.ts";
 import { projectFile, projectFolder, projectPath } from "./sources.ts";
 
@@ -21,8 +21,12 @@ describe("pages written from the catalogue", () => {
   test("the page of all blocks is what `npm run docs` writes", () =>
     expect(projectFile("docs/klartext.md")).toBe(klartextPage()));
 
-  test("the schema of machine files is what `npm run docs` writes", () =>
-    expect(projectFile("docs/machine.schema.json")).toBe(machineJsonSchema()));
+  test.each([
+    ["machine", machineJsonSchema],
+    ["part", partJsonSchema],
+  ])("the schema of %s files is what `npm run docs` writes", (name, schema) =>
+    expect(projectFile(`docs/${name}.schema.json`)).toBe(schema()),
+  );
 
   test("there is no page without its cycle", () => {
     expect(projectFolder("docs/cycles").sort()).toEqual(

@@ -8,13 +8,17 @@ import { withHandOperation, withOperation, type OperationPlace } from "../progra
 import { emptyProgram } from "../program/job/empty-program.ts";
 import { runOn } from "../program/run/run.ts";
 import { verdictOf, type VerdictReason } from "../report/verdict.ts";
-import { simulate } from "../sim/simulate.ts";
-import type { Action, PlanRequest, PlanState, TriedAction } from "./types.ts";
+import { simulateCuts } from "../sim/simulate.ts";
+import type { Simulation } from "../sim/simulation.ts";
+import { FINISHING, type Action, type PlanRequest, type PlanState, type TriedAction } from "./types.ts";
 
 /** Less is no cut, mm² of the half plane. */
 const LEAST_CUT = 0.05;
 /** Less is no damage, mm²: chords of arcs. */
 const LEAST_GOUGE = 0.01;
+
+/** Material beyond its oversize that a finishing cut takes at most, mm: the ground of an undercut. */
+const THICKEST = 1.5;
 
 /** What a setter should see, and what says nothing about the stock: an operation without a cycle. */
 const NO_FAULT: ReadonlySet<VerdictReason["kind"]> = new Set([
@@ -33,31 +37,46 @@ export const withAction = (
   place?: OperationPlace,
 ) => (cut ? withHandOperation(program, job, cut, place) : withOperation(program, job, labels, place));
 
-const placeOf = ({ place: { front, rear, high, low } }: Action): Ring => [
-  at(rear, low),
-  at(front, low),
-  at(front, high),
-  at(rear, high),
-];
+/** Length of chamfer and relief that a thread runs over, in depths of the thread: a flank of 30°. */
+const RUN_OVER = 2;
+
+/** Where a thread cuts its grooves. */
+function groovesOf({ place: { front, rear, high, low } }: Action): Ring {
+  const over = RUN_OVER * (high - low);
+  return [at(rear - over, low), at(front + over, low), at(front + over, high), at(rear - over, high)];
+}
 
 /** Area of `a` outside `b` that is thicker than the error of chords, mm². */
 export const areaBeyond = (a: readonly Ring[], b: readonly Ring[]): number => areaOf(opened(difference(a, b), SLIVER));
+
+/**
+ * The stock after a run. What was parted off is the part, and the rest of the bar no longer counts. The grooves of a
+ * thread are no area: where one is cut, the crest stays as `crests` have it.
+ */
+export function leftBy(
+  { final, proof }: Pick<Simulation, "final" | "proof">,
+  actions: readonly Action[],
+  crests: readonly Ring[],
+): readonly Ring[] {
+  const parted = proof.loose.filter(({ isPartedOff }) => isPartedOff).flatMap(({ rings }) => rings);
+  const left = parted.length > 0 ? parted : final;
+  const threaded = actions.filter(({ threads }) => threads.length > 0).map(groovesOf);
+  return threaded.length > 0 ? union(left, intersection(crests, threaded)) : left;
+}
 
 /** Runs one action on the stock of a state and measures what it takes. After parting off the stock is the part. */
 export function applyAction(action: Action, { stock }: Pick<PlanState, "stock">, request: PlanRequest): TriedAction {
   const { labels, part, shop, clamping } = request;
   const program = withAction(parse(emptyProgram("PLAN", null)), action, labels);
   const made = runOn(stock, program, shop);
-  const simulation = simulate({ ...made, clamping });
+  const simulation = simulateCuts({ ...made, clamping });
   const faults = verdictOf(made, simulation).reasons.filter(({ kind }) => !NO_FAULT.has(kind));
-  // What is parted off is the part; the rest of the bar no longer counts.
-  const parted = simulation.proof.loose.filter(({ isPartedOff }) => isPartedOff).flatMap(({ rings }) => rings);
-  const cutTo = parted.length > 0 ? parted : simulation.final;
-  // The grooves of a thread are no area: what is part of its crest stays.
-  const crest = () => intersection(intersection(stock, part.rings), [placeOf(action)]);
-  const left = action.threads.length > 0 ? union(cutTo, crest()) : cutTo;
-  const { cut } = simulation.proof;
-  const gouge = areaBeyond(intersection(stock, part.rings), left);
+  const own = intersection(stock, part.rings);
+  const left = leftBy(simulation, [action], own);
+  const { cut, operations } = simulation.proof;
+  const most = request.rules.allowance.diameter / 2 + THICKEST;
+  const isThick = FINISHING.has(action.kind) && operations.some(({ thickest }) => (thickest?.depth ?? 0) > most);
+  const gouge = areaBeyond(own, left);
   const isMade = action.threads.length > 0 || cut > LEAST_CUT;
   return {
     action,
@@ -66,6 +85,6 @@ export function applyAction(action: Action, { stock }: Pick<PlanState, "stock">,
     cut,
     gouge,
     faults,
-    works: faults.length === 0 && gouge < LEAST_GOUGE && isMade,
+    works: faults.length === 0 && !isThick && gouge < LEAST_GOUGE && isMade,
   };
 }

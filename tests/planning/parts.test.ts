@@ -2,7 +2,14 @@ import { describe, expect, test } from "vitest";
 import { areaOf } from "../../src/kernel/area/area.ts";
 import { printPart, readPart } from "../../src/planning/part/part-file.ts";
 import { plannedPart } from "../../src/planning/part/planned-part.ts";
+import { projectFile } from "../sources.ts";
 import { PART_NAMES, partOfTrade } from "./parts.ts";
+
+test("the example of the documentation is a part", () => {
+  const [, example = ""] = /```json\n([^]*?)```/.exec(projectFile("docs/planning.md")) ?? [];
+  const { part } = readPart(example);
+  expect(part && plannedPart(part).problems).toEqual([]);
+});
 
 describe("parts of the trade", () => {
   test.each(PART_NAMES)("%s is a part within its blank", (name) => {

@@ -89,6 +89,9 @@ export function traced(chain: readonly Pt[], sources: readonly Segment[]): reado
     const [from, to] = [joints[i - 1] ?? points[0], joints[i] ?? points.at(-1)];
     if (!from || !to || part.apart(from, to) < NEAR.end) return [];
     if (!source) return elementsThrough([from, ...points.slice(1, -1), to], { line: LEFT_OVER, arc: LEFT_OVER });
-    return [along(source, from, to, points[Math.floor(points.length / 2)] ?? from)];
+    // The middle of a chord, since a single chord has only the ends that both arcs share.
+    const half = Math.floor(points.length / 2),
+      [a, b] = [points[half - 1] ?? from, points[half] ?? to];
+    return [along(source, from, to, part.pointOn(part.line(a, b), 1 / 2))];
   });
 }

@@ -43,7 +43,7 @@ export function fitted(
   request: PlanRequest,
 ): Fitted | null {
   const valued = withValues(job, cycle, tool, cut, request);
-  const plan = planOf(cycle, valued.job, tool);
+  const plan = planOf(cycle, valued.job, tool, request.shop.memory);
   if (!plan || plan.issues.some(({ severity }) => severity === "error")) return null;
   const fit = fitOf(tool, plan);
   return fit.cuts ? { ...fit, ...valued, plan } : null;

@@ -3,6 +3,7 @@ import type { ShapeRequest } from "../../cycles/shape-request.ts";
 import { worksAcross } from "../../cycles/use.ts";
 import { boxAround } from "../../kernel/area/box.ts";
 import type { Plan } from "../../kernel/plan/plan.ts";
+import type { AnswerCache } from "../../kernel/answer-cache.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { part, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
@@ -75,11 +76,32 @@ function startOf(cycle: Cycle, { segments, way, stock }: ContourWork): { readonl
   return way === "ahead" && z > all.right ? { z, r: top } : { z, r: Math.max(top, clear) + ABOVE };
 }
 
-/** The plan of a job with a tool; null where its values or its contour make none. */
-export function planOf(cycle: Cycle, job: SetJob, tool: Tool): Plan | null {
+/** The contour of the rows of a job, read once for all tools. */
+const contours = new WeakMap<SetJob["contour"], readonly Segment[]>();
+
+function contourOf({ contour: rows }: SetJob): readonly Segment[] {
+  const known = contours.get(rows);
+  if (known) return known;
+  const { segments } = readRows(rows).contour;
+  contours.set(rows, segments);
+  return segments;
+}
+
+/** The plan of a job with a tool; null where its values or its contour make none. Cached where there is a memory. */
+export function planOf(cycle: Cycle, job: SetJob, tool: Tool, memory?: AnswerCache): Plan | null {
+  if (!memory) return madePlan(cycle, job, tool);
+  const asked = memory.serialized([cycle.number, job.drafts[cycle.number], job.start, job.contour]);
+  return memory.cached(
+    `planned ${memory.nameOf(tool)} ${asked}`,
+    () => madePlan(cycle, job, tool),
+    (plan) => plan?.moves.length ?? 1,
+  );
+}
+
+function madePlan(cycle: Cycle, job: SetJob, tool: Tool): Plan | null {
   const { values } = readDraft(cycle, job.drafts[cycle.number] ?? {});
   if (!values) return null;
   const start = tipAtCall(job);
-  const contour = cycle.contour === "free" ? readRows(job.contour).contour.segments : null;
+  const contour = cycle.contour === "free" ? contourOf(job) : null;
   return cycle.plan(values, { start, tool, feedUnit: "mm/rev", autoFeed: null, stock: null }, { contour, start });
 }

@@ -72,7 +72,7 @@ function tapped({ named, box, id }: OpenThread, stock: readonly Ring[], request:
     .flatMap((tool): readonly Action[] => {
       const made = onAxis("tap", tool, rounded(front - rear), stock, request);
       if (!made) return [];
-      const place = { front, rear, high: radiusOf(named.nominal) + ROOT, low: 0 };
+      const place = { front, rear, high: radiusOf(named.nominal) + ROOT, low: radiusOf(core.limits[0]) - ROOT };
       const key = `thread tap T${tool.T} ${box.right.toFixed(2)}`;
       return [{ ...made, kind: "thread", key, site: "inside", tool, cycle: null, place, threads: [id] }];
     });
@@ -130,7 +130,7 @@ function turned(open: OpenThread, stock: readonly Ring[], request: PlanRequest):
         const fit = fitted({ cycle, job, cut }, tool, request);
         if (!fit) return [];
         const action = actionOf({ kind: "thread", site: "inside", cycle, box }, tool, fit.job, fit.values);
-        const room = { front: z, rear: end - runOut, high: radiusOf(fill.cut.root) + ROOT, low: 0 };
+        const room = { front: z, rear: end - runOut, high: radiusOf(fill.cut.root) + ROOT, low: box.low - ROOT };
         return [{ ...action, place: room, threads: [id] }];
       }),
     );

@@ -60,6 +60,8 @@ export const thread: ActionSource = {
 const ABOVE = 1;
 /** Depth of the grooves beyond the root of the drawing that rounded values may give, mm. */
 const ROOT = 0.05;
+/** Largest edge break at the front end of a thread, mm. */
+const EDGE = 3;
 /** Length of a run-out in a cylinder without relief, in pitches. */
 export const RUN_OUT = 2;
 
@@ -72,14 +74,17 @@ function threadings(
 ): readonly Action[] {
   const segments = chain.segments.slice(place.first, place.last + 1);
   const box = boxOf(part.flattenedChain(segments, CHORD));
-  const next = chain.segments[place.last + 1];
+  const [before, next] = [chain.segments[place.first - 1], chain.segments[place.last + 1]];
+  // A thread begins at the face when only an edge break is in front of it.
+  const isBreak = before && before.from.r < box.high && before.from.z - box.right < EDGE;
+  const front = isBreak ? Math.max(box.right, before.from.z) : box.right;
   const isRelieved = !next || next.to.r < box.high - SAME;
   const across = toDiameter(radius(box.high));
   const corner = (z: number) => ({ diameter: diameter(rounded(across)), z: axial(rounded(z)) });
   const cycles = cyclesFor({
     site: "outside",
     shape: "thread",
-    from: corner(box.right),
+    from: corner(front),
     to: corner(box.left),
     angle: 0,
     pitch: named.pitch,
@@ -92,13 +97,16 @@ function threadings(
       .flatMap((tool): readonly Action[] => {
         const fill = fillOf(named, cycle, across, noseRadius(tool));
         if (!fill) return [];
-        const made = jobFor(
+        // The tooth leaves the material where the relief is as deep as the thread.
+        const root = radiusOf(fill.cut.root);
+        const end = isRelieved ? reliefFrom(chain, place, root) : box.left;
+        const begun = jobFor(
           cycle,
           {
             site: "outside",
             shape: "thread",
-            from: corner(box.right),
-            to: corner(box.left),
+            from: corner(front),
+            to: corner(end),
             angle: 0,
             pitch: named.pitch,
             contour: null,
@@ -106,7 +114,7 @@ function threadings(
           },
           stock,
         );
-        const filled = Object.entries(fill.values).reduce((job, [q, value]) => withValue(job, q, value), made);
+        const filled = Object.entries(fill.values).reduce((job, [q, value]) => withValue(job, q, value), begun);
         const job = clearOf(
           withValue(filled, "Q474", isRelieved ? 0 : rounded(RUN_OUT * named.pitch)),
           box.left,
@@ -124,10 +132,22 @@ function threadings(
         const fit = fitted({ cycle, job, cut }, tool, request);
         if (!fit) return [];
         const action = actionOf({ kind: "thread", site: "outside", cycle, box }, tool, fit.job, fit.values);
-        const low = radiusOf(fill.cut.root) - ROOT;
-        return [{ ...action, place: { ...action.place, low }, threads: [threadId(chain, place)] }];
+        const low = root - ROOT;
+        const made = { ...action.place, low, front, rear: end };
+        return [{ ...action, place: made, threads: [threadId(chain, place)] }];
       }),
   );
+}
+
+/** Z from which on the relief behind a thread is at least as deep as its root. */
+function reliefFrom({ segments }: Chain, { last }: ThreadPlace, root: number): number {
+  let end = segments[last]?.to.z ?? 0;
+  for (const s of segments.slice(last + 1)) {
+    if (s.to.r >= s.from.r - SAME) return end;
+    end = s.to.z;
+    if (s.to.r <= root) return end;
+  }
+  return end;
 }
 
 /** The values of a thread whose crest is nearest to the cylinder of the drawing. */

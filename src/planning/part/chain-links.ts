@@ -51,11 +51,14 @@ function withoutAxis(links: Links): Links {
   return begin < 0 ? [] : links.slice(begin, end + 1);
 }
 
-/** Whether an outline returns to the plane that it began in: it has the bore, too. */
-const returns = (links: Links): boolean => {
+/** Whether an outline is closed, or returns to the plane of its beginning unless it is open: it has the bore, too. */
+const returns = (links: Links, isOpen: boolean): boolean => {
   const [first, last] = [firstPoint(links), lastPoint(links)];
   if (!first || !last || links.length < 3) return false;
-  return part.apart(first, last) <= SAME || (near(first.z, last.z) && rearOf(links) < first.z - SAME && last.r > SAME);
+  return (
+    part.apart(first, last) <= SAME ||
+    (!isOpen && near(first.z, last.z) && rearOf(links) < first.z - SAME && last.r > SAME)
+  );
 };
 
 /** A closed outline as its outside and its bore, both from the front face. */
@@ -84,9 +87,16 @@ function withoutRearFace(links: Links): Links {
   return links.slice(0, Math.max(end, 0) + 1);
 }
 
-/** Outside and bore as typed, from the front face to the rear; faces may be missing. */
-export function orientedSides(outside: Links, inside: Links): { readonly outside: Links; readonly inside: Links } {
-  if (inside.length === 0 && returns(withoutAxis(outside))) return divided(withoutAxis(outside));
+/**
+ * Outside and bore as typed, from the front face to the rear; faces may be missing. `isOpen`: the outside ends in the
+ * blank, not at a rear face.
+ */
+export function orientedSides(
+  outside: Links,
+  inside: Links,
+  isOpen: boolean,
+): { readonly outside: Links; readonly inside: Links } {
+  if (inside.length === 0 && returns(withoutAxis(outside), isOpen)) return divided(withoutAxis(outside));
   return { outside: withoutRearFace(withoutAxis(fromFront(outside))), inside: withoutAxis(fromFront(inside)) };
 }
 

@@ -212,8 +212,7 @@ export function readPart(source: string): ReadPart {
     part: null,
     problems: [partProblem(code, {})],
   });
-  if (source.length > LONGEST_FILE)
-    return { part: null, problems: [partProblem("high", { at: "", limit: LONGEST_FILE })] };
+  if (source.length > LONGEST_FILE) return { part: null, problems: [partProblem("tooLong", { limit: LONGEST_FILE })] };
   let raw: unknown = null;
   try {
     raw = JSON.parse(source.replace(/^\uFEFF/, ""));
@@ -259,7 +258,23 @@ const printedRows = (rows: readonly ContourRow[], letter: string) =>
 
 const orNone = <T extends object>(given: T): T | undefined => (Object.keys(given).length > 0 ? given : undefined);
 
-/** Writes a part file, a row on a line each. */
+/** Widest line of a file, characters. */
+const WIDEST = 120;
+
+/** A member of a list or an object, without its comma; short data are on one line. */
+function printed(value: unknown, key: string, indent: string): string {
+  if (typeof value !== "object" || value === null) return indent + key + JSON.stringify(value);
+  const isList = Array.isArray(value),
+    members = Object.entries(value).filter(([, each]) => each !== undefined);
+  const all = (deeper: string) =>
+    members.map(([name, each]: [string, unknown]) => printed(each, isList ? "" : `${JSON.stringify(name)}: `, deeper));
+  const line = isList ? `[${all("").join(", ")}]` : `{ ${all("").join(", ")} }`;
+  if (indent.length + key.length + line.length < WIDEST && !line.includes("\n")) return indent + key + line;
+  const [open, close] = isList ? ["[", "]"] : ["{", "}"];
+  return `${indent}${key}${open}\n${all(`${indent}  `).join(",\n")}\n${indent}${close}`;
+}
+
+/** Writes a part file. Numbers are as typed. */
 export function printPart(part: FinishedPart): string {
   const { name, material, inside, marks, general, blank, clamping, partsOff, unmachinedBehind, rules } = part;
   const file: Record<string, unknown> = {
@@ -276,14 +291,6 @@ export function printPart(part: FinishedPart): string {
     unmachinedBehind: unmachinedBehind || undefined,
     rules: orNone(rules),
   };
-  const member = (value: unknown): string =>
-    Array.isArray(value)
-      ? `[\n${value.map((each) => `    ${JSON.stringify(each)}`).join(",\n")}\n  ]`
-      : typeof value === "object" && value !== null && Object.values(value).some((v) => typeof v === "object")
-        ? JSON.stringify(value, null, 2).replaceAll("\n", "\n  ")
-        : JSON.stringify(value);
-  const members = Object.entries(file).flatMap(([key, value]) =>
-    value === undefined || value === null ? [] : [`  ${JSON.stringify(key)}: ${member(value)}`],
-  );
-  return `{\n${members.join(",\n")}\n}\n`;
+  const members = Object.entries(file).filter(([, value]) => value !== undefined && value !== null);
+  return `{\n${members.map(([key, value]) => printed(value, `${JSON.stringify(key)}: `, "  ")).join(",\n")}\n}\n`;
 }

@@ -14,6 +14,8 @@ export interface PartProblemValues {
   readonly low: { readonly at: string; readonly limit: number };
   readonly high: { readonly at: string; readonly limit: number };
   readonly wrong: { readonly at: string };
+  /** `limit`: characters. */
+  readonly tooLong: { readonly limit: number };
   /** Two rows with one id. */
   readonly sameId: { readonly id: string };
   /** A mark for a row that does not exist. */
@@ -21,9 +23,8 @@ export interface PartProblemValues {
   readonly noOutside: {};
   readonly belowAxis: { readonly x: number; readonly z: number };
   readonly crosses: { readonly x: number; readonly z: number };
-  /** Bore and outside do not meet at the front, or at the rear. */
+  /** Bore and outside do not meet at the front. */
   readonly openFront: { readonly x: number; readonly z: number };
-  readonly openRear: { readonly x: number; readonly z: number };
   readonly boreOutside: { readonly x: number; readonly z: number };
   readonly noArea: {};
   /** The front face is not at Z0. */

@@ -78,7 +78,7 @@ function sidesOf(part: FinishedPart, blank: readonly Ring[], problems: PartProbl
     if (below) problems.push(partProblem("belowAxis", spot(below.segment.to), { side, row: below.mark.row }));
   }
   if (problems.some((p) => p.severity === "error")) return null;
-  const { outside: bare, inside: bore } = orientedSides(typed.outside, typed.inside);
+  const { outside: bare, inside: bore } = orientedSides(typed.outside, typed.inside, part.unmachinedBehind);
   const outside = withFrontFace(bare),
     [begin, end, first, last] = [outside[0], outside.at(-1), firstPoint(outside), lastPoint(outside)];
   if (!begin || !end || !first || !last) {
@@ -158,16 +158,16 @@ export function plannedPart(part: FinishedPart): PlannedPartResult {
   const ring = ringOf(sides),
     crossing = crossingOf(sides, part.unmachinedBehind);
   if (crossing) problems.push(crossing);
-  else if (areaOf([ring]) < LEAST_AREA)
+  const blank = stated ?? blankOfPart(part, boxAround([ring]), problems) ?? [],
+    rings = part.unmachinedBehind ? remaining(sides, blank) : [ring];
+  if (!crossing && areaOf(rings) < LEAST_AREA)
     problems.push(
       sides.inside.length > 0
         ? partProblem("boreOutside", spot(firstPoint(sides.inside) ?? at(0, 0)), { side: "inside" })
         : partProblem("noArea", {}),
     );
-  if (problems.some((p) => p.severity === "error")) return none(stated ?? []);
-  const blank = stated ?? blankOfPart(part, boxAround([ring]), problems) ?? [];
-  const rings = part.unmachinedBehind ? remaining(sides, blank) : [ring],
-    front = boxAround([ring]).right;
+  if (problems.some((p) => p.severity === "error")) return none(blank);
+  const front = boxAround([ring]).right;
   if (Math.abs(front) > SAME) problems.push(partProblem("front", { z: front }, { severity: "warning" }));
   const beyond = blank.length > 0 ? areaOf(difference([ring], blank)) : 0;
   if (beyond > BEYOND && !part.unmachinedBehind)

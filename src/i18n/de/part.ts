@@ -1,0 +1,35 @@
+import type { PartProblemTexts } from "../part-problem.ts";
+
+export const partProblems: PartProblemTexts = {
+  sides: { outside: "Außenkontur", inside: "Innenkontur", blank: "Rohteil" },
+  placed: (place, sentence) => `${place}: ${sentence}`,
+  sentences: {
+    notJson: () => "Die Datei ist kein JSON.",
+    notPart: () => "Die Datei ist keine Werkstückdatei.",
+    newer: () => "Die Datei stammt aus einer neueren Version.",
+    missing: ({ at }) => `${at}: fehlt`,
+    unknown: ({ at }) => `${at}: unbekannt`,
+    low: ({ at, limit }) => `${at}: mindestens ${limit}`,
+    high: ({ at, limit }) => `${at}: höchstens ${limit}`,
+    wrong: ({ at }) => `${at}: kein gültiger Wert`,
+    tooLong: ({ limit }) => `Die Datei ist zu lang: höchstens ${limit} Zeichen.`,
+    sameId: ({ id }) => `Zwei Zeilen haben die ID ${id}.`,
+    noRow: ({ id }) => `Angabe zu ${id}: Diese Zeile gibt es nicht.`,
+    noOutside: () => "Die Außenkontur fehlt.",
+    belowAxis: ({ x, z }) => `Die Kontur kreuzt die Drehachse bei X${x} Z${z}.`,
+    crosses: ({ x, z }) => `Die Kontur schneidet sich selbst bei X${x} Z${z}.`,
+    openFront: ({ x, z }) => `Die Bohrung erreicht die Planfläche nicht: Sie beginnt bei X${x} Z${z}.`,
+    boreOutside: ({ x, z }) => `Die Bohrung durchbricht die Außenkontur bei X${x} Z${z}.`,
+    noArea: () => "Die Konturen schließen kein Material ein.",
+    front: ({ z }) => `Die fertige Planfläche liegt bei Z${z}, nicht bei Z0.`,
+    threadName: ({ text }) => `${text}: unbekanntes Gewinde. Beispiele: M30x1,5, G1/2, Tr40x7.`,
+    threadPlace: ({ text }) => `${text}: Ein Gewinde braucht einen Zylinder oder Kegel.`,
+    threadSize: ({ text, x, crest }) => `${text} liegt auf ⌀${x}; sein Zylinder hat ⌀${crest}.`,
+    undercutName: ({ text }) => `${text}: unbekannter Freistich. Beispiele: DIN 509-F 0,6x0,3, DIN 76-A.`,
+    toleranceText: ({ text }) => `${text}: unbekannte Toleranz. Beispiele: h6, +0,02/-0,01, ±0,05.`,
+    tolerancePlace: ({ text }) =>
+      `${text}: Eine Toleranz braucht einen Zylinder, eine Planfläche oder einen Einstich. Nennmaß verwendet.`,
+    blankWrong: () => "Das Rohteil hat kein Volumen.",
+    beyondBlank: ({ area }) => `Das Werkstück ist größer als sein Rohteil: ${area} mm² im Halbschnitt.`,
+  },
+};

@@ -1,0 +1,35 @@
+import type { PartProblemTexts } from "../part-problem.ts";
+
+/** Problems of a finished part and of its file. */
+export const partProblems: PartProblemTexts = {
+  sides: { outside: "Outside contour", inside: "Inside contour", blank: "Blank" },
+  placed: (place, sentence) => `${place}: ${sentence}`,
+  sentences: {
+    notJson: () => "The file is not JSON.",
+    notPart: () => "The file is not a part file.",
+    newer: () => "The file comes from a newer version.",
+    missing: ({ at }) => `${at}: missing`,
+    unknown: ({ at }) => `${at}: unknown`,
+    low: ({ at, limit }) => `${at}: at least ${limit}`,
+    high: ({ at, limit }) => `${at}: at most ${limit}`,
+    wrong: ({ at }) => `${at}: not a valid value`,
+    tooLong: ({ limit }) => `The file is too long: at most ${limit} characters.`,
+    sameId: ({ id }) => `Two rows have the id ${id}.`,
+    noRow: ({ id }) => `Mark for ${id}: there is no such row.`,
+    noOutside: () => "The outside contour is missing.",
+    belowAxis: ({ x, z }) => `The contour crosses the spindle axis near X${x} Z${z}.`,
+    crosses: ({ x, z }) => `The contour crosses itself at X${x} Z${z}.`,
+    openFront: ({ x, z }) => `The bore does not reach the front face: it begins at X${x} Z${z}.`,
+    boreOutside: ({ x, z }) => `The bore breaks through the outside contour at X${x} Z${z}.`,
+    noArea: () => "The contours enclose no material.",
+    front: ({ z }) => `The finished front face is at Z${z}, not at Z0.`,
+    threadName: ({ text }) => `${text}: unknown thread. Examples: M30x1.5, G1/2, Tr40x7.`,
+    threadPlace: ({ text }) => `${text}: a thread needs a cylinder or a taper.`,
+    threadSize: ({ text, x, crest }) => `${text} is on ⌀${x}; its cylinder has ⌀${crest}.`,
+    undercutName: ({ text }) => `${text}: unknown undercut. Examples: DIN 509-F 0.6x0.3, DIN 76-A.`,
+    toleranceText: ({ text }) => `${text}: unknown tolerance. Examples: h6, +0.02/-0.01, ±0.05.`,
+    tolerancePlace: ({ text }) => `${text}: a tolerance needs a cylinder, a face or a recess. Nominal size used.`,
+    blankWrong: () => "The blank has no volume.",
+    beyondBlank: ({ area }) => `The part extends beyond its blank by ${area} mm² of the half section.`,
+  },
+};

@@ -1,0 +1,35 @@
+import type { PartProblemTexts } from "../part-problem.ts";
+
+export const partProblems: PartProblemTexts = {
+  sides: { outside: "Contour extérieur", inside: "Contour intérieur", blank: "Brut" },
+  placed: (place, sentence) => `${place} : ${sentence}`,
+  sentences: {
+    notJson: () => "Le fichier n’est pas du JSON.",
+    notPart: () => "Le fichier n’est pas un fichier de pièce.",
+    newer: () => "Le fichier provient d’une version plus récente.",
+    missing: ({ at }) => `${at} : manquant`,
+    unknown: ({ at }) => `${at} : inconnu`,
+    low: ({ at, limit }) => `${at} : au moins ${limit}`,
+    high: ({ at, limit }) => `${at} : au plus ${limit}`,
+    wrong: ({ at }) => `${at} : valeur non valide`,
+    tooLong: ({ limit }) => `Fichier trop long : ${limit} caractères au plus.`,
+    sameId: ({ id }) => `Deux lignes portent l’identifiant ${id}.`,
+    noRow: ({ id }) => `Indication pour ${id} : cette ligne n’existe pas.`,
+    noOutside: () => "Le contour extérieur manque.",
+    belowAxis: ({ x, z }) => `Le contour traverse l’axe de broche vers X${x} Z${z}.`,
+    crosses: ({ x, z }) => `Le contour se recoupe en X${x} Z${z}.`,
+    openFront: ({ x, z }) => `L’alésage n’atteint pas la face avant : il commence en X${x} Z${z}.`,
+    boreOutside: ({ x, z }) => `L’alésage perce le contour extérieur en X${x} Z${z}.`,
+    noArea: () => "Les contours n’entourent aucune matière.",
+    front: ({ z }) => `La face avant finie est à Z${z}, pas à Z0.`,
+    threadName: ({ text }) => `${text} : filetage inconnu. Exemples : M30x1,5, G1/2, Tr40x7.`,
+    threadPlace: ({ text }) => `${text} : un filetage demande un cylindre ou un cône.`,
+    threadSize: ({ text, x, crest }) => `${text} est sur ⌀${x} ; son cylindre est de ⌀${crest}.`,
+    undercutName: ({ text }) => `${text} : dégagement inconnu. Exemples : DIN 509-F 0,6x0,3, DIN 76-A.`,
+    toleranceText: ({ text }) => `${text} : tolérance inconnue. Exemples : h6, +0,02/-0,01, ±0,05.`,
+    tolerancePlace: ({ text }) =>
+      `${text} : une tolérance demande un cylindre, une face ou une gorge. Cote nominale utilisée.`,
+    blankWrong: () => "Le brut n’a pas de volume.",
+    beyondBlank: ({ area }) => `La pièce dépasse son brut de ${area} mm² en demi-coupe.`,
+  },
+};

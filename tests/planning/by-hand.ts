@@ -1,0 +1,43 @@
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { drawnProgram } from "../../src/course/drawn-program.ts";
+import { drawnTask } from "../../src/course/drawn-task.ts";
+import { answerOf } from "../../src/course/judge/answer.ts";
+import { partOfDrawn } from "../../src/course/part-of-drawn.ts";
+import { taskSchema } from "../../src/course/task.ts";
+import type { FinishedPart } from "../../src/planning/part/finished-part.ts";
+import { finishedBody } from "../../src/view/solid/bodies.ts";
+
+/** Parts of the course and of the examples with the machining time of the program that was written by hand, s, without tool changes. */
+export const PROGRAMMED_BY_HAND = [
+  { source: "tasks", name: "l22-pin", seconds: 68.1 },
+  { source: "tasks", name: "l22-clamp-shaft", seconds: 148.1 },
+  { source: "tasks", name: "l22-hub-flange", seconds: 199.3 },
+  { source: "tasks", name: "l07-second-tool", seconds: 41.8 },
+  { source: "tasks", name: "l11-undercut", seconds: 61.2 },
+  { source: "tasks", name: "l12-820-contour", seconds: 55.9 },
+  { source: "tasks", name: "l13-seal-groove", seconds: 33.6 },
+  { source: "tasks", name: "l17-bush", seconds: 59.6 },
+  { source: "tasks", name: "l19-another-size", seconds: 39.8 },
+  { source: "examples", name: "shaft", seconds: 581.6 },
+  { source: "examples", name: "flange", seconds: 282.9 },
+] as const;
+export type ByHand = (typeof PROGRAMMED_BY_HAND)[number];
+
+const file = (path: string) => readFileSync(join(import.meta.dirname, "../../src", path), "utf8");
+
+const taskOf = (name: string) => taskSchema.parse(JSON.parse(file(`course/tasks/${name}.json`)));
+
+/** The program that was written by hand. */
+export const programByHand = ({ source, name }: ByHand): string =>
+  source === "examples" ? file(`examples/${name}.h`) : `${(taskOf(name).solution ?? []).join("\n")}\n`;
+
+/** The part that it makes, as its drawing or its contours state it. */
+export function partByHand(made: ByHand): FinishedPart {
+  const answer = answerOf(programByHand(made)),
+    task = made.source === "tasks" ? taskOf(made.name) : null;
+  const drawn = task ? drawnTask(task) : drawnProgram(answer, finishedBody(answer.simulation, answer.run.operations));
+  const part = drawn && partOfDrawn(drawn, { name: made.name, ...(task?.material && { material: task.material }) });
+  if (!part) throw new Error(made.name);
+  return part;
+}
