@@ -37,14 +37,12 @@ export const withAction = (
   place?: OperationPlace,
 ) => (cut ? withHandOperation(program, job, cut, place) : withOperation(program, job, labels, place));
 
-/** Length of chamfer and relief that a thread runs over, in depths of the thread: a flank of 30°. */
-const RUN_OVER = 2;
-
-/** Where a thread cuts its grooves. */
-function groovesOf({ place: { front, rear, high, low } }: Action): Ring {
-  const over = RUN_OVER * (high - low);
-  return [at(rear - over, low), at(front + over, low), at(front + over, high), at(rear - over, high)];
-}
+const placeOf = ({ place: { front, rear, high, low } }: Action): Ring => [
+  at(rear, low),
+  at(front, low),
+  at(front, high),
+  at(rear, high),
+];
 
 /** Area of `a` outside `b` that is thicker than the error of chords, mm². */
 export const areaBeyond = (a: readonly Ring[], b: readonly Ring[]): number => areaOf(opened(difference(a, b), SLIVER));
@@ -60,7 +58,7 @@ export function leftBy(
 ): readonly Ring[] {
   const parted = proof.loose.filter(({ isPartedOff }) => isPartedOff).flatMap(({ rings }) => rings);
   const left = parted.length > 0 ? parted : final;
-  const threaded = actions.filter(({ threads }) => threads.length > 0).map(groovesOf);
+  const threaded = actions.filter(({ threads }) => threads.length > 0).map(placeOf);
   return threaded.length > 0 ? union(left, intersection(crests, threaded)) : left;
 }
 
