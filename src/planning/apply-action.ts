@@ -2,6 +2,7 @@ import { areaOf } from "../kernel/area/area.ts";
 import { difference, intersection, opened, union } from "../kernel/area/clip.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
 import { at, type Ring } from "../kernel/geometry/point.ts";
+import { diameter, perSide } from "../kernel/units.ts";
 import { parse } from "../nc/parse.ts";
 import type { Program } from "../nc/program.ts";
 import { withHandOperation, withOperation, type OperationPlace } from "../program/edits/added-operation.ts";
@@ -71,7 +72,7 @@ export function applyAction(action: Action, { stock }: Pick<PlanState, "stock">,
   const faults = verdictOf(made, simulation).reasons.filter(({ kind }) => !NO_FAULT.has(kind));
   const left = leftBy(simulation, [action], stock);
   const { cut, operations } = simulation.proof;
-  const most = request.rules.allowance.diameter / 2 + THICKEST;
+  const most = perSide(diameter(request.rules.allowance.diameter)) + THICKEST;
   const isThick = FINISHING.has(action.kind) && operations.some(({ thickest }) => (thickest?.depth ?? 0) > most);
   const gouge = areaBeyond(intersection(stock, part.rings), left);
   const isMade = action.threads.length > 0 || cut > LEAST_CUT;
