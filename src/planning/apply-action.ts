@@ -2,7 +2,7 @@ import { areaOf } from "../kernel/area/area.ts";
 import { difference, intersection, opened, union } from "../kernel/area/clip.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
 import { at, type Ring } from "../kernel/geometry/point.ts";
-import { radiusOf } from "../kernel/units.ts";
+import { diameter, perSide } from "../kernel/units.ts";
 import { parse } from "../nc/parse.ts";
 import type { Program } from "../nc/program.ts";
 import { withHandOperation, withOperation, type OperationPlace } from "../program/edits/added-operation.ts";
@@ -73,7 +73,7 @@ export function applyAction(action: Action, { stock }: Pick<PlanState, "stock">,
   const own = intersection(stock, part.rings);
   const left = leftBy(simulation, [action], own);
   const { cut, operations } = simulation.proof;
-  const most = radiusOf(request.rules.allowance.diameter) + THICKEST;
+  const most = perSide(diameter(request.rules.allowance.diameter)) + THICKEST;
   const isThick = FINISHING.has(action.kind) && operations.some(({ thickest }) => (thickest?.depth ?? 0) > most);
   const gouge = areaBeyond(own, left);
   const isMade = action.threads.length > 0 || cut > LEAST_CUT;
