@@ -26,7 +26,7 @@ function fingerprint() {
     const { size, mtimeMs } = statSync(join(root, path));
     hash.update(`${path} ${size} ${mtimeMs}\n`);
   };
-  for (const folder of ["src", "scripts", "tests/laws", "tests/judge", "e2e/pages"]) walk(folder);
+  for (const folder of ["src", "scripts", "tests/laws", "tests/planning", "tests/judge", "e2e/pages"]) walk(folder);
   for (const file of ["package.json", "package-lock.json", "scripts/run.mjs", "scripts/bundle.mjs"]) note(file);
   return hash.digest("hex").slice(0, 16);
 }
@@ -51,7 +51,7 @@ try {
   ensurePackages();
   const { main } = await import(pathToFileURL(await bundled()).href);
   // npm runs scripts in the project folder; file names are relative to the folder of the caller.
-  if (["verify", "contour"].includes(name) && process.env.INIT_CWD) process.chdir(process.env.INIT_CWD);
+  if (["verify", "contour", "plan"].includes(name) && process.env.INIT_CWD) process.chdir(process.env.INIT_CWD);
   process.exitCode = await main(args);
 } catch (error) {
   console.error(`${name}: ${error instanceof Error ? error.message : String(error)}`);

@@ -1,21 +1,34 @@
 import { areaOf } from "../kernel/area/area.ts";
-import { opened, intersection, difference } from "../kernel/area/clip.ts";
+import { difference, intersection, opened, union } from "../kernel/area/clip.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
-import type { Ring } from "../kernel/geometry/point.ts";
+import { at, type Ring } from "../kernel/geometry/point.ts";
+import { diameter, perSide } from "../kernel/units.ts";
 import { parse } from "../nc/parse.ts";
 import type { Program } from "../nc/program.ts";
 import { withHandOperation, withOperation, type OperationPlace } from "../program/edits/added-operation.ts";
 import { emptyProgram } from "../program/job/empty-program.ts";
-import { cylinderAround } from "../program/job/requested-shape.ts";
-import { run } from "../program/run/run.ts";
-import { verdictOf } from "../report/verdict.ts";
-import { simulate } from "../sim/simulate.ts";
-import type { Action, PlanRequest, PlanState, TriedAction } from "./types.ts";
+import { runOn } from "../program/run/run.ts";
+import { verdictOf, type VerdictReason } from "../report/verdict.ts";
+import { simulateCuts } from "../sim/simulate.ts";
+import type { Simulation } from "../sim/simulation.ts";
+import { FINISHING, type Action, type PlanRequest, type PlanState, type TriedAction } from "./types.ts";
 
 /** Less is no cut, mm² of the half plane. */
 const LEAST_CUT = 0.05;
 /** Less is no damage, mm²: chords of arcs. */
 const LEAST_GOUGE = 0.01;
+
+/** Material beyond its oversize that a finishing cut takes at most, mm: the ground of an undercut. */
+const THICKEST = 1.5;
+
+/** What a setter should see, and what says nothing about the stock: an operation without a cycle. */
+const NO_FAULT: ReadonlySet<VerdictReason["kind"]> = new Set([
+  "notes",
+  "holderUnknown",
+  "flanksUnknown",
+  "curvatureUnknown",
+  "noOperation",
+]);
 
 /** A program with the blocks of an action added. */
 export const withAction = (
@@ -25,27 +38,52 @@ export const withAction = (
   place?: OperationPlace,
 ) => (cut ? withHandOperation(program, job, cut, place) : withOperation(program, job, labels, place));
 
+const placeOf = ({ place: { front, rear, high, low } }: Action): Ring => [
+  at(rear, low),
+  at(front, low),
+  at(front, high),
+  at(rear, high),
+];
+
 /** Area of `a` outside `b` that is thicker than the error of chords, mm². */
 export const areaBeyond = (a: readonly Ring[], b: readonly Ring[]): number => areaOf(opened(difference(a, b), SLIVER));
 
-/** Runs one action on the stock of a state and measures what it takes. */
+/**
+ * The stock after a run. What was parted off is the part, and the rest of the bar no longer counts. The grooves of a
+ * thread are no area: where one is cut, the crest stays as `crests` have it.
+ */
+export function leftBy(
+  { final, proof }: Pick<Simulation, "final" | "proof">,
+  actions: readonly Action[],
+  crests: readonly Ring[],
+): readonly Ring[] {
+  const parted = proof.loose.filter(({ isPartedOff }) => isPartedOff).flatMap(({ rings }) => rings);
+  const left = parted.length > 0 ? parted : final;
+  const threaded = actions.filter(({ threads }) => threads.length > 0).map(placeOf);
+  return threaded.length > 0 ? union(left, intersection(crests, threaded)) : left;
+}
+
+/** Runs one action on the stock of a state and measures what it takes. After parting off the stock is the part. */
 export function applyAction(action: Action, { stock }: Pick<PlanState, "stock">, request: PlanRequest): TriedAction {
   const { labels, part, shop, clamping } = request;
-  const program = withAction(parse(emptyProgram("PLAN", cylinderAround(stock))), action, labels);
-  const made = run(program, shop);
-  const simulation = simulate({ ...made, blank: stock, clamping });
-  const { reasons } = verdictOf(made, simulation);
-  const faults = reasons.filter((r) => r.kind !== "notes" && r.kind !== "holderUnknown" && r.kind !== "flanksUnknown");
-  const cut = areaOf(stock) - areaOf(simulation.final);
-  const gouge = areaBeyond(intersection(stock, part.rings), simulation.final);
+  const program = withAction(parse(emptyProgram("PLAN", null)), action, labels);
+  const made = runOn(stock, program, shop);
+  const simulation = simulateCuts({ ...made, clamping });
+  const faults = verdictOf(made, simulation).reasons.filter(({ kind }) => !NO_FAULT.has(kind));
+  const own = intersection(stock, part.rings);
+  const left = leftBy(simulation, [action], own);
+  const { cut, operations } = simulation.proof;
+  const most = perSide(diameter(request.rules.allowance.diameter)) + THICKEST;
+  const isThick = FINISHING.has(action.kind) && operations.some(({ thickest }) => (thickest?.depth ?? 0) > most);
+  const gouge = areaBeyond(own, left);
   const isMade = action.threads.length > 0 || cut > LEAST_CUT;
   return {
     action,
-    stock: simulation.final,
+    stock: left,
     seconds: simulation.totalSeconds,
     cut,
     gouge,
     faults,
-    works: faults.length === 0 && gouge < LEAST_GOUGE && isMade,
+    works: faults.length === 0 && !isThick && gouge < LEAST_GOUGE && isMade,
   };
 }

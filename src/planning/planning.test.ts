@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 import { at, part } from "../kernel/geometry/point.ts";
 import { ncLabels } from "../i18n/nc-labels.ts";
 import { shippedTools } from "../program/tools/shipped-tools.ts";
-import { actionSources } from "./actions/index.ts";
+import { face } from "./actions/face.ts";
 import { applyAction } from "./apply-action.ts";
 import { borderOf, openRegions } from "./open-regions.ts";
 import type { PlanRequest, PlannedPart } from "./types.ts";
@@ -44,7 +44,7 @@ test("a region borders the elements of its side", () => {
 
 test("facing takes the stock in front of Z0 and nothing of the part", () => {
   const state = { stock: request.blank, done: [], threads: new Set<string>() };
-  const tried = actionSources.flatMap((s) => s.actions(state, request)).map((a) => applyAction(a, state, request));
+  const tried = face.actions(state, request).map((a) => applyAction(a, state, request));
   const works = tried.filter((t) => t.works);
   expect(works.length).toBeGreaterThan(0);
   for (const t of works) expect(t.cut).toBeCloseTo(60, 0);

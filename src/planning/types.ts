@@ -2,6 +2,7 @@ import type { Site } from "../cycles/shape-request.ts";
 import type { Clamped } from "../kernel/area/clamping.ts";
 import type { Ring, Segment } from "../kernel/geometry/point.ts";
 import type { Tool } from "../kernel/plan/tool.ts";
+import type { Program } from "../nc/program.ts";
 import type { Statement } from "../nc/statement.ts";
 import type { SetJob } from "../program/job/job.ts";
 import type { Labels } from "../program/job/print-job.ts";
@@ -71,6 +72,10 @@ export interface PlanRequest {
   readonly withoutCycles: readonly number[];
   readonly withoutTools: readonly number[];
   readonly labels: Labels;
+  /** The program that the operations are added to; absent: an empty one with a cylinder around the blank. */
+  readonly begun?: Program;
+  /** Words of the structure item of each kind of operation, in the language of the labels; absent: none. */
+  readonly titles?: Readonly<Record<ActionKind, string>>;
 }
 
 /** Kinds of actions, in the usual order of a working plan. */
@@ -89,6 +94,18 @@ export const ACTION_KINDS = [
   "partOff",
 ] as const;
 export type ActionKind = (typeof ACTION_KINDS)[number];
+
+/** Kinds that finish a surface. */
+export const FINISHING: ReadonlySet<ActionKind> = new Set(["finishOutside", "finishInside", "thread"]);
+
+/** Kinds that take material for other kinds to finish. */
+export const ROUGHING: ReadonlySet<ActionKind> = new Set([
+  "drill",
+  "roughOutside",
+  "roughInside",
+  "restRough",
+  "recess",
+]);
 
 /** A value of an action with the reason for it; the formula and its inputs are those of `values/`. */
 export interface ReasonedValue {

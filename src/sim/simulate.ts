@@ -127,6 +127,11 @@ const cachedIn = (answers: AnswerCache): Measuring => ({
   },
 });
 
+const UNMEASURED: Measuring = { thickness: () => 0, residual: () => [] };
+
+/** The same without measuring what the operations leave: a third of the time, for many tries. */
+export const simulateCuts = (input: SimulationInput): Simulation => runSimulation(input, null, UNMEASURED).simulation;
+
 /** Cuts the blank step by step, checking each before its cut. */
 export const simulate = (input: SimulationInput): Simulation => runSimulation(input, null, COMPUTED).simulation;
 

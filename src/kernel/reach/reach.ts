@@ -18,7 +18,8 @@ export interface Bound {
  * the same space. Each piece is a pair of a contour element and an insert element with the same normal, so every piece
  * is inside the sum, and the uppermost ones bound it.
  */
-export function reachOver(chain: readonly Bound[], insert: Convex): Envelope {
+export function reachOver(bounds: readonly Bound[], insert: Convex): Envelope {
+  const chain = bounds.flatMap(closedArc);
   const edges = mirroredLowerHull(insert);
   const k: Hull = { edges, vertices: vertices(edges) };
   const pieces: EnvelopePiece[] = [];
@@ -36,6 +37,22 @@ export function reachOver(chain: readonly Bound[], insert: Convex): Envelope {
     else atCorner(s.to, facingUp(normalAt(s, "to")), { u: 1, v: 0 }, k, b.on, add);
   });
   return upperEnvelope(pieces);
+}
+
+/**
+ * An arc whose rounded end is off its circle, with the step from the circle to that end: a gap as wide as the step would
+ * let the insert through.
+ */
+function closedArc(bound: Bound): readonly Bound[] {
+  const { segment: s, on } = bound;
+  if (s.kind === "line") return [bound];
+  const { start, sweep, startRadius } = polarOf(s);
+  const end = onCircle(s.centre, startRadius, start + sweep);
+  if (flat.apart(end, s.to) <= ROUND) return [bound];
+  return [
+    { segment: { ...s, to: end }, on },
+    { segment: { kind: "line", from: end, to: s.to }, on },
+  ];
 }
 
 /** A normal at an end of the chain; for an overhanging element, the flattest normal that still faces up. */

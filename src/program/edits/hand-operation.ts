@@ -68,6 +68,8 @@ interface HandContext {
   readonly surface: StockSurface;
   readonly tool: Tool;
   readonly sizes: Readonly<Record<HandSize, number>>;
+  /** Feed of the cut, mm/rev; absent: the usual one. */
+  readonly feed?: number;
 }
 
 /** Start point and path blocks of an operation. */
@@ -106,7 +108,7 @@ function chamfer({ stock, surface, tool, sizes }: HandContext): HandCut {
 }
 
 /** Cuts the part off behind its rear face; a chamfer at its rear edge is cut before the part comes loose. */
-function partOff({ stock, surface, tool, sizes }: HandContext, isChamfered: boolean): HandCut {
+function partOff({ stock, surface, tool, sizes, feed = FEED.partOff }: HandContext, isChamfered: boolean): HandCut {
   const d = acrossOf(surface.from.r);
   const clear = d + 2 * CLEARANCE;
   // The right-hand corner of the insert makes the rear face.
@@ -117,13 +119,13 @@ function partOff({ stock, surface, tool, sizes }: HandContext, isChamfered: bool
   const leg = sizes.size + NOSE * noseRadius(tool);
   const edge: readonly Statement[] = isChamfered
     ? [
-        line(d - 2 * (leg + LEAD), null, FEED.partOff),
+        line(d - 2 * (leg + LEAD), null, feed),
         line(clear, null, "max"),
         line(null, z + leg + CLEARANCE, "max"),
-        line(d - 2 * leg, z, FEED.partOff),
+        line(d - 2 * leg, z, feed),
       ]
     : [];
-  return { start: startAt(clear, z), cut: [...edge, line(end, null, FEED.partOff), line(clear, null, "max")] };
+  return { start: startAt(clear, z), cut: [...edge, line(end, null, feed), line(clear, null, "max")] };
 }
 
 /** A parameter of a drilling cycle as the control labels it; an open one has no value. */

@@ -4,13 +4,13 @@ import { LAYOUTS } from "../../nc/style.ts";
 import type { BlankDraft } from "./job.ts";
 import { blankStatement, nameOnControl } from "./print-job.ts";
 
-/** A complete program with a blank and no operation. */
-export function emptyProgram(typedName: string, blank: BlankDraft): string {
+/** A complete program with a blank, where one is stated, and no operation. */
+export function emptyProgram(typedName: string, blank: BlankDraft | null): string {
   const name = nameOnControl(typedName);
   return programText(
     [
       { kind: "begin", name, unit: "MM" },
-      blankStatement(blank),
+      ...(blank ? [blankStatement(blank)] : []),
       { kind: "mode", mode: "TURN", kinematics: null },
       {
         kind: "functions",

@@ -2,6 +2,7 @@ import { cycleByNumber } from "../../cycles/index.ts";
 import { issue } from "../../kernel/plan/issue.ts";
 import { klartext } from "../../nc/blocks/klartext.ts";
 import type { Block, Program } from "../../nc/program.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
 import type { Statement, StatementOf } from "../../nc/statement.ts";
 import type { Words } from "../../nc/words.ts";
 import { assign, assignText } from "../blocks/assign.ts";
@@ -54,16 +55,31 @@ export function run(program: Program, shop: Shop): Run {
   return finishedRun(input, step(input, firstState(input)));
 }
 
+/** Runs a program without a blank on the stock that the cuts of other programs have left in the chuck. */
+export function runOn(standing: readonly Ring[], program: Program, shop: Shop): Run {
+  const input = runInput(program, shop);
+  return finishedRun(input, step(input, firstState(input, standing)));
+}
+
 const frameOf = ({ blocks }: Program) => {
   const begin = blocks.find((b) => b.statement.kind === "begin")?.statement;
   return begin?.kind === "begin" ? begin : { name: "", unit: "MM" as const };
 };
 
+/** No count of this run: a stock that stood before it has been cut. */
+const EARLIER = { operations: -1, steps: 0 } as const;
+
 /** The state before the first block. */
-export function firstState(input: RunInput): RunState {
+export function firstState(input: RunInput, standing?: readonly Ring[]): RunState {
   const machine = new Machine(input);
   const inch = frameOf(input.program).unit === "INCH";
   machine.set({ turning: beginsTurning(input.program), inch });
+  if (standing)
+    machine.set({
+      blank: standing,
+      blankSince: EARLIER,
+      bored: { since: EARLIER, steps: 0, operations: 0, below: Infinity, isBored: true },
+    });
   machine.known.setUnit(inch);
   return machine.state;
 }

@@ -1,0 +1,280 @@
+import type { Cycle } from "../../cycles/define.ts";
+import type { ShapeRequest } from "../../cycles/shape-request.ts";
+import { holderOutlines } from "../../kernel/cutter/holder.ts";
+import { tipDirection } from "../../kernel/cutter/insert.ts";
+import { part as geometry, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
+import type { Box } from "../../kernel/geometry/segments.ts";
+import type { Plan } from "../../kernel/plan/plan.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
+import { readThread } from "../../kernel/thread/threads.ts";
+import { CHORD, SAME } from "../../kernel/tolerance.ts";
+import { radius, toDiameter } from "../../kernel/units.ts";
+import type { SetJob } from "../../program/job/job.ts";
+import { jobFor, withValue } from "../../program/job/requested-job.ts";
+import { boxAroundContour, cylinderAround } from "../../program/job/requested-shape.ts";
+import { frontOf } from "../../program/job/stock-surface.ts";
+import { positionAsTyped } from "../../program/values/typed-value.ts";
+import { borderOf, type OpenRegion } from "../open-regions.ts";
+import type { Action, ActionKind, ElementMark, PlannedPart, PlanRequest } from "../types.ts";
+import { barDiameter } from "../values/cutting-values.ts";
+import type { HeldBar } from "../values/stability.ts";
+import { boredTo, clearRadius, solidFrom } from "./bore.ts";
+import { actionOf, fitted, ranked, toolsOf, type Better } from "./candidates.ts";
+import type { CutRequest } from "./values-of-job.ts";
+
+/** Clearance of the tip in front of the material, and beside the wall of the bore, mm. */
+const [AHEAD, BESIDE] = [2, 0.2];
+/** Steps of the radius at which the cone that a drill has left is measured, mm; a flat bottom rises less. */
+const [CONE_AT, FLAT] = [0.5, 0.2];
+/** Distance that a cut goes beyond the rear end of a bore, mm, so that its nose radius leaves nothing. */
+const BEYOND = 1;
+/** Roughing goes farther, mm: the edge of a finishing insert leans over its tip. */
+export const ROUGH_BEYOND = 1;
+/** Room that the run-out of a thread needs there, in pitches. */
+const RUN_OUT = 3;
+
+/** Distance that the inside of a part is cut beyond its rear end, mm: a thread runs out there. */
+export function beyondRear({ inside: { marks } }: Pick<PlannedPart, "inside">): number {
+  const thread = readThread(marks.at(-1)?.thread ?? "");
+  return BEYOND + RUN_OUT * (thread?.pitch ?? 0);
+}
+/** Halvings that find a point of an element: below every resolution. */
+const HALVINGS = 40;
+
+/** Elements of the inside, and the marks of those that are surfaces of the part. */
+export interface Section {
+  readonly segments: readonly Segment[];
+  readonly marks: readonly ElementMark[];
+}
+
+/**
+ * Elements of the inside that a region borders; at the rear end of a through bore they go on beyond it, by `more` mm
+ * than finishing does.
+ */
+export function sectionOf(part: PlannedPart, region: OpenRegion, more = 0): Section {
+  const { inside } = part;
+  const border = borderOf(inside, region);
+  if (!border) return { segments: [], marks: [] };
+  const [first, last] = border;
+  const section = inside.segments.slice(first, last + 1);
+  const end = section.at(-1)?.to;
+  const marks = inside.marks.slice(first, last + 1);
+  if (last < inside.segments.length - 1 || !end || end.r < BESIDE) return { segments: section, marks };
+  return { segments: [...section, geometry.line(end, geometry.point(end.z - beyondRear(part) - more, end.r))], marks };
+}
+
+/** A chain from its last point in front of a Z; the whole chain where it begins behind it. */
+function fromZ(section: readonly Segment[], z: number): readonly Segment[] {
+  const first = section.findLastIndex((s) => s.from.z > z);
+  const s = section[first];
+  if (!s) return section;
+  if (s.to.z >= z) return section.slice(first + 1);
+  return [{ ...s, from: geometry.pointOn(s, crossing(s, z)) }, ...section.slice(first + 1)];
+}
+
+/** A chain up to its first point behind a Z. */
+function upToZ(section: readonly Segment[], z: number): readonly Segment[] {
+  const last = section.findIndex((s) => s.to.z < z);
+  const s = section[last];
+  if (!s) return section;
+  if (s.from.z <= z) return section.slice(0, last);
+  return [...section.slice(0, last), { ...s, to: geometry.pointOn(s, crossing(s, z)) }];
+}
+
+/** The share of a segment at which it passes a Z. */
+function crossing(s: Segment, z: number): number {
+  let [low, high] = [0, 1];
+  for (let i = 0; i < HALVINGS; i += 1) {
+    const k = (low + high) / 2;
+    [low, high] = geometry.pointOn(s, k).z > z ? [k, high] : [low, k];
+  }
+  return high;
+}
+
+/** The way into a bore, mm. */
+export interface BoreWay {
+  /** Z of the start point, and the radius of the narrowest place on the way to it. */
+  readonly z: number;
+  readonly clear: number;
+  /** The least radius of the start: passes begin there. */
+  readonly low: number;
+}
+
+/** Where the cone at the bottom of a bore begins: the Z that a bar may reach; −Infinity without a cone. */
+function coneFront(stock: readonly Ring[], bottom: number, clear: number): number {
+  if (bottom === -Infinity) return bottom;
+  const slope = (solidFrom(stock, CONE_AT) - bottom) / CONE_AT;
+  if (slope < FLAT) return -Infinity;
+  let r = CONE_AT;
+  const isCone = (at: number) => Math.abs(solidFrom(stock, at) - bottom - slope * at) < BESIDE;
+  while (r < clear && isCone(r + CONE_AT)) r += CONE_AT;
+  return bottom + slope * r + BESIDE;
+}
+
+/** A section of the contour, and the way to it. */
+export interface BoreSection extends Section {
+  readonly way: BoreWay;
+  /** It begins behind the front of the stock. */
+  readonly isDeep: boolean;
+}
+
+/**
+ * The section that borders a region, and the way to it; null without a bore that leads there. `oversize`: what is left
+ * on the wall, mm; `more`: how much farther than finishing it goes beyond the rear end.
+ */
+export function sectionInBore(
+  stock: readonly Ring[],
+  part: PlannedPart,
+  region: OpenRegion,
+  { oversize = 0, more = 0 } = {},
+): BoreSection | null {
+  const { box } = region;
+  const { segments: whole, marks } = sectionOf(part, region, more);
+  const front = frontOf(stock);
+  const bottom = boredTo(stock);
+  const begin = whole[0]?.from;
+  if (!begin || bottom >= box.right - BESIDE) return null;
+  const isBehind = box.right < front - AHEAD;
+  const clear = clearRadius(stock, isBehind ? box.right + BESIDE : Math.min(box.right, front) - BESIDE, front);
+  const atFront = (z: number) => (z < front - AHEAD ? z + AHEAD : front + AHEAD);
+  // In a bore whose wall stands already the passes begin beside the region, behind a neck where the contour leaves it.
+  const beside = fromZ(whole, box.right + BESIDE);
+  const isWall = (beside[0]?.from.r ?? Infinity) - oversize < clear + BESIDE;
+  const isDeep = isBehind && (isWall || begin.z < front - AHEAD);
+  const z = atFront(isDeep && !isWall ? Math.max(begin.z, box.right) : box.right);
+  // The cone that a drill has left is taken by passes of its own, from its front.
+  const cone = isDeep ? -Infinity : coneFront(stock, bottom, clear);
+  const along = clearRadius(stock, Math.max(box.left, cone), front);
+  // Behind the part it goes no farther than the bore does.
+  const end = part.inside.segments.at(-1)?.to.z ?? 0;
+  const open = solidFrom(stock, along - BESIDE);
+  const rear = open <= end + SAME ? Math.max(cone, Math.min(end, open)) : cone;
+  const segments = upToZ(isDeep && isWall ? beside : whole, rear);
+  const low = Math.min(along, isDeep ? box.low : Infinity) - BESIDE;
+  return segments.length > 0 ? { segments, marks, way: { z, clear, low }, isDeep } : null;
+}
+
+/** The least radius at which the tip of a bar may be in a bore, so that its body is clear of the opposite wall. */
+const leastTip = (tool: Tool, bore: number): number =>
+  -Math.min(0, ...holderOutlines(tool).flatMap((ring) => ring.map(({ r }) => r))) - bore;
+
+/** The same with a clearance. */
+export const startLimit = (tool: Tool, bore: number): number => leastTip(tool, bore) + BESIDE;
+
+/** Radius at which the tip of a bar starts; null where the bar is too thick. */
+export function startFor(tool: Tool, { clear, low }: BoreWay): number | null {
+  const r = Math.max(0, low, startLimit(tool, clear));
+  return r <= clear - BESIDE && (tool.DMIN ?? 0) <= toDiameter(radius(clear)) ? r : null;
+}
+
+/** A shape inside with a contour of its own. */
+export const freeInside = (contour: readonly Segment[]): ShapeRequest => ({
+  site: "inside",
+  shape: "free",
+  angle: 0,
+  pitch: 1,
+  contour,
+  allowance: 0,
+  ...boxAroundContour(contour, "inside"),
+});
+
+/** The job of a cycle inside, from a start point in the bore. */
+export function jobInside(
+  cycle: Cycle,
+  wanted: ShapeRequest,
+  stock: readonly Ring[],
+  start: { readonly z: number; readonly r: number },
+): SetJob {
+  const bore = clearRadius(stock, start.z, frontOf(stock));
+  return {
+    ...jobFor(cycle, wanted, stock),
+    // The way into the bore depends on its size at the mouth.
+    blank: { ...cylinderAround(stock), bore: Number.isFinite(bore) ? positionAsTyped(toDiameter(radius(bore))) : "0" },
+    start: { x: positionAsTyped(toDiameter(radius(start.r))), z: positionAsTyped(start.z) },
+  };
+}
+
+/** Tools that point away from the axis. */
+export const barsOf = (request: PlanRequest, types: (tool: Tool) => boolean): readonly Tool[] =>
+  toolsOf(request).filter((tool) => tipDirection(tool.TO).v > 0 && types(tool));
+
+/** Length of a bar behind its tip in addition to the depth of its cut, mm. */
+const HELD_BEHIND = 5;
+
+/** A bar as it sticks out for a cut. */
+export function heldBar(tool: Tool, depth: number): HeldBar | null {
+  const across = barDiameter(tool);
+  return across === null ? null : { overhang: depth + HELD_BEHIND, diameter: across };
+}
+
+/** A cut reaches this share of the height of its region. */
+const REACHES = 0.25;
+
+/** Whether a path cuts into a region, and not only along it. */
+function cutsInto({ moves }: Plan, { left, right, low, high }: Box): boolean {
+  const least = low + REACHES * (high - low);
+  return moves.some(({ kind, to }, i) => {
+    const from = moves[i - 1]?.to ?? to;
+    return kind !== "rapid" && to.r > least && Math.min(from.z, to.z) < right && Math.max(from.z, to.z) > left;
+  });
+}
+
+/** A bore is wider by so much when its wall is cut, mm. */
+const WIDER = 0.5;
+
+/** Whether the body of a bar stays clear of the opposite wall where its tip is nearest to the axis. */
+function staysClear({ moves }: Plan, tool: Tool, stock: readonly Ring[]): boolean {
+  const nearest = moves.reduce<Pt | null>((best, { to }) => (best && best.r <= to.r ? best : to), null);
+  if (!nearest) return true;
+  return nearest.r >= leastTip(tool, clearRadius(stock, nearest.z + WIDER, frontOf(stock)) + WIDER);
+}
+
+/** Whether a cycle plunges into valleys. */
+const PLUNGING = "Q487";
+
+/** Whether a section gets narrower behind a wider place: with and without plunging into it. */
+export function plungings(segments: readonly Segment[]): readonly (boolean | undefined)[] {
+  const points = geometry.flattenedChain(segments, CHORD);
+  return points.some((p, i) => p.r > (points[i - 1]?.r ?? p.r) + SAME) ? [false, true] : [undefined];
+}
+
+/** What a bar does inside. */
+export interface BoreWork {
+  readonly kind: ActionKind;
+  readonly wanted: ShapeRequest;
+  readonly region: Pick<OpenRegion, "box">;
+  readonly way: BoreWay;
+  readonly cut: Omit<CutRequest, "stock" | "bar" | "smallest" | "largest">;
+  /** Whether it goes into a contour that widens behind a neck; absent where there is none. */
+  readonly plunges?: boolean;
+  /** Most tools for each cycle. */
+  readonly most: number;
+}
+
+/** The actions of a cycle with the bars that enter and cut, those that reach most first. */
+export function barActions(
+  { kind, wanted, region: { box }, way, cut, plunges, most }: BoreWork,
+  cycle: Cycle,
+  tools: readonly Tool[],
+  stock: readonly Ring[],
+  request: PlanRequest,
+  better: Better = () => 0,
+): readonly Action[] {
+  const depth = frontOf(stock) - box.left;
+  const [smallest, largest] = [toDiameter(radius(way.clear)), toDiameter(radius(box.high))];
+  const fits = tools.flatMap((tool) => {
+    const r = startFor(tool, way);
+    if (r === null) return [];
+    const own = jobInside(cycle, wanted, stock, { z: way.z, r });
+    const job = plunges === undefined || !cycle.params[PLUNGING] ? own : withValue(own, PLUNGING, plunges ? 1 : 0);
+    const asked = { ...cut, stock, smallest, largest, bar: heldBar(tool, depth) };
+    const fit = fitted({ cycle, job, cut: asked }, tool, request);
+    return fit && cutsInto(fit.plan, box) && staysClear(fit.plan, tool, stock) ? [fit] : [];
+  });
+  return ranked(fits, better)
+    .slice(0, most)
+    .map(({ tool, job, values }) => {
+      const variant = `X${job.start.x} Z${job.start.z}${plunges === false ? " over" : ""}`;
+      return actionOf({ kind, site: "inside", cycle, box, variant }, tool, job, values);
+    });
+}

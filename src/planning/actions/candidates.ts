@@ -1,0 +1,107 @@
+import type { Cycle } from "../../cycles/define.ts";
+import type { Site } from "../../cycles/shape-request.ts";
+import { noseRadius } from "../../kernel/cutter/insert.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
+import type { Plan } from "../../kernel/plan/plan.ts";
+import type { Box } from "../../kernel/geometry/segments.ts";
+import type { SetJob } from "../../program/job/job.ts";
+import { checkTool } from "../../program/tools/check-tool.ts";
+import { fitOf, type ToolFit } from "../../program/tools/which-tool.ts";
+import type { Action, ActionKind, PlanRequest, PlanState } from "../types.ts";
+import { planOf } from "./contour-job.ts";
+import { withValues, type CutRequest } from "./values-of-job.ts";
+
+/** A cycle on a section, before a tool is chosen. */
+export interface Candidate {
+  readonly kind: ActionKind;
+  readonly site: Site;
+  readonly cycle: Cycle;
+  readonly job: SetJob;
+  readonly cut: CutRequest;
+  readonly box: Box;
+  /** Tells candidates of one cycle in one place apart. */
+  readonly variant?: string;
+  /** Most tools to try. */
+  readonly most: number;
+}
+
+/** Tools that may be used, checked once for a table. */
+export const toolsOf = ({ shop, withoutTools }: PlanRequest): readonly Tool[] =>
+  shop.tools.filter((tool) => !withoutTools.includes(tool.T) && checkTool(tool).length === 0);
+
+/** A candidate with a tool: its job with all values, and how far the tool reaches. */
+interface Fitted extends ToolFit {
+  readonly plan: Plan;
+  readonly job: SetJob;
+  readonly values: Action["values"];
+}
+
+/** The job of a candidate with a tool; null where its values or its contour make no cut. */
+export function fitted(
+  { cycle, job, cut }: Pick<Candidate, "cycle" | "job" | "cut">,
+  tool: Tool,
+  request: PlanRequest,
+): Fitted | null {
+  const valued = withValues(job, cycle, tool, cut, request);
+  const plan = planOf(cycle, valued.job, tool, request.shop.memory);
+  if (!plan || plan.issues.some(({ severity }) => severity === "error")) return null;
+  const fit = fitOf(tool, plan);
+  return fit.cuts ? { ...fit, ...valued, plan } : null;
+}
+
+/** Order of tools of equal reach: the usual type for the work first. */
+export type Better = (a: Tool, b: Tool) => number;
+
+/** Tools that reach most first; among equals the usual type, then the strongest nose. */
+export function ranked<T extends ToolFit>(fits: readonly T[], better: Better): readonly T[] {
+  return fits.toSorted(
+    (a, b) =>
+      Number(b.makesContour) - Number(a.makesContour) ||
+      better(a.tool, b.tool) ||
+      Math.round(a.unreached - b.unreached) ||
+      noseRadius(b.tool) - noseRadius(a.tool) ||
+      a.tool.T - b.tool.T,
+  );
+}
+
+/** The actions of a candidate with the tools that suit it best. */
+export function actionsOf(
+  candidate: Candidate,
+  tools: readonly Tool[],
+  request: PlanRequest,
+  better: Better = () => 0,
+): readonly Action[] {
+  const fits = tools.flatMap((tool) => fitted(candidate, tool, request) ?? []);
+  return ranked(fits, better)
+    .slice(0, candidate.most)
+    .map(({ tool, job, values }) => actionOf(candidate, tool, job, values));
+}
+
+/** The action of a candidate with a tool. */
+export const actionOf = (
+  { kind, site, cycle, box, variant }: Pick<Candidate, "kind" | "site" | "cycle" | "box" | "variant">,
+  tool: Tool,
+  job: SetJob,
+  values: Action["values"],
+): Action => ({
+  kind,
+  key: [
+    kind,
+    cycle.number,
+    `T${tool.T}`,
+    box.right.toFixed(2),
+    box.left.toFixed(2),
+    ...(variant ? [variant] : []),
+  ].join(" "),
+  site,
+  tool,
+  cycle: cycle.number,
+  job,
+  place: { front: box.right, rear: box.left, high: box.high, low: box.low },
+  threads: [],
+  values,
+});
+
+/** Actions that were not done before: the same one again cuts nothing. */
+export const notDone = (actions: readonly Action[], { done }: PlanState): readonly Action[] =>
+  actions.filter(({ key }) => !done.some(({ action }) => action.key === key));

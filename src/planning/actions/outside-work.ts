@@ -1,0 +1,226 @@
+import { boxAround, boxOf } from "../../kernel/area/box.ts";
+import { difference, intersection, isInside, offset, opened } from "../../kernel/area/clip.ts";
+import { at, part, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
+import type { Box } from "../../kernel/geometry/segments.ts";
+import { CHORD, SAME, SLIVER } from "../../kernel/tolerance.ts";
+import { perSide, diameter } from "../../kernel/units.ts";
+import { regionsOf } from "../../sim/region.ts";
+import { LEAST_REGION, type OpenRegion } from "../open-regions.ts";
+import { pocketsOf, type Pocket } from "./pockets.ts";
+import type { Chain, ElementMark, PlannedPart, PlanRequest, PlanState } from "../types.ts";
+
+/** A piece of material to remove, with the section of the chain that bounds it, from the front to the rear. */
+export interface Piece extends OpenRegion {
+  readonly section: Chain;
+  /** True where no part of the chain stands in front of it: a tool comes in along Z. */
+  readonly opensAhead: boolean;
+  /** Indices of the first and the last element of the chain that it touches. */
+  readonly borders: readonly [first: number, last: number];
+  /** The same of its section. */
+  readonly span: readonly [first: number, last: number];
+}
+
+/** Distance from jaws and other bodies of the clamping, mm. */
+const BESIDE_JAWS = 1;
+/** Length that is turned behind the rear face, mm: the next clamping or the blade begins on a clean surface. */
+const BEHIND_REAR = 2;
+/** Thinner material is left to finishing, mm. */
+const THIN = 1;
+/** Farther than any stock, mm. */
+const FAR = 10_000;
+
+const inFrontOf = (area: readonly Ring[], left: number): Ring[] =>
+  intersection(area, [[at(left, -1), at(FAR, -1), at(FAR, FAR), at(left, FAR)]]);
+
+/** Z of the rear end of the outside. */
+const rearOfPart = ({ part: { outside } }: PlanRequest): number =>
+  boxOf(part.flattenedChain(outside.segments, CHORD)).left;
+
+/** The finished part under a chain, without its bore. */
+function solidOf({ segments }: Chain): Ring {
+  const points = part.flattenedChain(segments, CHORD);
+  const [first, last] = [points[0], points.at(-1)];
+  return first && last ? [at(last.z, 0), at(first.z, 0), ...points].reverse() : [];
+}
+
+/** Z of the rearmost cut outside: behind the rear face of the part, in front of jaws and stated limits. */
+export function rearOf(request: PlanRequest, stock: readonly Ring[]): number {
+  const {
+    part: { rings },
+    clamping,
+  } = request;
+  const end = rearOfPart(request);
+  // A part that goes on in the unmachined stock has no rear face.
+  const rear = boxAround(rings).left < end - SAME ? end : end - BEHIND_REAR;
+  const jaws = (clamping?.bodies ?? [])
+    .filter((body) => body.part !== "tailstock")
+    .map(({ rings }) => boxAround(rings).right + BESIDE_JAWS);
+  return Math.max(rear, boxAround(stock).left, ...jaws);
+}
+
+/**
+ * The chain up to the rearmost cut, continued along Z where that lies behind it, with the shoulder of the stock that
+ * stays there.
+ */
+function reachable({ outside }: PlannedPart, rear: number, stock: readonly Ring[]): Chain {
+  const segments: Segment[] = [];
+  const marks: ElementMark[] = [];
+  outside.segments.forEach((s, i) => {
+    const mark = outside.marks[i] ?? { row: "" };
+    if (s.from.z < rear - SAME && s.to.z < rear - SAME) return;
+    const cut = s.kind === "line" && s.to.z < rear - SAME ? part.line(s.from, onLine(s, rear)) : s;
+    segments.push(cut);
+    marks.push(mark);
+  });
+  const add = (to: Pt) => {
+    const end = segments.at(-1)?.to;
+    if (!end || part.apart(end, to) < SAME) return;
+    segments.push(part.line(end, to));
+    marks.push({ row: "" });
+  };
+  const end = segments.at(-1)?.to;
+  if (end) {
+    add(at(rear, end.r));
+    add(at(rear, Math.max(end.r, highest(stock, rear - SAME, rear))));
+  }
+  return { segments, marks };
+}
+
+/** Highest radius of the stock from a Z on to a Z, mm; 0 where none is. */
+export function highest(stock: readonly Ring[], left: number, right: number): number {
+  let most = 0;
+  for (const ring of stock)
+    ring.forEach((a, i) => {
+      const b = ring[(i + 1) % ring.length] ?? a;
+      const [low, high] = a.z < b.z ? [a, b] : [b, a];
+      if (high.z < left || low.z > right) return;
+      const on = (z: number) => low.r + ((high.r - low.r) * (z - low.z)) / (high.z - low.z);
+      const ends = high.z > low.z + SAME ? [on(Math.max(left, low.z)), on(Math.min(right, high.z))] : [a.r, b.r];
+      most = Math.max(most, ...ends);
+    });
+  return most;
+}
+
+/** The point of a line at a Z. */
+const onLine = ({ from, to }: Segment, z: number): Pt =>
+  Math.abs(to.z - from.z) < SAME ? to : at(z, from.r + ((to.r - from.r) * (z - from.z)) / (to.z - from.z));
+
+/** The outside of the stock that is no part of the finished part, up to the rearmost cut. */
+export interface OutsideWork {
+  readonly chain: Chain;
+  /** Connected pieces to the finished size, the largest first. */
+  readonly pieces: readonly Piece[];
+  /** The same beyond the oversize for finishing, without thin remains. */
+  readonly rough: readonly Piece[];
+  /** Grooves and valleys of the chain. */
+  readonly pockets: readonly Pocket[];
+}
+
+/** The work of the stocks of a request, which every source asks for. */
+const known = new WeakMap<PlanRequest, WeakMap<readonly Ring[], OutsideWork>>();
+
+/** What is left to turn outside in a state. */
+export function outsideWork({ stock }: Pick<PlanState, "stock">, request: PlanRequest): OutsideWork {
+  const works = known.get(request) ?? new WeakMap<readonly Ring[], OutsideWork>();
+  known.set(request, works);
+  const work = works.get(stock) ?? workIn(stock, request);
+  works.set(stock, work);
+  return work;
+}
+
+function workIn(stock: readonly Ring[], request: PlanRequest): OutsideWork {
+  const { allowance } = request.rules;
+  const rear = rearOf(request, stock);
+  const chain = reachable(request.part, rear, stock);
+  const solid = solidOf(chain);
+  const left = inFrontOf(difference(stock, [solid]), rear);
+  const over = Math.max(perSide(diameter(allowance.diameter)), allowance.z);
+  const grown = offset([solid], over);
+  return {
+    chain,
+    pockets: [...pocketsOf(chain, "r"), ...pocketsOf(chain, "z")],
+    pieces: piecesOf(opened(inFrontOf(left, rearOfPart(request)), SLIVER), chain, SLIVER),
+    rough: piecesOf(opened(difference(left, grown), THIN), chain, over + SLIVER),
+  };
+}
+
+/** The innermost pocket that a piece lies in; null for none. */
+export function pocketOf({ borders: [from, to] }: Pick<Piece, "borders">, pockets: readonly Pocket[]): Pocket | null {
+  const around = pockets.find(({ first, last }) => first <= from && to <= last);
+  return around ? (pocketOf({ borders: [from, to] }, around.inner) ?? around) : null;
+}
+
+const piecesOf = (area: readonly Ring[], chain: Chain, near: number): readonly Piece[] =>
+  regionsOf(area, LEAST_REGION)
+    .map(({ outline, holes, area: size }) => ({ rings: [outline, ...holes], box: boxOf(outline), area: size }))
+    .toSorted((a, b) => b.area - a.area)
+    .flatMap((region): readonly Piece[] => {
+      const found = sectionAt(chain, region, near);
+      return found ? [{ ...region, ...found }] : [];
+    });
+
+/** Distance of the points at which an element is compared with a region, mm. */
+const STEP = 0.25;
+/** Finished cylinder beside a piece that its section keeps, mm. */
+const BESIDE = 1;
+
+/**
+ * The section of a chain that bounds a region at most `near` mm away. It goes on to both sides until the part is as
+ * high as the region, so that a cycle knows what stands beside it.
+ */
+function sectionAt(
+  { segments, marks }: Chain,
+  { rings, box }: OpenRegion,
+  near: number,
+): Pick<Piece, "section" | "opensAhead" | "borders" | "span"> | null {
+  const wide = offset(rings, near + 2 * SLIVER);
+  const isNear = (p: Pt) => wide.filter((ring) => isInside(ring, p)).length % 2 === 1;
+  const borders = (s: Segment) => {
+    if (!meets(part.boxOf(s), box, near + 2 * SLIVER)) return false;
+    const count = Math.ceil(part.lengthOf(s) / STEP);
+    return Array.from({ length: count }, (_, i) => part.pointOn(s, (i + 0.5) / count)).some(isNear);
+  };
+  const hit = segments.flatMap((s, i) => (borders(s) ? [i] : []));
+  const touched = [hit[0] ?? -1, hit.at(-1) ?? -1] as const;
+  let [first, last] = touched;
+  if (first < 0) return null;
+  const level = box.high - near - 2 * SLIVER;
+  while (first > 0 && (segments[first]?.from.r ?? 0) < level) first -= 1;
+  while (last < segments.length - 1 && (segments[last]?.to.r ?? 0) < level) last += 1;
+  const section = segments.slice(first, last + 1);
+  const [a, b] = [section[0] as Segment, section.at(-1) as Segment];
+  const opensAhead = a.from.r < level;
+  // Of a cylinder or a face that was turned already only the end beside the piece is needed.
+  const [front, rear] = [box.right + BESIDE, box.left - BESIDE];
+  if (!opensAhead && a.kind === "line" && a.from.z > front + SAME && a.to.z < front)
+    section[0] = part.line(onLine(a, front), a.to);
+  const end = section.at(-1) as Segment;
+  if (end.kind === "line" && b.to.z < rear - SAME && end.from.z > rear)
+    section[section.length - 1] = part.line(end.from, onLine(end, rear));
+  return {
+    section: { segments: section, marks: marks.slice(first, last + 1) },
+    opensAhead,
+    borders: touched,
+    span: [first, last],
+  };
+}
+
+const meets = (a: Box, b: Box, by: number): boolean =>
+  a.left <= b.right + by && b.left <= a.right + by && a.low <= b.high + by && b.low <= a.high + by;
+
+/** The chain from its front to the end of the section of a piece, with what lies along it. */
+export function workUpTo(
+  { chain, pieces, rough, pockets }: OutsideWork,
+  { section, span: [, last] }: Piece,
+): OutsideWork {
+  const end = section.segments.at(-1);
+  return {
+    chain: {
+      segments: [...chain.segments.slice(0, last), ...(end ? [end] : [])],
+      marks: chain.marks.slice(0, last + 1),
+    },
+    pieces,
+    rough,
+    pockets: pockets.filter((pocket) => pocket.last <= last),
+  };
+}

@@ -1,0 +1,115 @@
+import { at, part, type Segment } from "../../kernel/geometry/point.ts";
+import { SAME } from "../../kernel/tolerance.ts";
+import type { Chain, ElementMark } from "../types.ts";
+
+/** A part of the chain below the level of its surroundings: a groove or a valley, radial or in a face. */
+export interface Pocket extends Chain {
+  /** The axis along which it is deep: "r" in a cylinder, "z" in a face. */
+  readonly axis: "r" | "z";
+  /** Indices of its first and its last element in the chain. */
+  readonly first: number;
+  readonly last: number;
+  /** Height of its mouth. */
+  readonly level: number;
+  /** Pockets in its floor. */
+  readonly inner: readonly Pocket[];
+}
+
+/** Shallower ones are no pockets, mm. */
+const SHALLOWEST = 0.02;
+
+/** Every point of a chain at which it turns up or down. */
+const heightsOf = (segments: readonly Segment[], axis: Pocket["axis"]): readonly number[] => [
+  segments[0]?.from[axis] ?? 0,
+  ...segments.map((s) => s.to[axis]),
+];
+
+/** The pockets of a chain, from the front to the rear. */
+export function pocketsOf(
+  chain: Chain,
+  axis: Pocket["axis"],
+  [from, to] = [0, chain.segments.length],
+): readonly Pocket[] {
+  const heights = heightsOf(chain.segments, axis);
+  const found: Pocket[] = [];
+  const before: number[] = [];
+  for (let i = from; i <= to; i += 1) before[i] = Math.max(before[i - 1] ?? -Infinity, heights[i] ?? 0);
+  const behind: number[] = [];
+  for (let i = to; i >= from; i -= 1) behind[i] = Math.max(behind[i + 1] ?? -Infinity, heights[i] ?? 0);
+  const levelAt = (i: number) => Math.min(before[i] ?? 0, behind[i] ?? 0);
+  for (let i = from; i <= to; i += 1) {
+    const level = levelAt(i);
+    if (level - (heights[i] ?? 0) < SAME) continue;
+    let end = i;
+    while (end < to && level - (heights[end + 1] ?? 0) >= SAME) end += 1;
+    const pocket = pocketBetween(chain, axis, [i - 1, end], level);
+    if (pocket) found.push(pocket);
+    i = end;
+  }
+  return found;
+}
+
+/** The pocket of the elements `first` to `last`, cut at the level of its mouth. */
+function pocketBetween(
+  chain: Chain,
+  axis: Pocket["axis"],
+  [first, last]: readonly [number, number],
+  level: number,
+): Pocket | null {
+  const segments = chain.segments.slice(first, last + 1);
+  const marks = chain.marks.slice(first, last + 1);
+  const heights = heightsOf(segments, axis);
+  if (level - Math.min(...heights) < SHALLOWEST) return null;
+  const [a, b] = [segments[0], segments.at(-1)];
+  if (!a || !b) return null;
+  segments[0] = below(a, axis, level, "to");
+  segments[segments.length - 1] = below(segments.at(-1) ?? b, axis, level, "from");
+  const lowest = heights
+    .map((h, i) => ({ h, i }))
+    .filter(({ h, i }) => h <= (heights[i - 1] ?? Infinity) && h <= (heights[i + 1] ?? Infinity));
+  const [floorFrom, floorTo] = [lowest[0]?.i ?? 0, lowest.at(-1)?.i ?? 0];
+  const inner = floorTo - floorFrom > 2 ? pocketsOf(chain, axis, [first + floorFrom, first + floorTo]) : [];
+  return { axis, first, last, level, segments, marks, inner };
+}
+
+/** The piece of a wall below a level, from its end `keep` on. */
+function below(s: Segment, axis: Pocket["axis"], level: number, keep: "from" | "to"): Segment {
+  const other = keep === "to" ? "from" : "to";
+  if (s[other][axis] <= level + SAME) return s;
+  const far = 10_000;
+  const along = axis === "r" ? part.line(at(-far, level), at(far, level)) : part.line(at(level, -far), at(level, far));
+  const crossing = part.meetings(along, s).toSorted((p, q) => part.apart(p, s[keep]) - part.apart(q, s[keep]))[0];
+  return crossing ? { ...s, [other]: crossing } : s;
+}
+
+/** A chain with straight lines over some of its pockets. */
+export function bridgedOver(chain: Chain, pockets: readonly Pocket[]): Chain {
+  const segments: Segment[] = [];
+  const marks: ElementMark[] = [];
+  const add = (s: Segment, mark: ElementMark) => {
+    if (part.apart(s.from, s.to) < SAME) return;
+    segments.push(s);
+    marks.push(mark);
+  };
+  chain.segments.forEach((s, i) => {
+    const mark = chain.marks[i] ?? { row: "" };
+    const starts = pockets.find(({ first }) => first === i);
+    const ends = pockets.find(({ last }) => last === i);
+    if (pockets.some(({ first, last }) => first < i && i < last)) return;
+    const begin = ends?.segments.at(-1)?.to ?? s.from;
+    const end = starts?.segments[0]?.from ?? s.to;
+    const bridge = () => {
+      const to = starts?.segments.at(-1)?.to;
+      if (to) add(part.line(end, to), { row: "" });
+    };
+    if (starts !== undefined && starts === ends) {
+      add({ ...s, to: end }, mark);
+      bridge();
+      add({ ...s, from: begin }, mark);
+    } else {
+      add({ ...s, from: begin, to: end }, mark);
+      bridge();
+    }
+  });
+  return { segments, marks };
+}

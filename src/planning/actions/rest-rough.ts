@@ -1,0 +1,62 @@
+import { worksAcross } from "../../cycles/use.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
+import { withValue } from "../../program/job/requested-job.ts";
+import type { Action, ActionKind, ActionSource, PlanRequest } from "../types.ts";
+import { actionsOf, notDone, toolsOf } from "./candidates.ts";
+import { contourJob, type Way } from "./contour-job.ts";
+import { outsideWork, type Piece } from "./outside-work.ts";
+import { cutOf, turningCycles, typesFirst } from "./turned-contour.ts";
+import { finestOf } from "./finest.ts";
+
+/** Pieces to work on, and tools of each way. */
+const [MOST_PIECES, MOST_TOOLS] = [4, 2];
+const WAYS: readonly Way[] = ["ahead", "back"];
+
+/** Roughs what is left between higher places, from either side. */
+export const restRough: ActionSource = {
+  kind: "restRough",
+  actions(state, request) {
+    const { rough } = outsideWork(state, request);
+    return notDone(
+      rough
+        .filter(({ opensAhead }) => !opensAhead)
+        .slice(0, MOST_PIECES)
+        .flatMap((piece) => sectionWorks(piece, "restRough", "rough", { stock: state.stock, request })),
+      state,
+    );
+  },
+};
+
+/** Turns the section of a piece, from its front and from its rear. */
+export function sectionWorks(
+  { section, box }: Piece,
+  kind: ActionKind,
+  operation: "rough" | "finish",
+  { stock, request }: { readonly stock: readonly Ring[]; readonly request: PlanRequest },
+): readonly Action[] {
+  const { segments } = section;
+  const tools = toolsOf(request).filter(({ TYPE }) => TYPE === "ROUGH" || TYPE === "FINISH" || TYPE === "BUTTON");
+  const types = operation === "finish" ? typesFirst("FINISH", "ROUGH") : typesFirst("ROUGH", "FINISH");
+  const roughness = finestOf(section);
+  return turningCycles(segments, request)
+    .filter((cycle) => !worksAcross(cycle))
+    .flatMap((cycle) =>
+      WAYS.flatMap((way) =>
+        actionsOf(
+          {
+            kind,
+            site: "outside",
+            cycle,
+            job: withValue(contourJob(cycle, { segments, way, stock }), "Q487", 1),
+            cut: cutOf(cycle, operation, { box, stock, ...(roughness !== undefined && { roughness }) }),
+            box,
+            variant: way,
+            most: MOST_TOOLS,
+          },
+          tools,
+          request,
+          types,
+        ),
+      ),
+    );
+}

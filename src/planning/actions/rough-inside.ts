@@ -1,0 +1,57 @@
+import type { Ring } from "../../kernel/geometry/point.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
+import { SAME } from "../../kernel/tolerance.ts";
+import { radiusOf } from "../../kernel/units.ts";
+import { isUsualTool } from "../../program/tools/which-tool.ts";
+import { cyclesFor } from "../../report/which/ways.ts";
+import type { OpenRegion } from "../open-regions.ts";
+import type { Action, ActionSource, PlanRequest } from "../types.ts";
+import { insideRegions } from "./bore.ts";
+import { barActions, barsOf, freeInside, plungings, ROUGH_BEYOND, sectionInBore } from "./bore-turning.ts";
+import { notDone } from "./candidates.ts";
+
+/** Thinner material is left to finishing, in oversizes. */
+export const THICK = 1.6;
+/** Most regions, and most tools for each, that are proposed. */
+const [MOST_REGIONS, MOST_TOOLS] = [2, 2];
+
+const isSlim = ({ TYPE }: Tool) => TYPE === "FINISH";
+
+function roughing(region: OpenRegion, stock: readonly Ring[], request: PlanRequest): readonly Action[] {
+  const oversize = radiusOf(request.rules.allowance.diameter);
+  const section = sectionInBore(stock, request.part, region, { oversize, more: ROUGH_BEYOND });
+  if (!section) return [];
+  const { segments, way, isDeep } = section;
+  const wanted = freeInside(segments);
+  // The cone that a drill has left on a flat bottom is faced from the axis on.
+  const hasFloor = (segments.at(-1)?.to.r ?? 1) < SAME;
+  const cut = { operation: "rough", work: "rough" } as const;
+  return cyclesFor(wanted)
+    .filter(({ group }) => group === "longitudinal" || (group === "transverse" && hasFloor))
+    .filter(({ number }) => !request.withoutCycles.includes(number))
+    .flatMap((cycle) => {
+      const tools = barsOf(request, (t) => isUsualTool(cycle.group, t));
+      const [strong, slim] = [tools.filter((t) => !isSlim(t)), tools.filter(isSlim)];
+      return plungings(segments).flatMap((plunges) => {
+        const into = plunges === undefined ? {} : { plunges };
+        const work = { kind: "roughInside", wanted, region, way, cut, most: MOST_TOOLS, ...into } as const;
+        return [
+          ...barActions(work, cycle, strong, stock, request),
+          // What the strong inserts cannot reach behind a neck.
+          ...(isDeep && plunges !== false ? barActions({ ...work, most: 1 }, cycle, slim, stock, request) : []),
+        ];
+      });
+    });
+}
+
+/** Bores roughly, where the stock has a bore that a bar enters. */
+export const roughInside: ActionSource = {
+  kind: "roughInside",
+  actions: (state, request) =>
+    notDone(
+      insideRegions(state.stock, request.part, THICK * radiusOf(request.rules.allowance.diameter))
+        .slice(0, MOST_REGIONS)
+        .flatMap((region) => roughing(region, state.stock, request)),
+      state,
+    ),
+};

@@ -1,0 +1,61 @@
+import { worksAcross } from "../../cycles/use.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
+import { withValue } from "../../program/job/requested-job.ts";
+import type { Action, ActionSource, Chain, PlanRequest } from "../types.ts";
+import { actionOf, actionsOf, fitted, notDone, ranked, toolsOf } from "./candidates.ts";
+import { contourJob } from "./contour-job.ts";
+import { outsideWork, workUpTo, type OutsideWork, type Piece } from "./outside-work.ts";
+import { bridgedOver } from "./pockets.ts";
+import { cutOf, turnedChain, turningCycles, typesFirst, withoutFront } from "./turned-contour.ts";
+
+const better = typesFirst("ROUGH", "FINISH");
+
+/** Roughs the outside from the front: along the axis over its grooves or into them, and across it. */
+export const roughOutside: ActionSource = {
+  kind: "roughOutside",
+  actions(state, request) {
+    const tools = toolsOf(request).filter(({ TYPE }) => TYPE === "ROUGH" || TYPE === "FINISH");
+    const work = outsideWork(state, request);
+    const actions = work.rough
+      .filter(({ opensAhead }) => opensAhead)
+      .flatMap((piece) => roughings(workUpTo(work, piece), piece, { stock: state.stock, tools, request }));
+    return notDone(actions, state);
+  },
+};
+
+interface Around {
+  readonly stock: readonly Ring[];
+  readonly tools: readonly Tool[];
+  readonly request: PlanRequest;
+}
+
+/** Tools of each way to rough. */
+const MOST = 2;
+
+function roughings(work: OutsideWork, piece: Piece, { stock, tools, request }: Around): readonly Action[] {
+  const whole = bridgedOver(work.chain, work.pockets);
+  const plain = withoutFront(whole);
+  const { box } = piece;
+  return turningCycles(plain.segments, request).flatMap((cycle) => {
+    const across = worksAcross(cycle);
+    const cut = cutOf(cycle, "rough", { box, stock });
+    const candidate = { kind: "roughOutside", site: "outside", cycle, cut, box, most: MOST } as const;
+    const jobOf = ({ segments }: Chain, plunging: number) =>
+      withValue(contourJob(cycle, { segments, way: "ahead", stock }), "Q487", plunging);
+    const over = actionsOf({ ...candidate, job: jobOf(across ? whole : plain, 0) }, tools, request, better);
+    if (across || work.pockets.length === 0) return over;
+    const into = tools.flatMap((tool) => {
+      const chain = turnedChain(
+        work,
+        (segments) => fitted({ cycle, cut, job: jobOf({ segments, marks: [] }, 1) }, tool, request)?.plan ?? null,
+      );
+      if (chain.segments.length === plain.segments.length) return [];
+      return fitted({ cycle, cut, job: jobOf(chain, 1) }, tool, request) ?? [];
+    });
+    const made = ranked(into, better)
+      .slice(0, MOST)
+      .map(({ tool, job, values }) => actionOf({ ...candidate, variant: "in" }, tool, job, values));
+    return [...over, ...made];
+  });
+}

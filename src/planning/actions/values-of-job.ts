@@ -1,0 +1,102 @@
+import type { Cycle, Group } from "../../cycles/define.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
+import { never } from "../../kernel/never.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
+import { usualTable } from "../../program/tools/cutting-table.ts";
+import type { SetJob } from "../../program/job/job.ts";
+import { withValue } from "../../program/job/requested-job.ts";
+import type { PlanRequest, ReasonedValue } from "../types.ts";
+import { withCuttingValues } from "../values/cycle-values.ts";
+import { cuttingValues } from "../values/cutting-values.ts";
+import { heldWorkpiece } from "../values/held-workpiece.ts";
+import type { HeldBar, HeldWorkpiece } from "../values/stability.ts";
+import type { CuttingValues, ValuesRequest, Work } from "../values/values-request.ts";
+
+/** Machining operation of a cycle: roughing and finishing, roughing, finishing to size. */
+const OPERATION = { both: 0, rough: 1, finish: 2 } as const;
+
+/** What the values of an operation depend on besides its cycle and its tool. */
+export interface CutRequest {
+  readonly operation: keyof typeof OPERATION;
+  readonly work: Work;
+  /** Smallest and largest diameter that is cut, mm. */
+  readonly smallest: number;
+  readonly largest: number;
+  readonly stock: readonly Ring[];
+  /** Greatest mean roughness of its surfaces, µm; absent without a mark. */
+  readonly roughness?: number;
+  /** Depth of a hole or a groove, height of a thread, mm. */
+  readonly depth?: number;
+  readonly pitch?: number;
+  /** The boring bar of an inside cut. */
+  readonly bar?: HeldBar | null;
+}
+
+/** The usual work of a cycle that cuts outside. */
+export const workOf = (group: Group, operation: keyof typeof OPERATION): Work => {
+  if (group === "thread") return "thread";
+  if (group === "recessing" || group === "recessTurning") return "recess";
+  return operation === "finish" ? "finish" : "rough";
+};
+
+/** The stiffness of a stock in its clamping is the same for every tool. */
+const held = new WeakMap<
+  readonly Ring[],
+  Pick<PlanRequest, "clamping"> & { readonly workpiece: HeldWorkpiece | null }
+>();
+
+function workpieceOf(stock: readonly Ring[], { clamping }: PlanRequest): HeldWorkpiece | null {
+  const known = held.get(stock);
+  if (known?.clamping === clamping) return known.workpiece;
+  const workpiece = heldWorkpiece(stock, clamping);
+  held.set(stock, { clamping, workpiece });
+  return workpiece;
+}
+
+/** Cutting values of a tool in the stock and the shop of a request, by their formulas. */
+export function valuesOf(tool: Tool, cut: CutRequest, request: PlanRequest): CuttingValues {
+  const { material: id, shop } = request;
+  const { materials, power } = usualTable;
+  const material = materials.find((m) => m.id === id.toLowerCase()) ?? materials[0];
+  if (!material) return never("a table of cutting data without a material", id);
+  const asked: ValuesRequest = {
+    work: cut.work,
+    tool,
+    material,
+    smallest: cut.smallest,
+    largest: cut.largest,
+    workpiece: workpieceOf(cut.stock, request),
+    bar: cut.bar ?? null,
+    machine: shop.machine?.spindle ?? null,
+    power,
+    roughness: cut.roughness === undefined ? null : { kind: "Ra", value: cut.roughness },
+    ...(cut.depth !== undefined && { depth: cut.depth }),
+    ...(cut.pitch !== undefined && { pitch: cut.pitch }),
+  };
+  return cuttingValues(asked);
+}
+
+/** Sets tool, operation, oversize and cutting values of a job of a cycle, with the reasons for them. */
+export function withValues(
+  job: SetJob,
+  cycle: Cycle,
+  tool: Tool,
+  cut: CutRequest,
+  request: PlanRequest,
+): { readonly job: SetJob; readonly values: readonly ReasonedValue[] } {
+  const main = valuesOf(tool, cut, request);
+  const turns = cut.work === "rough" || cut.work === "face" || cut.work === "recess";
+  const finish = cut.operation === "both" && turns ? valuesOf(tool, { ...cut, work: "finish" }, request) : null;
+  const made = withCuttingValues({ ...job, tool: tool.T }, cycle, { main, ...(finish && { finish }) });
+  const { allowance } = request.rules;
+  const leaves = cut.operation !== "finish";
+  const set: Readonly<Record<string, number>> = {
+    Q215: OPERATION[cut.operation],
+    Q483: leaves ? allowance.diameter : 0,
+    Q484: leaves ? allowance.z : 0,
+  };
+  return {
+    job: Object.entries(set).reduce((j, [q, n]) => (cycle.params[q] ? withValue(j, q, n) : j), made.job),
+    values: made.values.filter(({ q }) => set[q] === undefined),
+  };
+}

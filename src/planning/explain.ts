@@ -1,0 +1,105 @@
+import { areaOf } from "../kernel/area/area.ts";
+import { difference } from "../kernel/area/clip.ts";
+import { LEAST_REGION } from "./open-regions.ts";
+import {
+  actionsIn,
+  areRivals,
+  changeBefore,
+  doneIn,
+  isInPlace,
+  nodesOf,
+  type PlanNode,
+  type Searching,
+} from "./plan-node.ts";
+import type { Action, TriedAction } from "./types.ts";
+import type { OtherWay, PlanStep, StepReason } from "./working-plan.ts";
+
+/** Most other ways that a step shows. */
+const MOST_OTHERS = 2;
+/** Shorter differences are none, s. */
+const NO_TIME = 0.5;
+/** Part of the material of a step that another way has to take, too. */
+const SHARED = 0.5;
+
+/** Other ways that were open for a step. */
+const rivalsOf = ({ action }: TriedAction, state: PlanNode, s: Searching): readonly Action[] =>
+  actionsIn(state, s).filter((a) => areRivals(a, action));
+
+/** A rival as another way; null where it does not work or works elsewhere. */
+function wayOf(rival: TriedAction, chosen: TriedAction, state: PlanNode, { request }: Searching): OtherWay | null {
+  if (!rival.works) return null;
+  const taken = difference(state.stock, chosen.stock);
+  const leaves = areaOf(difference(rival.stock, chosen.stock)) - areaOf(difference(chosen.stock, rival.stock));
+  const shared = areaOf(taken) - areaOf(difference(rival.stock, chosen.stock));
+  if (chosen.action.threads.length === 0 && shared < SHARED * areaOf(taken)) return null;
+  const before = state.tried?.action ?? null;
+  const seconds = rival.seconds + changeBefore(rival.action, before, request);
+  const longer = seconds - chosen.seconds - changeBefore(chosen.action, before, request);
+  return { tried: rival, seconds, longer, leaves };
+}
+
+/** Ways that leave no more than others come first, then the quicker ones. */
+const compareWays = (a: OtherWay, b: OtherWay): number =>
+  (Math.abs(a.leaves - b.leaves) < LEAST_REGION ? 0 : a.leaves - b.leaves) || a.longer - b.longer;
+
+function reasonsOf(node: PlanNode, ways: readonly OtherWay[], isByHand: boolean, s: Searching): readonly StepReason[] {
+  const { tried, before } = node;
+  if (!tried || !before) return [];
+  const { action } = tried;
+  const last = before.tried?.action ?? null;
+  const done = doneIn(before);
+  const [next] = ways;
+  const rule = last && s.trade.between(last, action);
+  const rest = done.findLastIndex((d) => d.site === action.site && isInPlace(d, action));
+  const sole: readonly StepReason[] = ways.every((w) => w.tried.action.tool.T === action.tool.T)
+    ? [{ kind: "onlyTool", tool: action.tool.T }]
+    : ways.every((w) => w.tried.action.cycle === action.cycle)
+      ? [{ kind: "onlyCycle", cycle: action.cycle }]
+      : [];
+  const way = [...sole, ...(next ? [comparedWith(next)] : [])].flatMap((r) => r ?? []);
+  return [
+    ...(isByHand ? [{ kind: "byHand" as const }] : []),
+    ...way,
+    ...(last?.tool.T === action.tool.T ? [{ kind: "sameTool" as const, tool: action.tool.T }] : []),
+    ...(action.kind === "restRough" && rest >= 0 ? [{ kind: "rest" as const, step: rest }] : []),
+    ...(rule ? [{ kind: "rule" as const, rule }] : []),
+  ];
+}
+
+/** What speaks for a step beside the next way; null where nothing does. */
+function comparedWith({ tried: { action }, longer, leaves }: OtherWay): StepReason | null {
+  const other = { cycle: action.cycle, tool: action.tool.T };
+  if (leaves >= LEAST_REGION) return { kind: "takesMore", area: leaves, ...other };
+  return longer > NO_TIME ? { kind: "faster", seconds: longer, ...other } : null;
+}
+
+/** The steps of a plan with their reasons. Yields before every try. */
+export function* explained(
+  end: PlanNode,
+  byHand: ReadonlySet<string>,
+  s: Searching,
+): Generator<PlanNode, readonly PlanStep[]> {
+  const steps: PlanStep[] = [];
+  for (const node of nodesOf(end)) {
+    const { tried, before: state } = node;
+    if (!tried || !state) continue;
+    const ways: OtherWay[] = [];
+    for (const rival of rivalsOf(tried, state, s)) {
+      yield end;
+      const way = wayOf(s.tries.of(rival, state), tried, state, s);
+      if (way) ways.push(way);
+    }
+    ways.sort(compareWays);
+    const seconds = node.seconds - state.seconds;
+    const isByHand = byHand.has(tried.action.key);
+    steps.push({
+      tried,
+      seconds,
+      penalty: node.cost - state.cost - seconds,
+      why: reasonsOf(node, ways, isByHand, s),
+      others: ways.slice(0, MOST_OTHERS),
+      isByHand,
+    });
+  }
+  return steps;
+}

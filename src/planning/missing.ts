@@ -1,0 +1,119 @@
+import type { Site } from "../cycles/shape-request.ts";
+import { boxAround } from "../kernel/area/box.ts";
+import { part, type Segment } from "../kernel/geometry/point.ts";
+import { CHORD, SAME } from "../kernel/tolerance.ts";
+import { inDegrees, toDiameter, radius } from "../kernel/units.ts";
+import { borderOf, type OpenRegion } from "./open-regions.ts";
+import type { Chain, PlanRequest, PlannedPart } from "./types.ts";
+import type { MissingTool } from "./working-plan.ts";
+
+/** Steeper walls are left to blades, degrees from the axis. */
+const WALL = 85;
+/** Levels at which the width of a region is measured. */
+const LEVELS = 8;
+
+const whole = (n: number, digits = 2) => Number(n.toFixed(digits));
+
+/** The side of the part on which a region lies, and its elements there. */
+export function sideOf(
+  region: OpenRegion,
+  { outside, inside }: PlannedPart,
+): { site: Site; border: readonly number[] } {
+  const [out, into] = [borderOf(outside, region), borderOf(inside, region)];
+  const indices = (b: readonly [number, number] | null) =>
+    b ? Array.from({ length: b[1] - b[0] + 1 }, (_, i) => b[0] + i) : [];
+  if (into && !out) return { site: "inside", border: indices(into) };
+  const border = indices(out);
+  const isFace = border.length > 0 && border.every((i) => isAcross(outside.segments[i]));
+  return { site: isFace ? "face" : "outside", border };
+}
+
+const isAcross = (s: Segment | undefined) => s !== undefined && Math.abs(s.to.z - s.from.z) < SAME;
+
+/** Width of a region where it is narrowest between two walls, mm; Infinity where one side is open at every level. */
+function narrowest({ rings, box }: OpenRegion): number {
+  const heights = Array.from({ length: LEVELS }, (_, i) => box.low + ((i + 0.5) * (box.high - box.low)) / LEVELS);
+  const widths = heights.flatMap((r) => {
+    const crossed = rings
+      .flatMap((ring) =>
+        ring.flatMap((b, i) => {
+          const a = ring.at(i - 1) ?? b;
+          return a.r <= r === b.r <= r ? [] : [a.z + ((b.z - a.z) * (r - a.r)) / (b.r - a.r)];
+        }),
+      )
+      .sort((a, b) => a - b);
+    return crossed.flatMap((z, i) => (i % 2 === 1 ? [z - (crossed[i - 1] ?? z)] : []));
+  });
+  return Math.min(Infinity, ...widths);
+}
+
+/** Steepest descents of a chain as seen from the front and from the rear, degrees from the axis. */
+function descents(elements: readonly Segment[], sign: 1 | -1): { readonly ahead: number; readonly back: number } {
+  const slopes = elements.flatMap((s) => {
+    const points = part.flattenedChain([s], CHORD);
+    return points.slice(1).map((b, i) => {
+      const a = points[i] ?? b;
+      return inDegrees(Math.atan2((a.r - b.r) * sign, Math.abs(a.z - b.z)));
+    });
+  });
+  return { ahead: Math.max(0, ...slopes), back: Math.max(0, ...slopes.map((n) => -n)) };
+}
+
+/** Least radius of the hollows of a chain, mm; Infinity without one. */
+const leastHollow = (elements: readonly Segment[], site: Site): number =>
+  Math.min(Infinity, ...elements.flatMap((s) => (s.kind === "arc" && isHollow(s, site) ? [part.radiusOf(s)] : [])));
+
+/** Whether the centre of an arc lies outside the material. */
+function isHollow(s: Extract<Segment, { kind: "arc" }>, site: Site): boolean {
+  const middle = part.pointOn(s, 0.5);
+  return site === "inside" ? s.centre.r < middle.r : s.centre.r > middle.r;
+}
+
+/** The smallest data of a tool that takes a region, from the shape of the region and of the elements around it. */
+export function missingFor(region: OpenRegion, { part: planned, blank }: PlanRequest): MissingTool {
+  const { site, border } = sideOf(region, planned);
+  const chain: Chain = site === "inside" ? planned.inside : planned.outside;
+  const elements = border.flatMap((i) => chain.segments[i] ?? []);
+  const { box } = region;
+  const hollow = leastHollow(elements, site);
+  const nose = Number.isFinite(hollow) ? { mostNose: whole(hollow) } : {};
+  const inside = site === "inside" ? boring(region, planned, blank) : {};
+  const { ahead, back } = descents(elements, site === "inside" ? -1 : 1);
+  if (Math.min(ahead, back) > WALL) {
+    const around = chain.segments
+      .flatMap((s) => [s.from, s.to])
+      .filter(({ z }) => z >= box.left - 1 && z <= box.right + 1);
+    const edge = around.map(({ r }) => r);
+    const open = site === "inside" ? Math.min(box.low, ...edge) : Math.max(box.high, ...edge);
+    const depth = site === "inside" ? box.high - open : open - box.low;
+    const width = narrowest(region);
+    return {
+      form: "recessing",
+      site,
+      ...(Number.isFinite(width) ? { mostWidth: whole(width) } : {}),
+      leastDepth: whole(depth),
+      ...nose,
+      ...inside,
+    };
+  }
+  if (site === "inside" && box.low < SAME && elements.every(isAcross)) return { form: "drill", site, ...inside };
+  const isRight = ahead <= back;
+  return {
+    form: site === "inside" ? "boring" : "turning",
+    site,
+    hand: isRight ? "right" : "left",
+    descends: whole(Math.min(ahead, back), 1),
+    ...nose,
+    ...inside,
+  };
+}
+
+/** What fits into a bore up to a region. */
+function boring({ box }: OpenRegion, { inside }: PlannedPart, blank: PlanRequest["blank"]): Partial<MissingTool> {
+  const way = inside.segments.flatMap((s) => [s.from, s.to]).filter(({ z }) => z > box.left);
+  const least = Math.min(...way.map(({ r }) => r).filter((r) => r > SAME));
+  return {
+    ...(Number.isFinite(least) ? { mostDiameter: whole(toDiameter(radius(least))) } : {}),
+    leastReach: whole(boxAround(blank).right - box.left),
+  };
+}

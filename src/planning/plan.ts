@@ -1,0 +1,112 @@
+import { AnswerCache } from "../kernel/answer-cache.ts";
+import { parse } from "../nc/parse.ts";
+import { actionSources } from "./actions/index.ts";
+import { explained } from "./explain.ts";
+import { actionsIn, compareEnds, firstNode, nodeBehind, nodesOf, type PlanNode, type Searching } from "./plan-node.ts";
+import { residueOf } from "./residue.ts";
+import { beam, pruned } from "./search.ts";
+import { secondClamping } from "./second-clamping.ts";
+import { Trade } from "./trade-rules.ts";
+import { Tries } from "./tries.ts";
+import type { ActionSource, PlanRequest } from "./types.ts";
+import { wholeProgram } from "./whole-program.ts";
+import type { PlanChanges, PlanProgress, WorkingPlan } from "./working-plan.ts";
+
+/** Widths of the beam, one pass each: the first gives a plan at once, the others use its tries. */
+const WIDTHS = [1, 3] as const;
+/** Most tries of a search. */
+const MOST = 1500;
+/** Plans of cycles that a search remembers, bytes. */
+const MEMORY = 50_000_000;
+
+/** The state behind the steps that an operator keeps or has chosen, as far as they are possible and work. */
+function* replayed({ keep = [], instead }: PlanChanges, s: Searching): Generator<PlanNode, PlanNode> {
+  let node = firstNode(s);
+  const kept = instead ? keep.slice(0, instead.at) : keep;
+  const keys = kept.map(({ tried }) => tried.action.key);
+  for (const key of instead ? [...keys, instead.actionKey] : keys) {
+    const action = actionsIn(node, s).find((a) => a.key === key);
+    if (!action) return node;
+    yield node;
+    const tried = s.tries.of(action, node);
+    if (!tried.works) return node;
+    node = nodeBehind(node, tried, s);
+  }
+  return node;
+}
+
+/**
+ * Searches the working plan with the least time that leaves nothing a tool of the shop could take. Yields before every
+ * try with the best plan so far; to cancel, stop asking. Pure and deterministic: the same request gives the same plan.
+ */
+export function* planning(
+  asked: PlanRequest,
+  changes: PlanChanges = {},
+  sources: readonly ActionSource[] = actionSources,
+): Generator<PlanProgress, WorkingPlan> {
+  const { keep = [], instead, locked = [] } = changes;
+  const request: PlanRequest = { ...asked, shop: { ...asked.shop, memory: new AnswerCache(MEMORY) } };
+  const byHand = keep.filter((step, i) => step.isByHand && i !== instead?.at).map(({ tried }) => tried.action);
+  const s: Searching = {
+    request,
+    sources,
+    tries: new Tries(request),
+    trade: new Trade(request),
+    known: new Map(),
+    locked: [...locked, ...byHand.filter(({ key }) => !locked.some((l) => l.key === key))],
+    most: MOST,
+  };
+  const hand = new Set([...s.locked.map(({ key }) => key), ...(instead ? [instead.actionKey] : [])]);
+  const from = yield* reported(replayed(changes, s), s, () => null);
+  let best: PlanNode | null = null;
+  for (const width of WIDTHS) {
+    const found = yield* reported(beam(from, width, s), s, () => best);
+    const end = yield* reported(pruned(found, s), s, () => best);
+    if (!best || compareEnds(end, best) < 0) best = end;
+  }
+  const end = best ?? from;
+  const steps = yield* reported(explained(end, hand, s), s, () => end);
+  const found = yield* reported(residueOf(end, s), s, () => end);
+  const whole = wholeProgram(
+    nodesOf(end).flatMap(({ tried }) => tried?.action ?? []),
+    request,
+  );
+  // What is left may be for the other end; a second clamping has no third.
+  const hasRegion = found.some(({ region }) => region !== null);
+  const other = hasRegion && !request.begun ? secondClamping(asked, end, parse(whole.text)) : null;
+  const second = other && (yield* planning(other, {}, sources));
+  const residue = second?.isComplete
+    ? found.map((each) => (each.region ? { ...each, why: "rear" as const } : each))
+    : found;
+  return {
+    ...whole,
+    steps,
+    residue,
+    isComplete: whole.judged.verdict === "proved" && residue.every(({ why }) => why === "rear" || why === "clamping"),
+    second,
+    tries: s.tries.count,
+  };
+}
+
+/** Turns the states that a part of the search looks at into its progress; `best`: the plan to show instead. */
+function* reported<T>(
+  part: Generator<PlanNode, T>,
+  s: Searching,
+  best: () => PlanNode | null,
+): Generator<PlanProgress, T> {
+  for (;;) {
+    const next = part.next();
+    if (next.done) return next.value;
+    yield progressOf(best() ?? next.value, s);
+  }
+}
+
+/** What a search tells about where it is. */
+const progressOf = ({ done, stock, seconds, left }: PlanNode, { tries, most }: Searching): PlanProgress => ({
+  tries: tries.count,
+  most,
+  done,
+  stock,
+  seconds,
+  left,
+});

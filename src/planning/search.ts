@@ -1,0 +1,209 @@
+import { LEAST_REGION } from "./open-regions.ts";
+import {
+  actionsIn,
+  areRivals,
+  changeBefore,
+  compareEnds,
+  doneIn,
+  isCorner,
+  isInPlace,
+  nodeBehind,
+  nodesOf,
+  type PlanNode,
+  type Searching,
+  volumeIn,
+} from "./plan-node.ts";
+import type { Expected } from "./tries.ts";
+import { ROUGHING, type Action } from "./types.ts";
+
+/** An action in a state, with the cost so far and that of a tool change, s. */
+interface Candidate {
+  readonly node: PlanNode;
+  readonly action: Action;
+  readonly base: number;
+}
+
+/** An action that was not tried may be this many times as quick as the quickest so far. */
+const QUICKER = 2;
+
+/** The candidates of one level of a search, and what is known of them. */
+class Level {
+  readonly candidates: readonly Candidate[];
+  private readonly ofNode = new Map<PlanNode, readonly Action[]>();
+
+  constructor(
+    nodes: readonly PlanNode[],
+    private readonly s: Searching,
+  ) {
+    this.candidates = nodes.flatMap((node) => {
+      const actions = actionsIn(node, s);
+      this.ofNode.set(node, actions);
+      const last = node.tried?.action ?? null;
+      return actions
+        .filter((action) => !this.isOtherOrder(node, action))
+        .map((action) => ({
+          node,
+          action,
+          base: node.cost + changeBefore(action, last, s.request),
+        }));
+    });
+  }
+
+  expected({ action, node }: Candidate): Expected | null {
+    return this.s.tries.expectedOf(action, node);
+  }
+
+  /**
+   * The least that a plan through a candidate costs as far as is known, s: nothing takes material faster than the
+   * quickest cut so far, others wait, and what a finishing cut leaves has to be taken by the next better one.
+   */
+  value(candidate: Candidate): number {
+    const { node, action, base } = candidate;
+    const { tries, trade } = this.s;
+    const known = this.expected(candidate);
+    const waiting = (this.ofNode.get(node) ?? []).filter((a) => this.isWaiting(a, node, action));
+    const early = base + trade.before(action, waiting);
+    if (!known) {
+      const most = volumeIn(node, action);
+      return early + tries.leastFor(node.volume - most) + tries.leastFor(most) / QUICKER;
+    }
+    const late = isCorner(known) ? 0 : trade.after(action, doneIn(node));
+    return early + late + known.seconds + tries.leastFor(node.volume - known.volume) + this.restFor(candidate, known);
+  }
+
+  /** Whether an action is still to be done before a next one; a part that is off is in no chuck, even for corners. */
+  private isWaiting(action: Action, node: PlanNode, next: Action): boolean {
+    const known = this.s.tries.expectedOf(action, node);
+    return !known || (known.works && (next.kind === "partOff" || !isCorner(known)));
+  }
+
+  /** Time of the quickest rival that takes what a finishing cut leaves, s. */
+  private restFor({ node, action }: Candidate, { cut }: Expected): number {
+    if (ROUGHING.has(action.kind)) return 0;
+    const better = (this.ofNode.get(node) ?? []).flatMap((rival) => {
+      if (!areRivals(action, rival)) return [];
+      const known = this.s.tries.expectedOf(rival, node);
+      if (!known?.works || known.cut < cut + LEAST_REGION) return [];
+      return [known.seconds + changeBefore(rival, action, this.s.request)];
+    });
+    return better.length > 0 ? Math.min(...better) : 0;
+  }
+
+  /** Two actions of one tool and kind in places apart lead to the same in either order: from the front is enough. */
+  private isOtherOrder(node: PlanNode, action: Action): boolean {
+    const last = node.tried?.action;
+    if (!last || !node.before || last.tool.T !== action.tool.T || last.kind !== action.kind) return false;
+    if (isInPlace(last, action) || action.place.front < last.place.front) return false;
+    if (action.place.front === last.place.front && action.key >= last.key) return false;
+    return actionsIn(node.before, this.s).some(({ key }) => key === action.key);
+  }
+}
+
+/**
+ * The first of the candidates that has to be tried to know the best ones: it could be one itself, or could be what a
+ * finishing cut leaves to do. Null where all are known.
+ */
+function untried(level: Level, width: number): Candidate | null {
+  const all = level.candidates.flatMap((candidate) => {
+    const known = level.expected(candidate);
+    return known && !known.works ? [] : [{ candidate, known, value: level.value(candidate) }];
+  });
+  all.sort((a, b) => a.value - b.value);
+  for (const { candidate, known } of all.slice(0, width)) {
+    if (!known) return candidate;
+    if (ROUGHING.has(candidate.action.kind)) continue;
+    const rival = all.find(
+      (other) =>
+        !other.known && other.candidate.node === candidate.node && areRivals(other.candidate.action, candidate.action),
+    );
+    if (rival) return rival.candidate;
+  }
+  return null;
+}
+
+/** The best states behind the candidates of a level, each stock once. Yields before every try. */
+function* nextLevel(level: Level, width: number, s: Searching): Generator<PlanNode, readonly PlanNode[]> {
+  for (let next = untried(level, width); next && s.tries.count < s.most; next = untried(level, width)) {
+    yield next.node;
+    s.tries.of(next.action, next.node);
+  }
+  const works = level.candidates
+    .filter((candidate) => level.expected(candidate)?.works)
+    .map((candidate) => ({ candidate, value: level.value(candidate) }))
+    .sort((a, b) => a.value - b.value);
+  const reached = new Map<string, PlanNode>();
+  for (const { candidate } of works) {
+    if (reached.size >= width || s.tries.count >= s.most) break;
+    yield* reach(candidate, reached, s);
+  }
+  if (reached.size > 0) return [...reached.values()];
+  // What failed may work now that the stock beside its place is gone.
+  for (const candidate of level.candidates) {
+    if (reached.size >= width || s.tries.count >= s.most) break;
+    const known = level.expected(candidate);
+    if (known && !known.works && known.cut >= LEAST_REGION) yield* reach(candidate, reached, s);
+  }
+  return [...reached.values()];
+}
+
+/** Adds the state behind a candidate where it works and its stock is new. */
+function* reach({ action, node }: Candidate, reached: Map<string, PlanNode>, s: Searching): Generator<PlanNode, void> {
+  yield node;
+  const tried = s.tries.of(action, node);
+  if (!tried.works) return;
+  const behind = nodeBehind(node, tried, s);
+  const key = [action.tool.T, ...[...behind.threads].toSorted(), s.tries.keyOf(behind.stock)].join();
+  const same = reached.get(key);
+  if (!same || behind.cost < same.cost) reached.set(key, behind);
+}
+
+/**
+ * Beam search from one state: of the states behind each step the `width` best go on. Returns the best end that it
+ * found.
+ */
+export function* beam(from: PlanNode, width: number, s: Searching): Generator<PlanNode, PlanNode> {
+  let [nodes, best]: [readonly PlanNode[], PlanNode | null] = [[from], null];
+  while (nodes.length > 0) {
+    const next: readonly PlanNode[] = yield* nextLevel(new Level(nodes, s), width, s);
+    const ended = next.length === 0 ? nodes : nodes.filter((node) => node.left < LEAST_REGION);
+    for (const node of ended) if (!best || compareEnds(node, best) < 0) best = node;
+    nodes = next;
+  }
+  return best ?? from;
+}
+
+/**
+ * A plan without the steps that a later one makes needless, as a finishing cut before a better one. Yields before every
+ * try.
+ */
+export function* pruned(end: PlanNode, s: Searching): Generator<PlanNode, PlanNode> {
+  let best = end;
+  for (let i = end.done.length - 2; i >= 0; i -= 1) {
+    const nodes = nodesOf(best);
+    const action = nodes[i]?.tried?.action;
+    const later = nodes.slice(i + 1).flatMap(({ tried }) => tried?.action ?? []);
+    const start = nodes[i]?.before;
+    if (!action || !start || !later.some((a) => areRivals(a, action))) continue;
+    const without = yield* followed(start, later, s);
+    if (compareEnds(without, best) < 0) best = without;
+  }
+  return best;
+}
+
+/** Whether an action does with the same tool and cycle more or less of another. */
+const isLike = (a: Action, b: Action): boolean =>
+  a.kind === b.kind && a.cycle === b.cycle && a.tool.T === b.tool.T && isInPlace(a, b);
+
+/** The state behind actions one after the other, without those that do not work there. */
+function* followed(from: PlanNode, actions: readonly Action[], s: Searching): Generator<PlanNode, PlanNode> {
+  let node = from;
+  for (const wanted of actions) {
+    const open = actionsIn(node, s);
+    const action = open.find(({ key }) => key === wanted.key) ?? open.find((a) => isLike(a, wanted));
+    if (!action) continue;
+    yield node;
+    const tried = s.tries.of(action, node);
+    if (tried.works) node = nodeBehind(node, tried, s);
+  }
+  return node;
+}

@@ -1,0 +1,123 @@
+import { FINISHING, type Action, type ActionKind, type PlanRequest, type ShopRules } from "./types.ts";
+import type { TradeRule } from "./working-plan.ts";
+
+/** One rule of the trade: doing something of `first` after something of `then` costs time that a shop can set. */
+interface Rule {
+  /** Null: it goes without saying. */
+  readonly rule: TradeRule | null;
+  readonly first: (action: Action, request: PlanRequest) => boolean;
+  readonly then: (action: Action, request: PlanRequest) => boolean;
+  /** s. */
+  readonly cost: (rules: ShopRules) => number;
+}
+
+const isOf =
+  (...kinds: readonly ActionKind[]) =>
+  ({ kind }: Action) =>
+    kinds.includes(kind);
+
+const CHIPS = ["roughOutside", "roughInside", "restRough"] as const;
+const finishes = ({ kind }: Action) => FINISHING.has(kind);
+
+/** Whether an action finishes an element with a tolerance. */
+function isToleranced(action: Action, { part }: PlanRequest): boolean {
+  if (!finishes(action)) return false;
+  const { segments, marks } = action.site === "inside" ? part.inside : part.outside;
+  const { front, rear } = action.place;
+  return segments.some(
+    ({ from, to }, i) => marks[i]?.tolerance !== undefined && (from.z + to.z) / 2 < front && (from.z + to.z) / 2 > rear,
+  );
+}
+
+/** A price that no time of cutting outweighs, s. */
+const NEVER = 100_000;
+
+/** Rules of the trade. "One tool as long as it can" needs none: a tool change costs its time. */
+const TRADE_RULES: readonly Rule[] = [
+  { rule: "faceFirst", first: isOf("face"), then: ({ kind }) => kind !== "face", cost: (r) => r.finishBeforeRough },
+  {
+    rule: "roughBeforeFinish",
+    first: isOf(...CHIPS, "centre", "drill"),
+    then: finishes,
+    cost: (r) => r.finishBeforeRough,
+  },
+  {
+    rule: "longBeforeThin",
+    first: isOf("roughOutside", "restRough"),
+    then: isOf("recess", "undercut"),
+    cost: (r) => r.thinBeforeLong,
+  },
+  {
+    rule: "outsideBeforeInside",
+    first: isOf("roughOutside"),
+    then: isOf("roughInside"),
+    cost: (r) => r.insideBeforeOutside,
+  },
+  {
+    rule: "outsideBeforeInside",
+    first: isOf("finishOutside"),
+    then: isOf("finishInside"),
+    cost: (r) => r.insideBeforeOutside,
+  },
+  { rule: null, first: isOf("centre"), then: isOf("drill"), cost: (r) => r.finishBeforeRough },
+  {
+    rule: "undercutBeforeThread",
+    first: isOf("recess", "undercut", "finishOutside", "finishInside"),
+    then: isOf("thread"),
+    cost: (r) => r.finishBeforeRough,
+  },
+  {
+    rule: "tolerancedLast",
+    first: (action, request) =>
+      isOf("finishOutside", "finishInside", "recess", "undercut")(action) && !isToleranced(action, request),
+    then: isToleranced,
+    cost: (r) => r.thinBeforeLong,
+  },
+  { rule: null, first: ({ kind }) => kind !== "partOff", then: isOf("partOff"), cost: () => NEVER },
+];
+
+/** The sides of the rules on which an action stands, as bits in the order of the rules. */
+interface Sides {
+  readonly first: number;
+  readonly then: number;
+}
+
+/** The rules of the trade for one request. */
+export class Trade {
+  private readonly known = new WeakMap<Action, Sides>();
+
+  constructor(private readonly request: PlanRequest) {}
+
+  /** What it costs to do an action after others, s. */
+  after(action: Action, done: readonly Action[]): number {
+    return this.cost(this.sides(action).first & done.reduce((bits, d) => bits | this.sides(d).then, 0));
+  }
+
+  /** What doing an action makes others cost that are still to be done, s. */
+  before(action: Action, waiting: readonly Action[]): number {
+    const bits = waiting.reduce((all, w) => (w.key === action.key ? all : all | this.sides(w).first), 0);
+    return this.cost(this.sides(action).then & bits);
+  }
+
+  /** The rule that puts an action behind the action before it; null where none does. */
+  between(before: Action, action: Action): TradeRule | null {
+    const bits = this.sides(before).first & this.sides(action).then;
+    return TRADE_RULES.find((_, i) => (bits & (1 << i)) !== 0)?.rule ?? null;
+  }
+
+  private cost(bits: number): number {
+    return bits === 0
+      ? 0
+      : TRADE_RULES.reduce((sum, { cost }, i) => (bits & (1 << i) ? sum + cost(this.request.rules) : sum), 0);
+  }
+
+  private sides(action: Action): Sides {
+    const known = this.known.get(action);
+    if (known) return known;
+    const bits = (side: "first" | "then") =>
+      TRADE_RULES.reduce((all, rule, i) => (rule[side](action, this.request) ? all | (1 << i) : all), 0);
+    const made = { first: bits("first"), then: bits("then") };
+    this.known.set(action, made);
+    return made;
+  }
+}
