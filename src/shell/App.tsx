@@ -13,6 +13,7 @@ import { lazyPart } from "../app/base/parts.ts";
 import { useCopying } from "../app/findings/copy.ts";
 import { prefetchIdle } from "../app/base/idle.ts";
 import { useSavedWorks } from "../app/records/keep.ts";
+import type { PartName } from "../i18n/parts.ts";
 import { fetchShownTexts, useTexts } from "../app/base/settings/use-texts.ts";
 import { useEditor } from "../app/document/store.ts";
 import { closeOver, workElsewhere, isCover, shownPage, usePlace, type Page } from "../app/place/place.ts";
@@ -36,15 +37,16 @@ import { fetchRestoreDialog, fetchOtherTabPage, fetchWorksPage } from "../featur
 
 /** Fetches a part together with the texts that it needs. */
 const withTexts =
-  <M,>(fetch: () => Promise<M>) =>
+  <M,>(fetch: () => Promise<M>, ...further: readonly PartName[]) =>
   async (): Promise<M> =>
-    (await Promise.all([fetch(), fetchShownTexts()]))[0];
+    (await Promise.all([fetch(), fetchShownTexts(...further)]))[0];
 const fetchWorkplace = withTexts(() => import("./Workplace.tsx"));
 const Workplace = lazyPart(async () => ({ default: (await fetchWorkplace()).Workplace }));
 const CopyByHand = lazyPart(async () => ({
   default: (await import("../app/fields/program/CopyByHand.tsx")).CopyByHand,
 }));
-const fetchTools = withTexts(fetchToolPage);
+// With all its texts: what came later would push the form and the table away.
+const fetchTools = withTexts(fetchToolPage, "tables", "tool-files", "tool-sheets", "tool-codes");
 const ToolPage = lazyPart(async () => ({ default: (await fetchTools()).ToolPage }));
 const fetchOwn = withTexts(fetchOwnPage);
 const OwnPage = lazyPart(async () => ({ default: (await fetchOwn()).OwnPage }));

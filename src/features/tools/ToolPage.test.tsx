@@ -8,13 +8,13 @@ import { shippedList } from "../../program/tools/tool-list.ts";
 import { writeTableText } from "../../program/tools/tool-table-text.ts";
 import { declareActions, onActionKey } from "../../app/base/actions.ts";
 import { historyActions } from "../../app/document/history.ts";
+import { fetchShownTexts } from "../../app/base/settings/use-texts.ts";
 import { changeSettings } from "../../app/base/settings/settings.ts";
 import { undo, historyOf } from "../../app/document/steps.ts";
 import { showToolKind, showTools, usePlace } from "../../app/place/place.ts";
 import { showToolNumber } from "../../app/document/tool-row.ts";
 import { editTools, toolRecord, toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
 import { toolTable } from "../../app/document/work-tools.ts";
-import { fetchToolPage } from "./index.ts";
 import { ToolPage } from "./ToolPage.tsx";
 
 const field = (name: string) => screen.getByRole<HTMLInputElement>("textbox", { name });
@@ -30,7 +30,8 @@ HTMLDialogElement.prototype.close = function close(this: HTMLDialogElement) {
   this.open = false;
 };
 
-beforeAll(async () => void (await fetchToolPage()));
+const fetchAllTexts = () => fetchShownTexts("tables", "tool-files", "tool-sheets", "tool-codes");
+beforeAll(fetchAllTexts);
 beforeEach(() => {
   changeSettings({ language: "en" });
   localStorage.removeItem("turnwise/tools");
@@ -117,7 +118,7 @@ test("TO by arrow keys goes in the direction of the arrow", async () => {
 
 test("numbers are shown in the format of the screen language", async () => {
   changeSettings({ language: "de" });
-  await fetchToolPage();
+  await fetchAllTexts();
   render(<ToolPage />);
   const user = userEvent.setup();
   expect(field("RS: Schneidenradius").value).toBe("0,8");

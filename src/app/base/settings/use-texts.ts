@@ -36,5 +36,8 @@ export function useTextsOrNull<N extends PartName>(name: N): PartContents<N> | n
   return texts ?? null;
 }
 
-/** Fetches the texts of the workplaces in the screen language. */
-export const fetchShownTexts = async (): Promise<void> => void (await fetchTexts(useSettings.getState().language));
+/** Fetches the texts of the workplaces in the screen language, and further parts. */
+export const fetchShownTexts = async (...further: readonly PartName[]): Promise<void> => {
+  const { language } = useSettings.getState();
+  await Promise.all(["workplace" as const, ...further].map((part) => fetchTexts(language, part)));
+};
