@@ -8,6 +8,8 @@ import { brokenBy } from "../tests/laws/cut-laws.ts";
 import type { FoundCase } from "../tests/laws/found-case.ts";
 import { brokenByPlan } from "../tests/laws/plan-laws.ts";
 import { situations } from "../tests/laws/situation.ts";
+import { arbitraryParts } from "../tests/planning/arbitrary-part.ts";
+import { brokenByPart, requestOf } from "../tests/planning/plan-laws.ts";
 
 /** Machining operations (Q215), and the number of set-ups for one process. */
 const OPERATIONS = [0, 1, 2, 3];
@@ -63,7 +65,21 @@ const option = (args: readonly string[], name: string, otherwise: number) => {
   return given ? Number(given.slice(name.length + 3)) : otherwise;
 };
 
+/** Plans random parts and prints those whose plan breaks a law. Returns 1 if there was one. */
+function plannedParts(cases: number, seed: number): number {
+  let bad = 0;
+  fc.sample(arbitraryParts, { numRuns: cases, seed }).forEach(({ part, features }, i) => {
+    const request = requestOf(part);
+    const said = request ? brokenByPart(request) : [];
+    if (said.length > 0) bad += 1;
+    if (said.length > 0) console.log(`part ${i} (${features.join(", ")}): ${said.join("; ")}`);
+  });
+  console.log(`${cases} parts planned, ${bad} broken`);
+  return bad > 0 ? 1 : 0;
+}
+
 /**
+ * `npm run laws -- --parts=N [-- --seed=N]`: plans N random parts and checks the laws of plans.
  * `npm run laws [-- --cases=N] [-- --seed=N] [-- --cycle=N]`: draws N set-ups of each cycle (10,000), cuts each twice
  * and checks every law. A set-up that breaks a law is written to tests/laws/found, where `npm test` tries it from then
  * on. Returns 1 if there was one.
@@ -74,6 +90,11 @@ export async function main(args: readonly string[]): Promise<number> {
     return 0;
   }
   const seed = option(args, "seed", Number(process.env["LAW_SEED"] ?? Date.now() % 2 ** 31));
+  const parts = option(args, "parts", 0);
+  if (parts > 0) {
+    console.log(`LAW_SEED=${seed}, ${parts} parts`);
+    return plannedParts(parts, seed);
+  }
   const [cases, only] = [option(args, "cases", 10_000), option(args, "cycle", 0)];
   console.log(`LAW_SEED=${seed}, ${cases} set-ups of each cycle`);
   const each = Math.ceil(cases / OPERATIONS.length);

@@ -2,6 +2,7 @@ import { areaOf } from "../kernel/area/area.ts";
 import { difference, intersection, opened, union } from "../kernel/area/clip.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
 import { at, type Ring } from "../kernel/geometry/point.ts";
+import { diameter, perSide } from "../kernel/units.ts";
 import { parse } from "../nc/parse.ts";
 import type { Program } from "../nc/program.ts";
 import { withHandOperation, withOperation, type OperationPlace } from "../program/edits/added-operation.ts";
@@ -37,14 +38,12 @@ export const withAction = (
   place?: OperationPlace,
 ) => (cut ? withHandOperation(program, job, cut, place) : withOperation(program, job, labels, place));
 
-/** Length of chamfer and relief that a thread runs over, in depths of the thread: a flank of 30°. */
-const RUN_OVER = 2;
-
-/** Where a thread cuts its grooves. */
-function groovesOf({ place: { front, rear, high, low } }: Action): Ring {
-  const over = RUN_OVER * (high - low);
-  return [at(rear - over, low), at(front + over, low), at(front + over, high), at(rear - over, high)];
-}
+const placeOf = ({ place: { front, rear, high, low } }: Action): Ring => [
+  at(rear, low),
+  at(front, low),
+  at(front, high),
+  at(rear, high),
+];
 
 /** Area of `a` outside `b` that is thicker than the error of chords, mm². */
 export const areaBeyond = (a: readonly Ring[], b: readonly Ring[]): number => areaOf(opened(difference(a, b), SLIVER));
@@ -60,7 +59,7 @@ export function leftBy(
 ): readonly Ring[] {
   const parted = proof.loose.filter(({ isPartedOff }) => isPartedOff).flatMap(({ rings }) => rings);
   const left = parted.length > 0 ? parted : final;
-  const threaded = actions.filter(({ threads }) => threads.length > 0).map(groovesOf);
+  const threaded = actions.filter(({ threads }) => threads.length > 0).map(placeOf);
   return threaded.length > 0 ? union(left, intersection(crests, threaded)) : left;
 }
 
@@ -71,11 +70,12 @@ export function applyAction(action: Action, { stock }: Pick<PlanState, "stock">,
   const made = runOn(stock, program, shop);
   const simulation = simulateCuts({ ...made, clamping });
   const faults = verdictOf(made, simulation).reasons.filter(({ kind }) => !NO_FAULT.has(kind));
-  const left = leftBy(simulation, [action], stock);
+  const own = intersection(stock, part.rings);
+  const left = leftBy(simulation, [action], own);
   const { cut, operations } = simulation.proof;
-  const most = request.rules.allowance.diameter / 2 + THICKEST;
+  const most = perSide(diameter(request.rules.allowance.diameter)) + THICKEST;
   const isThick = FINISHING.has(action.kind) && operations.some(({ thickest }) => (thickest?.depth ?? 0) > most);
-  const gouge = areaBeyond(intersection(stock, part.rings), left);
+  const gouge = areaBeyond(own, left);
   const isMade = action.threads.length > 0 || cut > LEAST_CUT;
   return {
     action,

@@ -1,4 +1,6 @@
 import { boxAround } from "../kernel/area/box.ts";
+import { difference, intersection } from "../kernel/area/clip.ts";
+import { at, type Ring } from "../kernel/geometry/point.ts";
 import { SAME } from "../kernel/tolerance.ts";
 import { missingFor, sideOf } from "./missing.ts";
 import { openRegions, type OpenRegion } from "./open-regions.ts";
@@ -76,12 +78,24 @@ function triedReason(isOpen: boolean, { tries, most }: Searching): "bound" | "fa
   return isOpen ? "fault" : "tool";
 }
 
+/** Farther than any stock, mm. */
+const FAR = 10_000;
+
+/** Material outside the part in connected pieces: that beside the part, and that behind its rear face. */
+function regionsLeft(end: PlanNode, { part }: PlanRequest): readonly OpenRegion[] {
+  const { left } = boxAround(part.rings);
+  const behind: Ring = [at(-FAR, -1), at(left, -1), at(left, FAR), at(-FAR, FAR)];
+  return [difference(end.stock, [behind]), intersection(end.stock, [behind])].flatMap((stock) =>
+    openRegions(stock, part),
+  );
+}
+
 /** What the end of a search leaves, with the reason and the tool that is missing. */
 export function* residueOf(end: PlanNode, s: Searching): Generator<PlanNode, readonly Residue[]> {
   const { request } = s;
   const failed = actionsIn(end, s);
   const left: Residue[] = [];
-  for (const region of openRegions(end.stock, request.part)) {
+  for (const region of regionsLeft(end, request)) {
     const { site, border } = sideOf(region, request.part);
     const chain = site === "inside" ? request.part.inside : request.part.outside;
     const rows = [...new Set(border.flatMap((i) => chain.marks[i]?.row ?? []))];

@@ -39,9 +39,9 @@ export function turnedVolume(area: readonly Ring[]): number {
   for (const ring of area) {
     let a: Pt | undefined = ring.at(-1);
     for (const b of ring) {
-      if (a) sum += ((a.z - b.z) * (a.r * a.r + a.r * b.r + b.r * b.r)) / 3;
+      if (a) sum += (a.z - b.z) * (a.r * a.r + a.r * b.r + b.r * b.r);
       a = b;
     }
   }
-  return Math.PI * sum;
+  return (Math.PI / 3) * sum;
 }

@@ -1,0 +1,85 @@
+import fc from "fast-check";
+import { describe, expect, test } from "vitest";
+import { planning } from "../../src/planning/plan.ts";
+import type { PlanRequest } from "../../src/planning/types.ts";
+import { arbitraryParts } from "./arbitrary-part.ts";
+import { partOfTrade } from "./parts.ts";
+import { brokenByPart, keysOf, planOf, requestOf } from "./plan-laws.ts";
+
+const of = (name: string): PlanRequest => {
+  const request = requestOf(partOfTrade(name));
+  if (!request) throw new Error(name);
+  return request;
+};
+
+/** Parts whose plans take little time; `npm run laws -- --parts=N` tries all and random ones. */
+test.each(["bolt", "dowel", "flange", "spacer", "spool", "thin-shaft"])("%s is made in one clamping", (name) => {
+  const plan = planOf(of(name));
+  expect([plan.judged.verdict, plan.isComplete]).toEqual(["proved", true]);
+  expect([...keysOf(plan), `${plan.seconds.toFixed(0)} s`, `T${plan.tools.join(" T")}`].join("\n")).toMatchSnapshot();
+});
+
+test("plans of random parts keep the laws", () => {
+  fc.assert(
+    fc.property(arbitraryParts, ({ part }) => {
+      const request = requestOf(part);
+      expect(request ? brokenByPart(request) : []).toEqual([]);
+    }),
+    { numRuns: 2 },
+  );
+});
+
+describe("a plan that exists", () => {
+  const request = of("spacer");
+  const plan = planOf(request);
+
+  test("is kept when nothing changed, with fewer tries", () => {
+    const again = planOf(request, { keep: plan.steps });
+    expect(keysOf(again)).toEqual(keysOf(plan));
+    expect(again.tries).toBeLessThan(plan.tries);
+  });
+
+  test("is kept up to the first step that a change concerns", () => {
+    const last = plan.steps.at(-1)?.tried.action.tool.T ?? 0;
+    const first = plan.steps.findIndex(({ tried }) => tried.action.tool.T === last);
+    const changed = planOf({ ...request, withoutTools: [last] }, { keep: plan.steps });
+    expect(keysOf(changed).slice(0, first)).toEqual(keysOf(plan).slice(0, first));
+    expect(changed.tools).not.toContain(last);
+  });
+
+  test("takes another way, and keeps it when something else changes", () => {
+    const at = plan.steps.findIndex(({ others }) => others.length > 0);
+    const actionKey = plan.steps[at]?.others[0]?.tried.action.key ?? "";
+    const other = planOf(request, { keep: plan.steps, instead: { at, actionKey } });
+    expect(other.steps[at]).toMatchObject({ isByHand: true, tried: { action: { key: actionKey } } });
+    expect(other.steps[at]?.why).toContainEqual({ kind: "byHand" });
+    expect(keysOf(planOf(request, { keep: other.steps }))[at]).toBe(actionKey);
+  });
+
+  test("keeps values that were changed by hand", () => {
+    const action = plan.steps.find(({ tried }) => tried.action.kind === "roughOutside")?.tried.action;
+    if (!action) throw new Error("no roughing");
+    const { job } = action;
+    const drafts = { ...job.drafts, [job.cycle]: { ...job.drafts[job.cycle], Q478: "0.11" } };
+    const changed = planOf(request, { locked: [{ ...action, job: { ...job, drafts } }] });
+    expect(changed.text).toContain("Q478=+0.11 ");
+    expect(changed.steps.find(({ tried }) => tried.action.key === action.key)?.isByHand).toBe(true);
+  });
+});
+
+test("what is left says which tool is missing, or what is excluded", () => {
+  const request = of("bush");
+  const bore = planOf(request).residue.find(({ site }) => site === "inside");
+  expect(bore).toMatchObject({ why: "tool", missing: { site: "inside", mostDiameter: expect.any(Number) as number } });
+  const thread = of("bolt");
+  const tools = thread.shop.tools.filter(({ TYPE }) => TYPE === "THREAD").map(({ T }) => T);
+  expect(planOf({ ...thread, withoutTools: tools }).residue).toMatchObject([
+    { region: null, missing: { form: "thread", thread: "M16" } },
+  ]);
+});
+
+test("a search says how far it is at every try", () => {
+  const told = [...planning(of("thin-shaft"))];
+  expect(told.map(({ tries }) => tries)).toEqual(told.map(({ tries }) => tries).toSorted((a, b) => a - b));
+  expect(told.at(-1)).toMatchObject({ done: expect.any(Array) as unknown[], left: expect.any(Number) as number });
+});
