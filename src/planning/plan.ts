@@ -1,9 +1,11 @@
 import { AnswerCache } from "../kernel/answer-cache.ts";
+import { parse } from "../nc/parse.ts";
 import { actionSources } from "./actions/index.ts";
 import { explained } from "./explain.ts";
 import { actionsIn, compareEnds, firstNode, nodeBehind, nodesOf, type PlanNode, type Searching } from "./plan-node.ts";
 import { residueOf } from "./residue.ts";
 import { beam, pruned } from "./search.ts";
+import { secondClamping } from "./second-clamping.ts";
 import { Trade } from "./trade-rules.ts";
 import { Tries } from "./tries.ts";
 import type { ActionSource, PlanRequest } from "./types.ts";
@@ -64,17 +66,24 @@ export function* planning(
   }
   const end = best ?? from;
   const steps = yield* reported(explained(end, hand, s), s, () => end);
-  const residue = yield* reported(residueOf(end, s), s, () => end);
+  const found = yield* reported(residueOf(end, s), s, () => end);
   const whole = wholeProgram(
     nodesOf(end).flatMap(({ tried }) => tried?.action ?? []),
     request,
   );
+  // What is left may be for the other end; a second clamping has no third.
+  const hasRegion = found.some(({ region }) => region !== null);
+  const other = hasRegion && !request.begun ? secondClamping(asked, end, parse(whole.text)) : null;
+  const second = other && (yield* planning(other, {}, sources));
+  const residue = second?.isComplete
+    ? found.map((each) => (each.region ? { ...each, why: "rear" as const } : each))
+    : found;
   return {
     ...whole,
     steps,
     residue,
     isComplete: whole.judged.verdict === "proved" && residue.every(({ why }) => why === "rear" || why === "clamping"),
-    second: null,
+    second,
     tries: s.tries.count,
   };
 }

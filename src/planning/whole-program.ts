@@ -32,7 +32,8 @@ function draftOf({ kind, diameter, length, face, size, tailstock, limit }: Clamp
 }
 
 /** A program with blank and clamping, and no operation. */
-function emptyOf({ part, blank, clamping }: PlanRequest): Program {
+function emptyOf({ part, blank, clamping, begun }: PlanRequest): Program {
+  if (begun) return begun;
   const program = parse(emptyProgram(part.name, cylinderAround(blank)));
   return clamping ? withClamping(program, draftOf(clamping.clamping)) : program;
 }
@@ -46,19 +47,21 @@ export type WholeProgram = Pick<
 /** The program of a plan, each action under its title, run and cut as one. */
 export function wholeProgram(actions: readonly Action[], request: PlanRequest): WholeProgram {
   const { shop, rules, labels, titles, part } = request;
-  // Operations on the same contour share its label.
+  // Operations on the same contour share its label; the blank may have one.
+  const begin = emptyOf(request);
+  const taken = begin.blocks.filter(({ statement: s }) => s.kind === "label" && s.label !== 0).length;
   const contours = new Map<string, number>();
   const program = actions.reduce((all, action) => {
     const rows = JSON.stringify(action.job.contour);
     const isOwn = action.cut !== undefined || action.job.contour.length === 0;
     const contour = contours.get(rows);
-    if (!isOwn && contour === undefined) contours.set(rows, contours.size + 1);
+    if (!isOwn && contour === undefined) contours.set(rows, taken + contours.size + 1);
     const title = titles?.[action.kind];
     return withAction(all, action, labels, {
       ...(title !== undefined && { title }),
       ...(!isOwn && contour !== undefined && { contour }),
     });
-  }, emptyOf(request));
+  }, begin);
   const text = print(program);
   const made = run(parse(text), shop);
   const simulation = simulate(made);

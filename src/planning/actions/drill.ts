@@ -5,7 +5,7 @@ import { intersection } from "../../kernel/area/clip.ts";
 import { at, part as geometry, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { CHORD, SAME } from "../../kernel/tolerance.ts";
-import { rounded } from "../../kernel/units.ts";
+import { radiusOf, rounded } from "../../kernel/units.ts";
 import { canDo } from "../../program/edits/hand-operation.ts";
 import { frontOf } from "../../program/job/stock-surface.ts";
 import { RUN_THROUGH } from "../../sim/behind-blank.ts";
@@ -89,7 +89,7 @@ function drillsFor(stock: readonly Ring[], request: PlanRequest): readonly Actio
   return drillsOf(request)
     .filter((tool) => canDo("drill", tool, { isInside: true, depth: 0 }))
     .flatMap((tool) => {
-      const reached = deepestPoint(tool, part, rules.allowance.diameter / 2);
+      const reached = deepestPoint(tool, part, radiusOf(rules.allowance.diameter));
       if (reached === null) return [];
       const z = Math.max(reached, front - (tool.CUTLENGTH ?? Infinity), boxAround(stock).left - RUN_THROUGH);
       const taken = areaOf(intersection(stock, [bodyOf(tool, z, front)]));

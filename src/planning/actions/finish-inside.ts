@@ -3,6 +3,7 @@ import { difference, offset, opened } from "../../kernel/area/clip.ts";
 import { part as geometry } from "../../kernel/geometry/point.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { CHORD, SAME, SLIVER } from "../../kernel/tolerance.ts";
+import { radiusOf } from "../../kernel/units.ts";
 import { isUsualTool } from "../../program/tools/which-tool.ts";
 import { cyclesFor } from "../../report/which/ways.ts";
 import { regionsOf } from "../../sim/region.ts";
@@ -25,7 +26,7 @@ export const finishInside: ActionSource = {
   actions(state, request) {
     const { part, rules, withoutCycles } = request;
     const { stock } = state;
-    const least = THIN * (rules.allowance.diameter / 2);
+    const least = THIN * radiusOf(rules.allowance.diameter);
     const thick = insideRegions(stock, part, least);
     // What is thicker is for a groove's own tool, for roughing, or for the second clamping.
     const heavy = offset(

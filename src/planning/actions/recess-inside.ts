@@ -2,6 +2,7 @@ import { boxAround } from "../../kernel/area/box.ts";
 import { at, part as geometry, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
 import { worksAcross } from "../../cycles/use.ts";
+import { radiusOf } from "../../kernel/units.ts";
 import { frontOf } from "../../program/job/stock-surface.ts";
 import { isUsualTool } from "../../program/tools/which-tool.ts";
 import { cyclesFor } from "../../report/which/ways.ts";
@@ -77,7 +78,7 @@ function recessing(region: OpenRegion, stock: readonly Ring[], request: PlanRequ
 export const recessInside: ActionSource = {
   kind: "recess",
   actions: (state, request) => {
-    const thick = THICK * (request.rules.allowance.diameter / 2);
+    const thick = THICK * radiusOf(request.rules.allowance.diameter);
     const rough = insideRegions(state.stock, request.part, thick);
     const regions = rough.length > 0 ? rough : insideRegions(state.stock, request.part);
     const grooves = regions.slice(0, MOST_REGIONS).flatMap((region) => recessing(region, state.stock, request));

@@ -1,6 +1,7 @@
 import type { Ring } from "../../kernel/geometry/point.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { SAME } from "../../kernel/tolerance.ts";
+import { radiusOf } from "../../kernel/units.ts";
 import { isUsualTool } from "../../program/tools/which-tool.ts";
 import { cyclesFor } from "../../report/which/ways.ts";
 import type { OpenRegion } from "../open-regions.ts";
@@ -17,7 +18,7 @@ const [MOST_REGIONS, MOST_TOOLS] = [2, 2];
 const isSlim = ({ TYPE }: Tool) => TYPE === "FINISH";
 
 function roughing(region: OpenRegion, stock: readonly Ring[], request: PlanRequest): readonly Action[] {
-  const oversize = request.rules.allowance.diameter / 2;
+  const oversize = radiusOf(request.rules.allowance.diameter);
   const section = sectionInBore(stock, request.part, region, { oversize, more: ROUGH_BEYOND });
   if (!section) return [];
   const { segments, way, isDeep } = section;
@@ -48,7 +49,7 @@ export const roughInside: ActionSource = {
   kind: "roughInside",
   actions: (state, request) =>
     notDone(
-      insideRegions(state.stock, request.part, THICK * (request.rules.allowance.diameter / 2))
+      insideRegions(state.stock, request.part, THICK * radiusOf(request.rules.allowance.diameter))
         .slice(0, MOST_REGIONS)
         .flatMap((region) => roughing(region, state.stock, request)),
       state,
