@@ -231,3 +231,23 @@ test("a corner of an insert grown by a disc becomes an arc of that radius", () =
     expect(Math.hypot(edgeEnd(e).u - edgeStart(next).u, edgeEnd(e).v - edgeStart(next).v)).toBeLessThan(1e-9);
   });
 });
+
+test("an arc whose rounded end is off its circle leaves no gap to the next element", () => {
+  const centre = { u: 0, v: 0 };
+  const arc = (end: number): Bound => ({
+    segment: { kind: "arc", from: { u: 0, v: 0.5 }, to: { u: 0.473, v: end }, centre, turn: "cw" },
+    on: "contour",
+  });
+  const bar = tools.find(({ TYPE }) => TYPE === "RECTURN");
+  // On the circle it would end at 0.162: once outside, once inside.
+  for (const end of [0.163, 0.161]) {
+    const line: Bound = {
+      segment: { kind: "line", from: { u: 0.473, v: end }, to: { u: 4, v: -10 } },
+      on: "contour",
+    };
+    const envelope = bar ? reachOver([arc(end), line], insertShape(bar)) : [];
+    const gaps = envelope.slice(1).filter(({ u0 }, i) => u0 - (envelope[i]?.u1 ?? u0) > 1e-9);
+    expect(envelope.length).toBeGreaterThan(1);
+    expect(gaps).toEqual([]);
+  }
+});

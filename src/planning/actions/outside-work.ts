@@ -58,6 +58,21 @@ export function rearOf(request: PlanRequest, stock: readonly Ring[]): number {
   return Math.max(rear, boxAround(stock).left, ...jaws);
 }
 
+const QUARTER = Math.PI / 2;
+
+/** An arc as pieces that only rise or only fall, along both axes; a line as it is. */
+function oneWay(s: Segment): readonly Segment[] {
+  if (s.kind === "line") return [s];
+  const { start, sweep, startRadius } = part.polarOf(s);
+  const [low, high] = [Math.min(start, start + sweep), Math.max(start, start + sweep)];
+  const first = Math.floor(low / QUARTER) + 1;
+  const angles = Array.from({ length: Math.max(0, Math.ceil(high / QUARTER) - first) }, (_, i) => (first + i) * QUARTER)
+    .filter((a) => Math.min(a - low, high - a) * startRadius > SAME)
+    .toSorted((a, b) => (a - b) * Math.sign(sweep));
+  const points = [s.from, ...angles.map((a) => part.onCircle(s.centre, startRadius, a)), s.to];
+  return points.slice(1).map((to, i) => ({ ...s, from: points[i] ?? s.from, to }));
+}
+
 /**
  * The chain up to the rearmost cut, continued along Z where that lies behind it, with the shoulder of the stock that
  * stays there.
@@ -65,8 +80,9 @@ export function rearOf(request: PlanRequest, stock: readonly Ring[]): number {
 function reachable({ outside }: PlannedPart, rear: number, stock: readonly Ring[]): Chain {
   const segments: Segment[] = [];
   const marks: ElementMark[] = [];
-  outside.segments.forEach((s, i) => {
-    const mark = outside.marks[i] ?? { row: "" };
+  const pieces = outside.segments.flatMap((s, i) => oneWay(s).map((piece) => [piece, outside.marks[i]] as const));
+  pieces.forEach(([s, of]) => {
+    const mark = of ?? { row: "" };
     if (s.from.z < rear - SAME && s.to.z < rear - SAME) return;
     const cut = s.kind === "line" && s.to.z < rear - SAME ? part.line(s.from, onLine(s, rear)) : s;
     segments.push(cut);

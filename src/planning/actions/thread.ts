@@ -1,12 +1,12 @@
 import { valuesOfThread, type ThreadFill } from "../../cycles/thread-values.ts";
 import type { Cycle } from "../../cycles/define.ts";
-import { noseRadius } from "../../kernel/cutter/insert.ts";
+import { cutLength, noseRadius, USUAL_TOOTH } from "../../kernel/cutter/insert.ts";
 import type { Aim, NamedThread } from "../../kernel/thread/named-thread.ts";
 import { readThread } from "../../kernel/thread/threads.ts";
 import { boxOf } from "../../kernel/area/box.ts";
 import { part, type Ring } from "../../kernel/geometry/point.ts";
 import { CHORD, SAME } from "../../kernel/tolerance.ts";
-import { axial, diameter, radius, radiusOf, rounded, roundedUp, toDiameter } from "../../kernel/units.ts";
+import { axial, diameter, radians, radius, radiusOf, rounded, roundedUp, toDiameter } from "../../kernel/units.ts";
 import { jobFor, tipAtCall, withValue } from "../../program/job/requested-job.ts";
 import type { SetJob } from "../../program/job/job.ts";
 import { hasAngleOf } from "../../program/tools/thread-tool.ts";
@@ -81,7 +81,7 @@ function threadings(
   const isRelieved = !next || next.to.r < box.high - SAME;
   const across = toDiameter(radius(box.high));
   const corner = (z: number) => ({ diameter: diameter(rounded(across)), z: axial(rounded(z)) });
-  const cycles = cyclesFor({
+  const wanted = {
     site: "outside",
     shape: "thread",
     from: corner(front),
@@ -90,36 +90,25 @@ function threadings(
     pitch: named.pitch,
     contour: null,
     allowance: 0,
-  }).filter(({ number }) => !request.withoutCycles.includes(number));
+  } as const;
+  const cycles = cyclesFor(wanted).filter(({ number }) => !request.withoutCycles.includes(number));
   return cycles.flatMap((cycle) =>
     toolsOf(request)
       .filter((tool) => hasAngleOf(named, tool))
       .flatMap((tool): readonly Action[] => {
         const fill = fillOf(named, cycle, across, noseRadius(tool));
         if (!fill) return [];
-        // The tooth leaves the material where the relief is as deep as the thread.
         const root = radiusOf(fill.cut.root);
-        const end = isRelieved ? reliefFrom(chain, place, root) : box.left;
-        const begun = jobFor(
-          cycle,
-          {
-            site: "outside",
-            shape: "thread",
-            from: corner(front),
-            to: corner(end),
-            angle: 0,
-            pitch: named.pitch,
-            contour: null,
-            allowance: 0,
-          },
-          stock,
-        );
+        const deep = isRelieved ? reliefFrom(chain, place, root) : box.left;
+        // In a short relief the tooth stops in front of the shoulder, and rises on the way to that place.
+        const shoulder = isRelieved ? shoulderBehind(chain, place) : null;
+        const tooth = Math.min(cutLength(tool) ?? USUAL_TOOTH, (shoulder?.r ?? root) - root);
+        const half = Math.tan(radians(named.angle) / 2) * tooth + noseRadius(tool);
+        const end = shoulder ? Math.max(deep, shoulder.z + named.pitch + half) : deep;
+        const rise = isRelieved ? Math.max(0, end > deep ? box.left - end : 0) : RUN_OUT * named.pitch;
+        const begun = jobFor(cycle, { ...wanted, to: corner(end) }, stock);
         const filled = Object.entries(fill.values).reduce((job, [q, value]) => withValue(job, q, value), begun);
-        const job = clearOf(
-          withValue(filled, "Q474", isRelieved ? 0 : rounded(RUN_OUT * named.pitch)),
-          box.left,
-          stock,
-        );
+        const job = clearOf(withValue(filled, "Q474", rounded(rise)), box.left, stock);
         const cut = {
           operation: "both",
           work: "thread",
@@ -137,6 +126,13 @@ function threadings(
         return [{ ...action, place: made, threads: [threadId(chain, place)] }];
       }),
   );
+}
+
+/** The shoulder behind a thread: the end of the first element that rises over its crest. */
+function shoulderBehind({ segments }: Chain, { last }: ThreadPlace): { readonly z: number; readonly r: number } | null {
+  const high = segments[last]?.to.r ?? 0;
+  const over = segments.slice(last + 1).find(({ to }) => to.r > high + SAME);
+  return over ? { z: over.to.z, r: over.to.r } : null;
 }
 
 /** Z from which on the relief behind a thread is at least as deep as its root. */
