@@ -69,11 +69,12 @@ export function applyAction(action: Action, { stock }: Pick<PlanState, "stock">,
   const made = runOn(stock, program, shop);
   const simulation = simulateCuts({ ...made, clamping });
   const faults = verdictOf(made, simulation).reasons.filter(({ kind }) => !NO_FAULT.has(kind));
-  const left = leftBy(simulation, [action], stock);
+  const own = intersection(stock, part.rings);
+  const left = leftBy(simulation, [action], own);
   const { cut, operations } = simulation.proof;
   const most = request.rules.allowance.diameter / 2 + THICKEST;
   const isThick = FINISHING.has(action.kind) && operations.some(({ thickest }) => (thickest?.depth ?? 0) > most);
-  const gouge = areaBeyond(intersection(stock, part.rings), left);
+  const gouge = areaBeyond(own, left);
   const isMade = action.threads.length > 0 || cut > LEAST_CUT;
   return {
     action,

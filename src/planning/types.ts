@@ -2,6 +2,7 @@ import type { Site } from "../cycles/shape-request.ts";
 import type { Clamped } from "../kernel/area/clamping.ts";
 import type { Ring, Segment } from "../kernel/geometry/point.ts";
 import type { Tool } from "../kernel/plan/tool.ts";
+import type { Program } from "../nc/program.ts";
 import type { Statement } from "../nc/statement.ts";
 import type { SetJob } from "../program/job/job.ts";
 import type { Labels } from "../program/job/print-job.ts";
@@ -71,6 +72,8 @@ export interface PlanRequest {
   readonly withoutCycles: readonly number[];
   readonly withoutTools: readonly number[];
   readonly labels: Labels;
+  /** The program that the operations are added to; absent: an empty one with a cylinder around the blank. */
+  readonly begun?: Program;
   /** Words of the structure item of each kind of operation, in the language of the labels; absent: none. */
   readonly titles?: Readonly<Record<ActionKind, string>>;
 }

@@ -11,7 +11,7 @@ import type { Sweep } from "./sweep.ts";
 /** Contact tolerance at the rear plane and the outside of a blank, mm. */
 const MEETS = 0.01;
 /** A drill or a boring bar may run through the far end of a bore by this much, mm: a spindle is hollow. */
-const RUN_THROUGH = 5;
+export const RUN_THROUGH = 5;
 /** Length of the outside that must remain at the rear end to leave something to grip, mm. */
 const LEAST_HELD = 1;
 

@@ -81,13 +81,12 @@ function upToZ(section: readonly Segment[], z: number): readonly Segment[] {
   return [...section.slice(0, last), { ...s, to: geometry.pointOn(s, crossing(s, z)) }];
 }
 
-/** The share of a segment at which it passes a place along an axis. */
-export function crossing(s: Segment, value: number, axis: "z" | "r" = "z"): number {
-  const falls = s.from[axis] > s.to[axis];
+/** The share of a segment at which it passes a Z. */
+function crossing(s: Segment, z: number): number {
   let [low, high] = [0, 1];
   for (let i = 0; i < HALVINGS; i += 1) {
     const k = (low + high) / 2;
-    [low, high] = geometry.pointOn(s, k)[axis] > value === falls ? [k, high] : [low, k];
+    [low, high] = geometry.pointOn(s, k).z > z ? [k, high] : [low, k];
   }
   return high;
 }
@@ -115,6 +114,8 @@ function coneFront(stock: readonly Ring[], bottom: number, clear: number): numbe
 /** A section of the contour, and the way to it. */
 export interface BoreSection extends Section {
   readonly way: BoreWay;
+  /** It begins behind the front of the stock. */
+  readonly isDeep: boolean;
 }
 
 /**
@@ -142,20 +143,27 @@ export function sectionInBore(
   const isDeep = isBehind && (isWall || begin.z < front - AHEAD);
   const z = atFront(isDeep && !isWall ? Math.max(begin.z, box.right) : box.right);
   // The cone that a drill has left is taken by passes of its own, from its front.
-  const rear = isDeep ? -Infinity : coneFront(stock, bottom, clear);
-  const along = clearRadius(stock, Math.max(box.left, rear), front);
+  const cone = isDeep ? -Infinity : coneFront(stock, bottom, clear);
+  const along = clearRadius(stock, Math.max(box.left, cone), front);
+  // Behind the part it goes no farther than the bore does.
+  const end = part.inside.segments.at(-1)?.to.z ?? 0;
+  const open = solidFrom(stock, along - BESIDE);
+  const rear = open <= end + SAME ? Math.max(cone, Math.min(end, open)) : cone;
   const segments = upToZ(isDeep && isWall ? beside : whole, rear);
   const low = Math.min(along, isDeep ? box.low : Infinity) - BESIDE;
-  return segments.length > 0 ? { segments, marks, way: { z, clear, low } } : null;
+  return segments.length > 0 ? { segments, marks, way: { z, clear, low }, isDeep } : null;
 }
 
 /** The least radius at which the tip of a bar may be in a bore, so that its body is clear of the opposite wall. */
 const leastTip = (tool: Tool, bore: number): number =>
   -Math.min(0, ...holderOutlines(tool).flatMap((ring) => ring.map(({ r }) => r))) - bore;
 
+/** The same with a clearance. */
+export const startLimit = (tool: Tool, bore: number): number => leastTip(tool, bore) + BESIDE;
+
 /** Radius at which the tip of a bar starts; null where the bar is too thick. */
 export function startFor(tool: Tool, { clear, low }: BoreWay): number | null {
-  const r = Math.max(0, low, leastTip(tool, clear) + BESIDE);
+  const r = Math.max(0, low, startLimit(tool, clear));
   return r <= clear - BESIDE && (tool.DMIN ?? 0) <= toDiameter(radius(clear)) ? r : null;
 }
 

@@ -76,6 +76,17 @@ function startOf(cycle: Cycle, { segments, way, stock }: ContourWork): { readonl
   return way === "ahead" && z > all.right ? { z, r: top } : { z, r: Math.max(top, clear) + ABOVE };
 }
 
+/** The contour of the rows of a job, read once for all tools. */
+const contours = new WeakMap<SetJob["contour"], readonly Segment[]>();
+
+function contourOf({ contour: rows }: SetJob): readonly Segment[] {
+  const known = contours.get(rows);
+  if (known) return known;
+  const { segments } = readRows(rows).contour;
+  contours.set(rows, segments);
+  return segments;
+}
+
 /** The plan of a job with a tool; null where its values or its contour make none. Cached where there is a memory. */
 export function planOf(cycle: Cycle, job: SetJob, tool: Tool, memory?: AnswerCache): Plan | null {
   if (!memory) return madePlan(cycle, job, tool);
@@ -91,6 +102,6 @@ function madePlan(cycle: Cycle, job: SetJob, tool: Tool): Plan | null {
   const { values } = readDraft(cycle, job.drafts[cycle.number] ?? {});
   if (!values) return null;
   const start = tipAtCall(job);
-  const contour = cycle.contour === "free" ? readRows(job.contour).contour.segments : null;
+  const contour = cycle.contour === "free" ? contourOf(job) : null;
   return cycle.plan(values, { start, tool, feedUnit: "mm/rev", autoFeed: null, stock: null }, { contour, start });
 }

@@ -8,6 +8,7 @@ import { CHORD, SAME } from "../../kernel/tolerance.ts";
 import { rounded } from "../../kernel/units.ts";
 import { canDo } from "../../program/edits/hand-operation.ts";
 import { frontOf } from "../../program/job/stock-surface.ts";
+import { RUN_THROUGH } from "../../sim/behind-blank.ts";
 import type { Action, ActionSource, ElementMark, PlannedPart, PlanRequest } from "../types.ts";
 import { insideOf } from "./bore.ts";
 import { beyondRear, ROUGH_BEYOND } from "./bore-turning.ts";
@@ -90,7 +91,7 @@ function drillsFor(stock: readonly Ring[], request: PlanRequest): readonly Actio
     .flatMap((tool) => {
       const reached = deepestPoint(tool, part, rules.allowance.diameter / 2);
       if (reached === null) return [];
-      const z = Math.max(reached, front - (tool.CUTLENGTH ?? Infinity));
+      const z = Math.max(reached, front - (tool.CUTLENGTH ?? Infinity), boxAround(stock).left - RUN_THROUGH);
       const taken = areaOf(intersection(stock, [bodyOf(tool, z, front)]));
       return taken < LEAST ? [] : [{ tool, z, taken }];
     })

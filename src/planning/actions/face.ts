@@ -8,6 +8,9 @@ import { isUsualTool } from "../../program/tools/which-tool.ts";
 import { cyclesFor } from "../../report/which/ways.ts";
 import type { Action, ActionSource } from "../types.ts";
 
+/** Overlap of a face over a bore, mm: the nose of the insert leaves nothing at its edge. */
+const OVER_BORE = 2;
+
 /** Faces the front of the stock to Z0. */
 export const face: ActionSource = {
   kind: "face",
@@ -24,7 +27,7 @@ export const face: ActionSource = {
       site: "face",
       shape: "step",
       from: corner(high, front),
-      to: corner(low, end),
+      to: corner(Math.max(0, low - OVER_BORE), end),
       angle: 0,
       pitch: 0,
       contour: null,

@@ -1,15 +1,17 @@
 import { boxAround } from "../../kernel/area/box.ts";
+import { difference, offset, opened } from "../../kernel/area/clip.ts";
 import { part as geometry } from "../../kernel/geometry/point.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
-import { CHORD, SAME } from "../../kernel/tolerance.ts";
+import { CHORD, SAME, SLIVER } from "../../kernel/tolerance.ts";
 import { isUsualTool } from "../../program/tools/which-tool.ts";
 import { cyclesFor } from "../../report/which/ways.ts";
+import { regionsOf } from "../../sim/region.ts";
+import { LEAST_REGION } from "../open-regions.ts";
 import type { ActionSource } from "../types.ts";
 import { insideRegions } from "./bore.ts";
 import { barActions, barsOf, freeInside, plungings, sectionInBore } from "./bore-turning.ts";
 import { notDone } from "./candidates.ts";
 import { finestOf } from "./finest.ts";
-import { grooveOf } from "./recess-inside.ts";
 
 /** Thicker material is roughed first, in oversizes. */
 const THIN = 2.4;
@@ -23,11 +25,20 @@ export const finishInside: ActionSource = {
   actions(state, request) {
     const { part, rules, withoutCycles } = request;
     const { stock } = state;
-    const left = insideRegions(stock, part);
-    const thick = insideRegions(stock, part, THIN * (rules.allowance.diameter / 2));
-    // A groove is cut by its own tool, before or behind.
-    if (left.length === 0 || thick.some((region) => !grooveOf(part, region))) return [];
-    const all = left.flatMap(({ rings }) => rings);
+    const least = THIN * (rules.allowance.diameter / 2);
+    const thick = insideRegions(stock, part, least);
+    // What is thicker is for a groove's own tool, for roughing, or for the second clamping.
+    const heavy = offset(
+      thick.flatMap(({ rings }) => rings),
+      least,
+    );
+    const thin = difference(
+      insideRegions(stock, part).flatMap(({ rings }) => rings),
+      heavy,
+    );
+    const left = regionsOf(opened(thin, SLIVER), LEAST_REGION);
+    if (left.length === 0) return [];
+    const all = left.flatMap(({ outline, holes }) => [outline, ...holes]);
     const region = { rings: all, box: boxAround(all), area: left.reduce((sum, { area }) => sum + area, 0) };
     const section = sectionInBore(stock, part, region);
     const last = section?.segments.at(-1);

@@ -12,6 +12,7 @@ import { roughInside } from "./rough-inside.ts";
 import { roughOutside } from "./rough-outside.ts";
 import { thread } from "./thread.ts";
 import { threadInside } from "./thread-inside.ts";
+import { undercut } from "./undercut.ts";
 
 /** Every kind of action, one file and one line each, in the usual order of a working plan. */
 export const actionSources: readonly ActionSource[] = [
@@ -25,6 +26,7 @@ export const actionSources: readonly ActionSource[] = [
   recessInside,
   finishOutside,
   finishInside,
+  undercut,
   thread,
   threadInside,
   partOff,

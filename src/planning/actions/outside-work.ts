@@ -116,8 +116,19 @@ export interface OutsideWork {
   readonly pockets: readonly Pocket[];
 }
 
+/** The work of the stocks of a request, which every source asks for. */
+const known = new WeakMap<PlanRequest, WeakMap<readonly Ring[], OutsideWork>>();
+
 /** What is left to turn outside in a state. */
-export function outsideWork({ stock }: PlanState, request: PlanRequest): OutsideWork {
+export function outsideWork({ stock }: Pick<PlanState, "stock">, request: PlanRequest): OutsideWork {
+  const works = known.get(request) ?? new WeakMap<readonly Ring[], OutsideWork>();
+  known.set(request, works);
+  const work = works.get(stock) ?? workIn(stock, request);
+  works.set(stock, work);
+  return work;
+}
+
+function workIn(stock: readonly Ring[], request: PlanRequest): OutsideWork {
   const { allowance } = request.rules;
   const rear = rearOf(request, stock);
   const chain = reachable(request.part, rear, stock);

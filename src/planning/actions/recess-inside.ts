@@ -1,51 +1,57 @@
 import { boxAround } from "../../kernel/area/box.ts";
-import { part as geometry } from "../../kernel/geometry/point.ts";
-import type { Ring, Segment } from "../../kernel/geometry/point.ts";
-import { CHORD, SAME } from "../../kernel/tolerance.ts";
+import { at, part as geometry, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
+import { CHORD } from "../../kernel/tolerance.ts";
 import { worksAcross } from "../../cycles/use.ts";
 import { frontOf } from "../../program/job/stock-surface.ts";
 import { isUsualTool } from "../../program/tools/which-tool.ts";
 import { cyclesFor } from "../../report/which/ways.ts";
-import type { OpenRegion } from "../open-regions.ts";
-import type { Action, ActionSource, PlannedPart, PlanRequest } from "../types.ts";
+import { borderOf, type OpenRegion } from "../open-regions.ts";
+import type { Action, ActionSource, Chain, PlannedPart, PlanRequest } from "../types.ts";
 import { boredTo, clearRadius, insideRegions } from "./bore.ts";
-import { barActions, barsOf, crossing, freeInside, sectionOf, type BoreWay, type Section } from "./bore-turning.ts";
+import { barActions, barsOf, freeInside, type BoreWay, type Section } from "./bore-turning.ts";
 import { notDone } from "./candidates.ts";
+import { pocketsOf, type Pocket } from "./pockets.ts";
 import { THICK } from "./rough-inside.ts";
 
 /** Clearance of the start point below the wall of the bore, mm. */
 const BESIDE = 0.5;
 /** The bore beside a groove is measured so far within it, mm. */
 const WITHIN = 0.3;
-/** Shallower sections are no grooves, mm. */
-const SHALLOWEST = 0.1;
-/** Most grooves, and most tools for each, that are proposed. */
-const [MOST_GROOVES, MOST_TOOLS] = [2, 2];
+/** Most regions, and most tools for each, that are proposed. */
+const [MOST_REGIONS, MOST_TOOLS] = [3, 2];
 
-/** A section whose walls end at its mouth; null where it is not wider than the bore at both of its ends. */
-function sunk(segments: readonly Segment[]): readonly Segment[] | null {
-  const { high } = boxAround([geometry.flattenedChain(segments, CHORD)]);
-  const [first, last] = [segments[0], segments.at(-1)];
-  if (!first || !last || segments.length < 2) return null;
-  const mouth = Math.max(first.from.r, last.to.r);
-  if (mouth > high - SHALLOWEST) return null;
-  const cut = (s: Segment) => geometry.pointOn(s, crossing(s, mouth, "r"));
-  const begin = first.from.r < mouth - SAME ? { ...first, from: cut(first) } : first;
-  const end = last.to.r < mouth - SAME ? { ...last, to: cut(last) } : last;
-  return [begin, ...segments.slice(1, -1), end];
+/** The same element on the other side of the axis: what is deep in a bore is low there. */
+const mirrored = (s: Segment): Segment => {
+  const over = ({ z, r }: Pt) => at(z, -r);
+  const ends = { from: over(s.from), to: over(s.to) };
+  return s.kind === "line"
+    ? { ...s, ...ends }
+    : { ...s, ...ends, centre: over(s.centre), turn: s.turn === "cw" ? "ccw" : "cw" };
+};
+
+/** The grooves of a bore are the same for every stock. */
+const known = new WeakMap<Chain, readonly Pocket[]>();
+
+function groovesOf(inside: Chain): readonly Pocket[] {
+  const before = known.get(inside);
+  if (before) return before;
+  const found = pocketsOf({ ...inside, segments: inside.segments.map(mirrored) }, "r");
+  const grooves = found.map((groove) => ({ ...groove, segments: groove.segments.map(mirrored) }));
+  known.set(inside, grooves);
+  return grooves;
 }
 
-/** The section of a groove in a bore with the marks of its elements; null for other regions. */
-export function grooveOf(part: PlannedPart, region: OpenRegion): Section | null {
-  const { segments, marks } = sectionOf(part, region);
-  const groove = sunk(segments);
-  return groove && { segments: groove, marks };
+/** The groove in a bore that a region lies in, with walls up to its mouth; null for other regions. */
+export function grooveOf({ inside }: PlannedPart, region: OpenRegion): Section | null {
+  const border = borderOf(inside, region);
+  if (!border) return null;
+  return groovesOf(inside).find(({ first, last }) => border[0] >= first && border[1] <= last) ?? null;
 }
 
 function recessing(region: OpenRegion, stock: readonly Ring[], request: PlanRequest): readonly Action[] {
-  const { box } = region;
   const { segments = [], marks = [] } = grooveOf(request.part, region) ?? {};
   const first = segments[0]?.from;
+  const box = boxAround([geometry.flattenedChain(segments, CHORD)]);
   if (!first || boredTo(stock) > box.left) return [];
   const clear = clearRadius(stock, box.left + WITHIN, frontOf(stock));
   const way: BoreWay = { z: first.z, clear, low: clear - BESIDE };
@@ -57,7 +63,7 @@ function recessing(region: OpenRegion, stock: readonly Ring[], request: PlanRequ
     depth: box.high - clear,
     ...(fine.length > 0 && { roughness: Math.min(...fine) }),
   } as const;
-  const work = { kind: "recess", wanted, region, way, cut, most: MOST_TOOLS } as const;
+  const work = { kind: "recess", wanted, region: { box }, way, cut, most: MOST_TOOLS } as const;
   return cyclesFor(wanted)
     .filter((c) => c.group === "recessing" || c.group === "recessTurning")
     .filter((c) => !worksAcross(c) && !request.withoutCycles.includes(c.number))
@@ -74,7 +80,8 @@ export const recessInside: ActionSource = {
     const thick = THICK * (request.rules.allowance.diameter / 2);
     const rough = insideRegions(state.stock, request.part, thick);
     const regions = rough.length > 0 ? rough : insideRegions(state.stock, request.part);
-    const grooves = regions.flatMap((region) => recessing(region, state.stock, request));
-    return notDone(grooves.slice(0, MOST_GROOVES * MOST_TOOLS), state);
+    const grooves = regions.slice(0, MOST_REGIONS).flatMap((region) => recessing(region, state.stock, request));
+    const distinct = grooves.filter(({ key }, i) => grooves.findIndex((other) => other.key === key) === i);
+    return notDone(distinct, state);
   },
 };

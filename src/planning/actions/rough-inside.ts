@@ -1,4 +1,5 @@
 import type { Ring } from "../../kernel/geometry/point.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { isUsualTool } from "../../program/tools/which-tool.ts";
 import { cyclesFor } from "../../report/which/ways.ts";
@@ -13,11 +14,13 @@ export const THICK = 1.6;
 /** Most regions, and most tools for each, that are proposed. */
 const [MOST_REGIONS, MOST_TOOLS] = [2, 2];
 
+const isSlim = ({ TYPE }: Tool) => TYPE === "FINISH";
+
 function roughing(region: OpenRegion, stock: readonly Ring[], request: PlanRequest): readonly Action[] {
   const oversize = request.rules.allowance.diameter / 2;
   const section = sectionInBore(stock, request.part, region, { oversize, more: ROUGH_BEYOND });
   if (!section) return [];
-  const { segments, way } = section;
+  const { segments, way, isDeep } = section;
   const wanted = freeInside(segments);
   // The cone that a drill has left on a flat bottom is faced from the axis on.
   const hasFloor = (segments.at(-1)?.to.r ?? 1) < SAME;
@@ -26,11 +29,16 @@ function roughing(region: OpenRegion, stock: readonly Ring[], request: PlanReque
     .filter(({ group }) => group === "longitudinal" || (group === "transverse" && hasFloor))
     .filter(({ number }) => !request.withoutCycles.includes(number))
     .flatMap((cycle) => {
-      const tools = barsOf(request, (t) => isUsualTool(cycle.group, t) && t.TYPE !== "FINISH");
+      const tools = barsOf(request, (t) => isUsualTool(cycle.group, t));
+      const [strong, slim] = [tools.filter((t) => !isSlim(t)), tools.filter(isSlim)];
       return plungings(segments).flatMap((plunges) => {
         const into = plunges === undefined ? {} : { plunges };
         const work = { kind: "roughInside", wanted, region, way, cut, most: MOST_TOOLS, ...into } as const;
-        return barActions(work, cycle, tools, stock, request);
+        return [
+          ...barActions(work, cycle, strong, stock, request),
+          // What the strong inserts cannot reach behind a neck.
+          ...(isDeep && plunges !== false ? barActions({ ...work, most: 1 }, cycle, slim, stock, request) : []),
+        ];
       });
     });
 }

@@ -6,7 +6,7 @@ import type { Box } from "../../kernel/geometry/segments.ts";
 import type { NamedThread } from "../../kernel/thread/named-thread.ts";
 import { readThread } from "../../kernel/thread/threads.ts";
 import { CHORD, SAME } from "../../kernel/tolerance.ts";
-import { axial, diameter, radius, radiusOf, rounded, toDiameter } from "../../kernel/units.ts";
+import { axial, diameter, radius, radiusOf, rounded, roundedDown, toDiameter } from "../../kernel/units.ts";
 import { frontOf } from "../../program/job/stock-surface.ts";
 import { withValue } from "../../program/job/requested-job.ts";
 import { coreOf, hasTap, isTapOf } from "../../program/tools/tap-of-thread.ts";
@@ -15,7 +15,7 @@ import { cyclesFor } from "../../report/which/ways.ts";
 import { borderOf } from "../open-regions.ts";
 import type { Action, ActionSource, PlanRequest, PlanState } from "../types.ts";
 import { clearRadius, insideRegions, solidFrom } from "./bore.ts";
-import { barsOf, heldBar, jobInside, startFor, type BoreWay } from "./bore-turning.ts";
+import { barsOf, heldBar, jobInside, startFor, startLimit, type BoreWay } from "./bore-turning.ts";
 import { actionOf, fitted, notDone } from "./candidates.ts";
 import { drillsOf, onAxis } from "./on-axis.ts";
 import { fillOf, RUN_OUT, threadId, threadsOf, type ThreadPlace } from "./thread.ts";
@@ -26,6 +26,9 @@ const [RUN_UP, LEAST_RUN_UP, BESIDE] = [3, 3, 1];
 const WITHIN = 0.1;
 /** Chamfer of a tap in pitches: it goes so far beyond the end of a thread where the bore lets it. */
 const LEAD = 2;
+
+/** The tip is lifted so far from the crest between two passes, and at least so far, mm. */
+const [LIFT, LEAST_LIFT] = [5, 0.5];
 
 /** Grooves may be deeper than the root by rounded values and chords, mm. */
 const ROOT = 0.05;
@@ -69,7 +72,7 @@ function tapped({ named, box, id }: OpenThread, stock: readonly Ring[], request:
     .flatMap((tool): readonly Action[] => {
       const made = onAxis("tap", tool, rounded(front - rear), stock, request);
       if (!made) return [];
-      const place = { front, rear, high: radiusOf(named.nominal) + ROOT, low: 0 };
+      const place = { front, rear, high: radiusOf(named.nominal) + ROOT, low: radiusOf(core.limits[0]) - ROOT };
       const key = `thread tap T${tool.T} ${box.right.toFixed(2)}`;
       return [{ ...made, kind: "thread", key, site: "inside", tool, cycle: null, place, threads: [id] }];
     });
@@ -82,21 +85,25 @@ function turned(open: OpenThread, stock: readonly Ring[], request: PlanRequest):
   const { inside } = request.part;
   const across = toDiameter(radius(box.low));
   const corner = (z: number) => ({ diameter: diameter(rounded(across)), z: axial(rounded(z)) });
+  const [before, next] = [inside.segments[place.first - 1], inside.segments[place.last + 1]];
+  const runOut = RUN_OUT * named.pitch;
+  // It begins in front of a chamfer, and runs out behind the rear end of a through bore.
+  const isChamfered = before && before.from.r >= box.low && before.from.z - box.right < runOut;
+  const [begin, end] = [isChamfered ? before.from.z : box.right, next ? box.left : box.left - runOut];
   const wanted: ShapeRequest = {
     site: "inside",
     shape: "thread",
-    from: corner(box.right),
-    to: corner(box.left),
+    from: corner(begin),
+    to: corner(end),
     angle: 0,
     pitch: named.pitch,
     contour: null,
     allowance: 0,
   };
-  const next = inside.segments[place.last + 1];
-  const isRelieved = !next || next.to.r > box.low + SAME;
+  const isRelieved = next && next.to.r > box.low + SAME;
   const front = frontOf(stock);
   const clear = clearRadius(stock, box.left, front);
-  const z = box.right + Math.max(LEAST_RUN_UP, RUN_UP * named.pitch);
+  const z = begin + Math.max(LEAST_RUN_UP, RUN_UP * named.pitch);
   const way: BoreWay = { z, clear, low: clear - BESIDE };
   return cyclesFor(wanted)
     .filter(({ number }) => !request.withoutCycles.includes(number))
@@ -105,9 +112,11 @@ function turned(open: OpenThread, stock: readonly Ring[], request: PlanRequest):
         const fill = fillOf(named, cycle, across, noseRadius(tool), "inside");
         const r = startFor(tool, way);
         if (!fill || r === null) return [];
-        const made = jobInside(cycle, wanted, stock, { z, r });
+        const lifts = Math.min(LIFT, roundedDown(clear - startLimit(tool, clear)));
+        if (lifts < LEAST_LIFT) return [];
+        const made = withValue(jobInside(cycle, wanted, stock, { z, r }), "Q460", lifts);
         const filled = Object.entries(fill.values).reduce((job, [q, value]) => withValue(job, q, value), made);
-        const job = withValue(filled, "Q474", isRelieved ? 0 : rounded(RUN_OUT * named.pitch));
+        const job = withValue(filled, "Q474", isRelieved ? 0 : rounded(runOut));
         const cut = {
           operation: "both",
           work: "thread",
@@ -121,7 +130,7 @@ function turned(open: OpenThread, stock: readonly Ring[], request: PlanRequest):
         const fit = fitted({ cycle, job, cut }, tool, request);
         if (!fit) return [];
         const action = actionOf({ kind: "thread", site: "inside", cycle, box }, tool, fit.job, fit.values);
-        const room = { front: z, rear: box.left - RUN_OUT * named.pitch, high: radiusOf(fill.cut.root) + ROOT, low: 0 };
+        const room = { front: z, rear: end - runOut, high: radiusOf(fill.cut.root) + ROOT, low: box.low - ROOT };
         return [{ ...action, place: room, threads: [id] }];
       }),
     );

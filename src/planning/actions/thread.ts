@@ -60,10 +60,6 @@ export const thread: ActionSource = {
 const ABOVE = 1;
 /** Depth of the grooves beyond the root of the drawing that rounded values may give, mm. */
 const ROOT = 0.05;
-/** Length behind a thread that its tool cuts in the relief, in pitches. */
-const OVERRUN = 2;
-/** Length in front of a thread that its passes cut, mm. */
-const RUN_IN = 5;
 /** Largest edge break at the front end of a thread, mm. */
 const EDGE = 3;
 /** Length of a run-out in a cylinder without relief, in pitches. */
@@ -137,8 +133,7 @@ function threadings(
         if (!fit) return [];
         const action = actionOf({ kind: "thread", site: "outside", cycle, box }, tool, fit.job, fit.values);
         const low = root - ROOT;
-        // Run-in and overrun cut the chamfer in front and the edge of the relief.
-        const made = { ...action.place, low, front: front + RUN_IN, rear: end - OVERRUN * named.pitch };
+        const made = { ...action.place, low, front, rear: end };
         return [{ ...action, place: made, threads: [threadId(chain, place)] }];
       }),
   );

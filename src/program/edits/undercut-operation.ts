@@ -165,36 +165,50 @@ function pathBlock(segment: Segment, words: Partial<Words>): Statement {
   return { kind: "path", path: "CR", words: { ...noWords, axes, radius: size, turn: segment.turn, ...words } };
 }
 
+/** A section of a contour that path blocks cut. */
+export interface CompensatedPath {
+  /** In cutting direction: along the cylinder, then up its face outside, down inside. */
+  readonly segments: readonly Segment[];
+  readonly start: SetJob["start"];
+  /** What it is, for the comment that marks an intended cut. */
+  readonly name: string;
+  /** Feed, mm/rev; absent: the usual one. */
+  readonly feed?: number;
+}
+
+/** A section as path blocks with tip radius compensation, from its start point and back. Empty for no section. */
+export function compensatedCut({ segments, start, name, feed = FEED }: CompensatedPath): readonly Statement[] {
+  const [first, last] = [segments[0], segments.at(-1)];
+  if (!first || !last) return [];
+  const inside = last.to.r < first.from.r;
+  const to = (p: Pt): Segment => part.line(p, p);
+  const above = (p: Pt, z: number) => at(axial(p.z + z), radius(Math.max(0, p.r + (inside ? -CLEARANCE : CLEARANCE))));
+  const away = above(last.to, CLEARANCE);
+  const back = at(axial(Number(start.z)), toRadius(diameter(Number(start.x))));
+  return [
+    ...(inside ? [pathBlock(to(at(back.z, above(first.from, 0).r)), { feed: "max" })] : []),
+    pathBlock(to(above(first.from, 0)), { feed: "max" }),
+    { kind: "comment", text: `${INTENDED_CUT} ${name.replace("×", "x")}` },
+    pathBlock(to(first.from), { compensation: inside ? "RL" : "RR", feed: { value: feed, unit: "F" } }),
+    ...segments.map((s) => pathBlock(s, {})),
+    pathBlock(to(away), { compensation: "R0" }),
+    ...(inside
+      ? [pathBlock(to(at(back.z, away.r)), { feed: "max" })]
+      : [pathBlock(to(at(away.z, back.r)), { feed: "max" })]),
+  ];
+}
+
 /**
  * Form F as path blocks with tip radius compensation: its recess reaches behind the face, where the passes of a
  * longitudinal cycle do not go. Null for the other forms, which `undercutJob` cuts.
  */
 export function undercutCut(
   { name, udc }: NamedUndercut,
-  job: SetJob,
+  { start, contour }: SetJob,
 ): { readonly start: SetJob["start"]; readonly cut: readonly Statement[] } | null {
-  const { segments } = readRows(job.contour).contour;
-  const [first, last] = [segments[0], segments.at(-1)];
-  if (udc?.form !== "F" || !first || !last) return null;
-  const inside = last.to.r < first.from.r;
-  const to = (p: Pt): Segment => part.line(p, p);
-  const above = (p: Pt, z: number) => at(axial(p.z + z), radius(Math.max(0, p.r + (inside ? -CLEARANCE : CLEARANCE))));
-  const away = above(last.to, CLEARANCE);
-  const back = at(axial(Number(job.start.z)), toRadius(diameter(Number(job.start.x))));
-  return {
-    start: job.start,
-    cut: [
-      ...(inside ? [pathBlock(to(at(back.z, above(first.from, 0).r)), { feed: "max" })] : []),
-      pathBlock(to(above(first.from, 0)), { feed: "max" }),
-      { kind: "comment", text: `${INTENDED_CUT} ${name.replace("×", "x")}` },
-      pathBlock(to(first.from), { compensation: inside ? "RL" : "RR", feed: { value: FEED, unit: "F" } }),
-      ...segments.map((s) => pathBlock(s, {})),
-      pathBlock(to(away), { compensation: "R0" }),
-      ...(inside
-        ? [pathBlock(to(at(back.z, away.r)), { feed: "max" })]
-        : [pathBlock(to(at(away.z, back.r)), { feed: "max" })]),
-    ],
-  };
+  const { segments } = readRows(contour).contour;
+  if (udc?.form !== "F" || segments.length === 0) return null;
+  return { start, cut: compensatedCut({ segments, start, name }) };
 }
 
 /**
