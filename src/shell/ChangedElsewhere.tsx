@@ -1,60 +1,10 @@
-import { useEffect, useEffectEvent, useState } from "react";
-import { Icon } from "../app/base/Icon.tsx";
-import { NOTICES } from "../app/base/waits.ts";
-import { useTexts } from "../app/base/settings/use-texts.ts";
-import { workOfDocument } from "../app/document/documents.ts";
-import { documentAt, hasOpenDialog, undoStep, useDocumentInView } from "../app/document/history.ts";
-import { useIsLastStep, useSteps, type HistoryStep } from "../app/document/steps.ts";
-import { useStepWords } from "../app/document/use-step-words.ts";
-import type { HistoryTexts } from "../i18n/en/history.ts";
+import { Suspense, useEffect, useState } from "react";
+import { lazyPart } from "../app/base/parts.ts";
+import { documentAt, hasOpenDialog, useDocumentInView } from "../app/document/history.ts";
+import { useSteps, type HistoryStep } from "../app/document/steps.ts";
 
-/** Name of the place of a document. */
-const placeOf = (document: string, { places }: HistoryTexts): string =>
-  workOfDocument(document) === null && Object.hasOwn(places, document)
-    ? places[document as keyof typeof places]
-    : places.work;
-
-/** Leaves after a while, unless a pointer or the focus is on it: the undo of its own document remains. */
-function Change({ step, dismiss }: { readonly step: HistoryStep; readonly dismiss: () => void }) {
-  const { undo } = useTexts("first").page;
-  const [held, hold] = useState(false);
-  const leave = useEffectEvent(dismiss);
-  useEffect(() => {
-    if (held) return undefined;
-    const timer = setTimeout(leave, NOTICES.change);
-    return () => clearTimeout(timer);
-  }, [step, held]);
-  const isLast = useIsLastStep(step);
-  const made = useStepWords(isLast ? step : undefined, "past");
-  if (!made) return null;
-  const { t } = made;
-  const said = t.within(placeOf(step.document, t), made.words);
-  return (
-    <p
-      className="notice"
-      onPointerEnter={() => hold(true)}
-      onPointerLeave={() => hold(false)}
-      onFocus={() => hold(true)}
-      onBlur={() => hold(false)}
-    >
-      <Icon name="info" /> <span>{said}</span>
-      <button
-        type="button"
-        className="button"
-        aria-label={`${undo} – ${said}`}
-        onClick={() => {
-          dismiss();
-          undoStep(step.document);
-        }}
-      >
-        <Icon name="undo" /> {undo}
-      </button>
-      <button type="button" className="button icon plain" aria-label={t.dismiss} onClick={dismiss}>
-        <Icon name="close" />
-      </button>
-    </p>
-  );
-}
+/** Fetched for the first change. */
+const ChangeNotice = lazyPart(async () => ({ default: (await import("./ChangeNotice.tsx")).ChangeNotice }));
 
 /** Changes of documents that are not in view, each with its undo, for a while or until their document is shown. */
 export function ChangedElsewhere() {
@@ -76,7 +26,9 @@ export function ChangedElsewhere() {
   return (
     <div className="notices" role="status">
       {shown.map(([of, step]) => (
-        <Change key={of} step={step} dismiss={() => dismiss(of)} />
+        <Suspense key={of}>
+          <ChangeNotice step={step} dismiss={() => dismiss(of)} />
+        </Suspense>
       ))}
     </div>
   );
