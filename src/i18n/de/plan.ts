@@ -109,7 +109,7 @@ export const plan = {
     finished: "Material nach der letzten Bearbeitung",
     step: (n, what) => `Bearbeitung ${n}, ${what}: Material vorher und nachher`,
     searching: "bisher bester Plan",
-    legend: { part: "Fertigteil", stock: "Rohteil", cut: "In diesem Schritt zerspant", left: "Restmaterial" },
+    legend: { part: "Fertigteil", stock: "Material", cut: "In diesem Schritt zerspant", left: "Restmaterial" },
   },
   steps: {
     title: "Bearbeitungen",

@@ -109,7 +109,7 @@ export const plan = {
     finished: "最后一道工序后的材料",
     step: (n, what) => `工序 ${n}，${what}：加工前后的材料`,
     searching: "目前最佳方案",
-    legend: { part: "成品零件", stock: "毛坯", cut: "本工序切除", left: "残余材料" },
+    legend: { part: "成品零件", stock: "材料", cut: "本工序切除", left: "残余材料" },
   },
   steps: {
     title: "工序",
