@@ -38,6 +38,7 @@ interface English {
   readonly offline: typeof import("./en/offline.ts");
   readonly output: typeof import("./en/output.ts");
   readonly part: typeof import("./en/part.ts");
+  readonly plan: typeof import("./en/plan.ts");
   readonly "second-side": typeof import("./en/second-side.ts");
   readonly sheet: typeof import("./en/sheet.ts");
   readonly solid: typeof import("./en/solid.ts");

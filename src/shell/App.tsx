@@ -3,7 +3,6 @@ import { menuCycle } from "../app/fields/chooser/menu.ts";
 import { Header } from "./Header.tsx";
 import { useDrawingRequest } from "../app/document/drawing-request.ts";
 import { useProgramChoice } from "../app/document/program-choice.ts";
-import { NumberKeys } from "../app/fields/keypad/NumberKeys.tsx";
 import { MissingPart } from "../app/base/MissingPart.tsx";
 import { ChangedElsewhere } from "./ChangedElsewhere.tsx";
 import { useTitle } from "./use-title.ts";
@@ -29,6 +28,7 @@ import { fetchGuidePage } from "../features/guide/index.ts";
 import { HandedLine, IncomingWork } from "../features/share/first.ts";
 import { fetchUpdateBar } from "../features/offline/index.ts";
 import { fetchOwnPage } from "../features/own/index.ts";
+import { fetchPlanPage } from "../features/plan/index.ts";
 import { fetchSheetPage } from "../features/sheet/index.ts";
 import { StartPage } from "../features/start/first.ts";
 import { fetchToolPage } from "../features/tools/index.ts";
@@ -60,6 +60,9 @@ const ElsewherePage = lazyPart(async () => ({ default: (await fetchOtherTabPage(
 const ChooseProgram = lazyPart(async () => ({ default: (await fetchChooseProgram()).ChooseProgram }));
 const fetchDrawing = withTexts(fetchDrawingDialog);
 const DrawingDialog = lazyPart(async () => ({ default: (await fetchDrawing()).DrawingDialog }));
+const NumberKeys = lazyPart(async () => ({
+  default: (await import("../app/fields/keypad/NumberKeys.tsx")).NumberKeys,
+}));
 const KeySheet = lazyPart(async () => ({ default: (await import("../app/fields/keys/KeySheet.tsx")).KeySheet }));
 const WorkDialog = lazyPart(
   withTexts(async () => ({ default: (await import("../app/fields/program/WorkDialog.tsx")).WorkDialog })),
@@ -70,6 +73,8 @@ const CompareDialog = lazyPart(async () => ({ default: (await fetchCompareDialog
 const WhichCycle = lazyPart(async () => ({ default: (await fetchWhichCycle()).WhichCycle }));
 const fetchSheet = withTexts(fetchSheetPage);
 const SheetPage = lazyPart(async () => ({ default: (await fetchSheet()).SheetPage }));
+const fetchPlan = withTexts(fetchPlanPage);
+const PlanPage = lazyPart(async () => ({ default: (await fetchPlan()).PlanPage }));
 const fetchGuide = withTexts(fetchGuidePage);
 const GuidePage = lazyPart(async () => ({ default: (await fetchGuide()).GuidePage }));
 const fetchEditor = withTexts(fetchProgramWorkplace);
@@ -111,6 +116,7 @@ const PAGES: Readonly<Record<Page["page"], ComponentType>> = {
   work: OpenWork,
   elsewhere: Elsewhere,
   sheet: SheetPage,
+  plan: PlanPage,
   tools: ToolPage,
   own: OwnPage,
   guide: GuidePage,
@@ -182,7 +188,9 @@ export function App() {
         </Suspense>
       )}
       <DropProgram />
-      <NumberKeys />
+      <Suspense>
+        <NumberKeys />
+      </Suspense>
       {refused && (
         <Suspense>
           <CopyByHand />

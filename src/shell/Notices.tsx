@@ -1,33 +1,11 @@
+import { Suspense } from "react";
 import { Icon } from "../app/base/Icon.tsx";
 import { useNotices, withdraw } from "../app/base/notices.ts";
-import { dismissDamaged, unsavedNames, unsavedWorks, useSavedWorks } from "../app/records/keep.ts";
-import { fetchExportWorks } from "../features/works/index.ts";
+import { lazyPart } from "../app/base/parts.ts";
+import { dismissDamaged, useSavedWorks } from "../app/records/keep.ts";
 import { useTexts } from "../app/base/settings/use-texts.ts";
 
-/** Downloads the works that exist only in this page. */
-function DownloadUnkept() {
-  const t = useTexts("first").page.notice;
-  const works = unsavedWorks();
-  if (works.length === 0) return null;
-  return (
-    <>
-      <button
-        type="button"
-        className="button"
-        onClick={() => void import("../app/records/rescue.ts").then(({ downloadWorks }) => downloadWorks(works))}
-      >
-        <Icon name="download" /> {t.downloadUnkept}
-      </button>
-      <button
-        type="button"
-        className="button"
-        onClick={() => void fetchExportWorks().then(({ saveWorks }) => saveWorks(unsavedNames()))}
-      >
-        <Icon name="download" /> {t.archiveUnkept}
-      </button>
-    </>
-  );
-}
+const DownloadUnkept = lazyPart(async () => ({ default: (await import("./DownloadUnkept.tsx")).DownloadUnkept }));
 
 /** Notices about saved work, until they are dismissed. */
 export function Notices() {
@@ -37,7 +15,11 @@ export function Notices() {
   const line = (key: (typeof notices)[number] | "damaged", text: string) => (
     <p key={key} className="notice">
       <Icon name="info" /> <span>{text}</span>
-      {(key === "notKept" || key === "storageFull") && <DownloadUnkept />}
+      {(key === "notKept" || key === "storageFull") && (
+        <Suspense>
+          <DownloadUnkept />
+        </Suspense>
+      )}
       <button
         type="button"
         className="button icon plain"

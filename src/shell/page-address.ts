@@ -39,6 +39,7 @@ export function currentAddress(): Address {
   switch (page.page) {
     case "guide":
     case "works":
+    case "plan":
       return page;
     case "own":
       return { page: "own", row: place.own.row };
@@ -91,6 +92,8 @@ export async function goTo(address: Address): Promise<void> {
   switch (address.page) {
     case "guide":
       return showGuide(...address.path);
+    case "plan":
+      return cover(address);
     case "own":
       return showOwn(address.row ?? undefined);
     case "tools":

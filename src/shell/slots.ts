@@ -1,6 +1,6 @@
 import { whichSlot } from "../app/document/which-slot.ts";
 import {
-  contourTableSlot,
+  contourSlot,
   drawingSlot,
   exportSlot,
   qrSlot,
@@ -11,8 +11,8 @@ import {
   courseFilesSlot,
   exerciseSlot,
 } from "../app/fields/slots.ts";
-import { fetchContourTable } from "../features/contour/index.ts";
-import { fetchOpenTaught, fetchProgramDrawing, fetchTeachDialog } from "../features/course/index.ts";
+import { fetchContourStage, fetchContourTable } from "../features/contour/index.ts";
+import { fetchProgramDrawing, fetchTeachDialog } from "../features/course/index.ts";
 import { fetchNewProgram } from "../features/editor/index.ts";
 import { fetchPartExport } from "../features/export/index.ts";
 import { fetchPromptMore, fetchSetupStart } from "../features/guide/index.ts";
@@ -29,5 +29,5 @@ exerciseSlot.fill(async () => (await fetchTeachDialog()).TeachDialog);
 promptMoreSlot.fill(async () => (await fetchPromptMore()).PromptMore);
 setupStartSlot.fill(async () => (await fetchSetupStart()).SetupStart);
 newProgramSlot.fill(async () => (await fetchNewProgram()).NewProgram);
-contourTableSlot.fill(async () => (await fetchContourTable()).ContourTable);
-courseFilesSlot.fill(fetchOpenTaught);
+contourSlot.fill(async () => ({ ...(await fetchContourTable()), fetchContourStage }));
+courseFilesSlot.fill(() => import("./json-files.ts"));

@@ -28,6 +28,8 @@ function usePageName(): string | null {
       const cycle = menu.of[Number(of)]?.name;
       return cycle === undefined ? start.doors.guide : [of, more, cycle].filter((part) => part !== undefined).join(" ");
     }
+    case "plan":
+      return start.doors.plan;
     case "course":
       return null;
     default:

@@ -11,6 +11,7 @@ import { openWork } from "./open-work.ts";
 import type * as DrawingsPart from "./opened-drawing.ts";
 import type { Outcome } from "./outcome.ts";
 import type { PlayedCourse, PlaybackCanvas, StockPictures } from "./played.ts";
+import type { planOfPart } from "./part-plan.ts";
 import type { reported } from "./reported.ts";
 import { wireOutcomes } from "./wire.ts";
 
@@ -35,6 +36,7 @@ const fetchAdvice = async (): Promise<Advice> => (await import("./advice.ts")).a
 type Drawings = typeof DrawingsPart;
 const fetchDrawings = (): Promise<Drawings> => import("./opened-drawing.ts");
 
+const fetchPlan = () => import("./part-plan.ts");
 const fetchPlayed = () => import("./played.ts");
 const fetchMilling = () => import("./played-milling.ts");
 
@@ -102,6 +104,8 @@ const served = {
     (await fetchDrawings()).openedDrawing(...asked),
   keepDrawing: async (...asked: Parameters<Drawings["keepDrawing"]>) => (await fetchDrawings()).keepDrawing(...asked),
   askDrawing: async (...asked: Parameters<Drawings["askDrawing"]>) => (await fetchDrawings()).askDrawing(...asked),
+  planOfPart: async (...asked: Parameters<typeof planOfPart>) => (await fetchPlan()).planOfPart(...asked),
+  stopPlanning: async () => (await fetchPlan()).stopPlanning(),
   reported: async (...asked: Parameters<typeof reported>) => (await import("./reported.ts")).reported(...asked),
 };
 expose(served);

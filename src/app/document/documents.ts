@@ -6,6 +6,8 @@ export const SETTINGS: DocumentId = "settings";
 export const WORKS: DocumentId = "works";
 /** Progress, exercises and results of the course. */
 export const COURSE: DocumentId = "course";
+/** The finished parts of this device. */
+export const PARTS: DocumentId = "parts";
 
 const WORK = "work ";
 /** The document of a work, by the key it is saved under; null for one that is not saved. */

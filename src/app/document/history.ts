@@ -1,6 +1,6 @@
 import type { Action } from "../base/actions.ts";
 import { draftOf } from "./edits.ts";
-import { COURSE, WORKS, workOfDocument } from "./documents.ts";
+import { COURSE, PARTS, WORKS, workOfDocument } from "./documents.ts";
 import { openOwn, openPrompt, openToolRow, shownPage, uncoverAll, usePlace, type Place } from "../place/place.ts";
 import { ownRecord, useOwn } from "./own-store.ts";
 import { historyOf, redo, undo, type DocumentId, type Way } from "./steps.ts";
@@ -17,6 +17,8 @@ export function documentInView(
       return toolRecord.document;
     case "own":
       return ownRecord.document;
+    case "plan":
+      return PARTS;
     case "start":
     case "works":
       return WORKS;
@@ -74,7 +76,7 @@ function showChange(run: () => void): void {
     : undefined;
   const page = shownPage(usePlace.getState());
   if (prompt !== undefined && page.page === "guide" && page.path.includes(prompt)) return;
-  uncoverAll("sheet");
+  uncoverAll("sheet", "plan");
   if (prompt !== undefined && usePlace.getState().section === "prompts") openPrompt(prompt, now?.[prompt] ?? "");
 }
 

@@ -4,7 +4,7 @@ import { fileKey } from "../../program/state/program-files.ts";
 import { cellOf } from "../../program/tools/tool-entry.ts";
 import type { ToolList } from "../../program/tools/tool-list.ts";
 import type { Settings } from "../base/settings/settings.ts";
-import { SETTINGS, WORKS, workOfDocument } from "./documents.ts";
+import { PARTS, SETTINGS, WORKS, workOfDocument } from "./documents.ts";
 import { ownRecord } from "./own-store.ts";
 import type { HistoryStep, Way } from "./steps.ts";
 import { useEditor } from "./store.ts";
@@ -127,6 +127,17 @@ function courseWords(record: string, [before, after]: States, t: HistoryTexts): 
   );
 }
 
+type NamedPart = { readonly part: { readonly name: string } };
+
+/** Changes of finished parts: the first one of the list is open. */
+function partWords([before, after]: States, t: HistoryTexts): string {
+  const [was, is] = [before as readonly NamedPart[], after as readonly NamedPart[]];
+  const [of] = is.length < was.length ? was : is;
+  const name = of?.part.name || t.empty;
+  if (is.length === was.length) return t.changed(name, 1);
+  return is.length > was.length ? t.added(name, 1) : t.deleted(name, 1);
+}
+
 function stateWords({ document, record = document }: HistoryStep, states: States, t: HistoryTexts): string | null {
   if (workOfDocument(document) !== null) return joinedWords(workWords(states[0] as Work, states[1] as Work, t), t);
   switch (record) {
@@ -134,6 +145,8 @@ function stateWords({ document, record = document }: HistoryStep, states: States
       return toolWords(states, t);
     case ownRecord.key:
       return ownWords(states, t);
+    case PARTS:
+      return partWords(states, t);
     case WORKS:
       return worksWords(states, t);
     case SETTINGS:

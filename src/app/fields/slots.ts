@@ -1,6 +1,7 @@
-import type { ComponentType } from "react";
+import type { ComponentType, ReactNode } from "react";
 import type { Task } from "../../course/task.ts";
 import type { Cycle } from "../../cycles/define.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
 import type { Language } from "../../i18n/languages.ts";
 import type { ContourRow } from "../../program/job/job.ts";
 import { slot } from "../base/slot.ts";
@@ -27,16 +28,20 @@ export const setupStartSlot =
     "starting values of a set-up",
   );
 export const newProgramSlot = slot<Part<Done>>("a new program");
-export const contourTableSlot = slot<
-  Part<{
-    readonly rows: readonly ContourRow[];
-    readonly onChange: (rows: readonly ContourRow[], place: string | null) => void;
-    readonly language: Language;
-    readonly inches?: boolean;
-  }>
->("the table of a contour");
+interface ContourProps {
+  readonly rows: readonly ContourRow[];
+  readonly onChange: (rows: readonly ContourRow[], place: string | null) => void;
+  readonly language: Language;
+}
+/** The table of a contour, and its drawing on a large canvas. */
+export const contourSlot = slot<{
+  readonly ContourTable: Part<ContourProps & { readonly inches?: boolean; readonly isDrawingElsewhere?: boolean }>;
+  readonly fetchContourStage: () => Promise<{
+    readonly ContourStage: Part<ContourProps & { readonly blank: readonly Ring[]; readonly lead: ReactNode }>;
+  }>;
+}>("the contour editor");
 
-/** Opens tasks and results from files. */
+/** Opens tasks, results and finished parts from files. */
 export const courseFilesSlot = slot<{
   readonly areTaughtFiles: (files: readonly File[]) => Promise<boolean>;
   readonly openTaughtFiles: (files: readonly File[]) => Promise<void>;

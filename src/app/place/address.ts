@@ -3,7 +3,15 @@ import type { WorkSection } from "./place.ts";
 
 /** A place with its own address: after `#`, so that it works in any folder and without a server. */
 export type Address =
-  StartAddress | WorksAddress | CourseAddress | WorkAddress | SheetAddress | ToolsAddress | OwnAddress | GuideAddress;
+  | StartAddress
+  | WorksAddress
+  | CourseAddress
+  | WorkAddress
+  | SheetAddress
+  | PlanAddress
+  | ToolsAddress
+  | OwnAddress
+  | GuideAddress;
 
 /** The start page, and whether the dialog that finds a cycle is open. */
 export interface StartAddress {
@@ -35,6 +43,11 @@ export interface WorkAddress {
 export interface SheetAddress {
   readonly page: "sheet";
   readonly work: string;
+}
+
+/** The working plan of the part that was open last. */
+export interface PlanAddress {
+  readonly page: "plan";
 }
 
 /** The tool table: with the row of a number, or one of its two kinds. */
@@ -76,7 +89,8 @@ function parts(address: Address): readonly string[] {
     case "start":
       return address.which ? [WHICH] : [];
     case "works":
-      return ["works"];
+    case "plan":
+      return [address.page];
     case "course":
       return [
         "course",
@@ -146,7 +160,8 @@ export function parseAddress(hash: string): Address | null {
     case WHICH:
       return more.length === 0 ? { page: "start", which: true } : null;
     case "works":
-      return more.length === 0 ? { page: "works" } : null;
+    case "plan":
+      return more.length === 0 ? { page } : null;
     case "course":
       return courseAddress(more);
     case "work":

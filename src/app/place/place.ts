@@ -38,6 +38,7 @@ export type GuidePath = readonly string[];
 /** A page over others, with a button back to them. */
 export type Cover =
   | { readonly page: "sheet" }
+  | { readonly page: "plan" }
   | { readonly page: "tools" }
   | { readonly page: "own" }
   | { readonly page: "guide"; readonly path: GuidePath };
@@ -109,7 +110,7 @@ export const usePlace = create<Place>(() => ({
 
 /** The page on top. */
 export const shownPage = ({ pages }: Place): Page => pages.at(-1) ?? pages[0];
-const COVERS: Readonly<Record<Cover["page"], true>> = { sheet: true, tools: true, own: true, guide: true };
+const COVERS: Readonly<Record<Cover["page"], true>> = { sheet: true, plan: true, tools: true, own: true, guide: true };
 /** Whether a page or an address is a cover. */
 export const isCover = <P extends { readonly page: string }>(
   page: P,
@@ -182,6 +183,7 @@ export const showCommands = (): void => showOver({ dialog: "commands" });
 export const showKeys = (place: KeyPlace): void => showOver({ dialog: "keys", place });
 
 export const showSheet = (): void => cover({ page: "sheet" });
+export const showPlan = (): void => cover({ page: "plan" });
 export const showGuide = (...path: GuidePath): void => cover({ page: "guide", path });
 /** The page of the course if it is the entrance, also behind a work; else null. */
 export const coursePage = ({ pages: [entrance] }: Place) => (entrance.page === "course" ? entrance : null);

@@ -18,10 +18,11 @@ import { formRecord, mergedForms } from "./course/kept-form.ts";
 import { progressRecord } from "./course/progress.ts";
 import { mergedSets, setRecord } from "./course/saved-sets.ts";
 import { mergedTasks, taskRecord } from "./course/saved-tasks.ts";
+import { mergedParts, partRecord } from "./part-store.ts";
 import { countWork, mergedWorked, workedRecord } from "./course/working-time.ts";
 
 /** Tables offered for restoring: keep mine, add what is missing, or replace. Each is one part. */
-export const TABLES = ["tools", "own"] as const;
+export const TABLES = ["tools", "own", "parts"] as const;
 /** Checkboxes offered for restoring, and their default. Better data of this device stay. */
 export const BOXES = { course: true, settings: false } as const;
 export type Group = (typeof TABLES)[number] | keyof typeof BOXES;
@@ -111,6 +112,7 @@ const parts = {
     },
     files: (list) => ({ "tools/CYCLES.json": writeLibrary(list) }),
   }),
+  parts: ofRecord(partRecord, { group: "parts", merge: mergedParts }),
   course: ofRecord(progressRecord, { group: "course", merge: mergedProgress }),
   taught: ofRecord(taskRecord, { group: "course", merge: mergedTasks }),
   sets: ofRecord(setRecord, { group: "course", merge: mergedSets }),

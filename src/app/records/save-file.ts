@@ -67,7 +67,8 @@ const measurement = z.object({
   ),
 });
 const measured = z.optional(z.array(measurement).check(z.maxLength(MOST_MEASURED)));
-const row = z.object({
+/** A row of a contour as typed. */
+export const contourRow = z.object({
   id: text,
   kind: z.enum(["L", "RND", "CHF", "CR", "CC", "C", "CT", "LP", "CP", "CTP", "UDC", "GRV"]),
   x: text,
@@ -116,7 +117,7 @@ const job = z.object({
   spindle: z.object({ mode: z.enum(["constant", "surface"]), speed: text, cuttingSpeed: text, limit: text }),
   perRevolution: z.boolean(),
   rapid: text,
-  contour: z.array(row),
+  contour: z.array(contourRow),
   layout: z.enum(JOB_LAYOUTS),
   output,
   ncLanguage: z.enum(NC_LANGUAGES),
@@ -140,7 +141,7 @@ const program = z.object({
 /** Compile-time check that the layout above has every field of a work; a missing one would not be saved. */
 type Complete = [
   keyof Job extends keyof z.output<typeof job> ? true : never,
-  keyof ContourRow extends keyof z.output<typeof row> ? true : never,
+  keyof ContourRow extends keyof z.output<typeof contourRow> ? true : never,
   keyof ProgramWork extends keyof z.output<typeof program> ? true : never,
   keyof WorkFile extends keyof z.output<typeof workFile> ? true : never,
   keyof Measurement extends keyof z.output<typeof measurement> ? true : never,

@@ -12,7 +12,7 @@ import type { DrawingNote } from "../../program/drawing/drawing.ts";
 import { DRAWING_KINDS } from "../../program/drawing/endings.ts";
 import { DrawingPicker } from "./DrawingPicker.tsx";
 import { listedNotes } from "./listed-notes.ts";
-import { takeContour } from "./take-contour.ts";
+import { planContour, takeContour } from "./take-contour.ts";
 import { useContour, useOpenedDrawing } from "./use-opened-drawing.ts";
 import "./drawing.css";
 
@@ -23,7 +23,7 @@ const CYCLES = offeredCycles(false).filter(({ free }) => free);
 export function DrawingDialog({ request }: { readonly request: DrawingRequest }) {
   const t = useTexts("drawing-import"),
     words = useTexts("drawing"),
-    { menu } = useTexts("first"),
+    { menu, start } = useTexts("first"),
     language = useSettings((s) => s.language),
     id = useId();
   const dialog = useRef<HTMLDialogElement>(null);
@@ -114,6 +114,20 @@ export function DrawingDialog({ request }: { readonly request: DrawingRequest })
           <button type="button" className="button drawing-cancel" onClick={close}>
             {t.cancel}
           </button>
+          {!target && (
+            <button
+              type="button"
+              className="button"
+              disabled={!contour || !isMade || contour.rows.length < 2}
+              onClick={() => {
+                if (!opened || !contour) return;
+                close();
+                void planContour(opened.file.name, contour);
+              }}
+            >
+              {start.doors.plan}
+            </button>
+          )}
           <button
             type="button"
             className="button primary"

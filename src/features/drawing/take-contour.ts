@@ -6,8 +6,12 @@ import { axial, diameter, toRadius } from "../../kernel/units.ts";
 import { keepDrawnNotes } from "../../app/document/drawn-notes.ts";
 import type { ContourTarget } from "../../app/document/drawing-request.ts";
 import { useEditor } from "../../app/document/store.ts";
+import { showPlan } from "../../app/place/place.ts";
 import { retryImport } from "../../app/base/parts.ts";
 import { rowNear } from "../../program/drawing/positions.ts";
+
+/** Longest name of a part, characters. */
+const LONGEST_NAME = 32;
 
 /** Rows in mm, as they are typed in a program that counts in inches. */
 const inInches = (row: ContourRow): ContourRow => ({
@@ -29,6 +33,15 @@ export function rowsWithNotes(contour: DrawnContour, choice: ContourChoice, inch
     return row ? [{ row, note }] : [];
   });
   return { rows, notes };
+}
+
+/** Starts a finished part with a contour, to plan it. */
+export async function planContour(name: string, contour: DrawnContour): Promise<void> {
+  const [{ newPart }, { addPart }] = await retryImport(() =>
+    Promise.all([import("../../planning/part/finished-part.ts"), import("../../app/records/part-store.ts")]),
+  );
+  addPart({ ...newPart(name.replace(/\.[^.]*$/, "").slice(0, LONGEST_NAME)), outside: contour.rows });
+  showPlan();
 }
 
 /** Puts a contour into its table, or starts a program with it, and keeps its notes beside the elements. */

@@ -32,6 +32,9 @@ export function Doors({ course, toCycles }: { readonly course: ReactNode; readon
         <button type="button" className="door-way" onClick={() => create(true)}>
           {t.programs.create}
         </button>
+        <a className="door-way" href="#/plan">
+          {doors.plan}
+        </a>
       </Door>
       <OpenDoor />
       {creating && <CreateProgram done={() => create(false)} />}

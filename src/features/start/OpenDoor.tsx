@@ -1,4 +1,4 @@
-import { useRef, useState } from "react";
+import { Suspense, useRef, useState } from "react";
 import {
   canOpenFiles,
   OPENED,
@@ -8,12 +8,14 @@ import {
   type Chosen,
 } from "../../app/records/files/file-handle.ts";
 import type * as FolderPart from "../../app/records/files/folder.ts";
-import { retryImport } from "../../app/base/parts.ts";
+import { lazyPart, retryImport } from "../../app/base/parts.ts";
 import type { OpenResult } from "../../app/fields/open/open-files.ts";
-import { fetchOpenFiles, openText } from "../../app/fields/open/open-program.ts";
+import { fetchOpenFiles } from "../../app/fields/open/open-program.ts";
 import { Door } from "./Door.tsx";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
+
+const PasteProgram = lazyPart(async () => ({ default: (await import("./PasteProgram.tsx")).PasteProgram }));
 
 /** The door to an NC program: a file, a folder, a paste. */
 export function OpenDoor() {
@@ -22,11 +24,9 @@ export function OpenDoor() {
     start: { doors },
   } = useTexts("first");
   const [opening, setOpening] = useState<OpenResult>("opened");
-  const [pasted, paste] = useState(false);
-  const area = useRef<HTMLTextAreaElement>(null);
+  const [pasting, paste] = useState(0);
   const file = useRef<HTMLInputElement>(null);
   const folder = useRef<HTMLInputElement>(null);
-  const dialog = useRef<HTMLDialogElement>(null);
 
   const take = async (chosen: readonly Chosen[]) =>
     setOpening(chosen.length > 0 ? await (await fetchOpenFiles()).openFiles(chosen) : "opened");
@@ -71,7 +71,7 @@ export function OpenDoor() {
           if (list.length > 0) void takeFolder(({ filesOfList }) => filesOfList(list));
         }}
       />
-      <button type="button" className="door-way" onClick={() => dialog.current?.showModal()}>
+      <button type="button" className="door-way" onClick={() => paste(pasting + 1)}>
         {t.programs.paste}
       </button>
       <span className="soft small">{t.programs.drop}</span>
@@ -82,41 +82,11 @@ export function OpenDoor() {
           </>
         )}
       </p>
-      <dialog ref={dialog} className="paste-program" aria-label={t.programs.pasteTitle}>
-        <h2>{t.programs.pasteTitle}</h2>
-        <textarea
-          className="number"
-          rows={14}
-          spellCheck={false}
-          aria-label={t.programs.pasteLabel}
-          ref={area}
-          onChange={(event) => paste(event.currentTarget.value.trim() !== "")}
-          onPaste={(event) => {
-            // Set at once: pasting a long program into the field would take seconds.
-            const text = event.clipboardData.getData("text/plain");
-            if (event.currentTarget.value !== "" || text.trim() === "") return;
-            event.preventDefault();
-            event.currentTarget.value = text;
-            paste(true);
-          }}
-        />
-        <div className="program-ways">
-          <button
-            type="button"
-            className="button primary"
-            disabled={!pasted}
-            onClick={() => {
-              dialog.current?.close();
-              openText(area.current?.value ?? "");
-            }}
-          >
-            {t.programs.pasteOpen}
-          </button>
-          <button type="button" className="button" onClick={() => dialog.current?.close()}>
-            {t.programs.cancel}
-          </button>
-        </div>
-      </dialog>
+      {pasting > 0 && (
+        <Suspense>
+          <PasteProgram asked={pasting} />
+        </Suspense>
+      )}
     </Door>
   );
 }

@@ -1,7 +1,7 @@
 import { Suspense, useMemo, useState } from "react";
 import { comparison as byWorker } from "../../app/calculation/other-outcome.ts";
 import { lazyPart } from "../../app/base/parts.ts";
-import { contourTableSlot } from "../../app/fields/slots.ts";
+import { contourSlot } from "../../app/fields/slots.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTextsOrNull } from "../../app/base/settings/use-texts.ts";
 import {
@@ -25,7 +25,7 @@ import { ProposalCards } from "./ProposalCards.tsx";
 import { ModalDialog } from "../../app/base/ModalDialog.tsx";
 import "./which.css";
 
-const ContourTable = lazyPart(async () => ({ default: await contourTableSlot.fetch() }));
+const ContourTable = lazyPart(async () => ({ default: (await contourSlot.fetch()).ContourTable }));
 
 interface Props {
   readonly done: () => void;

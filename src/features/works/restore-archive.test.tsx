@@ -41,6 +41,7 @@ const archive: ReadArchive = {
     { work: "free", savedAt: 44, job: { ...job, name: "FREE" } },
   ],
   tools: [row("r1", "1", "OTHER 1"), row("x", "88.1", "GROOVER")],
+  parts: null,
   own: [own("c1", "1711", "OTHERS"), own("c2", "1713", "SAW")],
   settings,
   course: withPlace(withPass(NO_PROGRESS, "l03-thicker-bar", { when: 7, seconds: 41.7 }), {

@@ -58,6 +58,7 @@ export const device = {
     allSame: "Der gesamte Inhalt ist schon auf diesem Gerät.",
     tools: (n) => `Werkzeugtabelle: ${n} ${n === 1 ? "Werkzeug" : "Werkzeuge"}`,
     own: (n) => `Eigene Zyklen: ${n}`,
+    parts: (n) => `Fertigteile: ${n}`,
     keep: "Meine behalten",
     missing: (n) => `Die ${n} fehlenden hinzufügen`,
     replace: "Meine durch diese ersetzen",
@@ -71,6 +72,7 @@ export const device = {
     unreadParts: {
       tools: "Die Werkzeugtabelle in der Sicherung ist nicht lesbar.",
       own: "Die eigenen Zyklen in der Sicherung sind nicht lesbar.",
+      parts: "Die Fertigteile in der Sicherung sind nicht lesbar.",
       settings: "Die Einstellungen in der Sicherung sind nicht lesbar.",
       course: "Der Kursfortschritt in der Sicherung ist nicht lesbar.",
       taught: "Die Aufgaben des Ausbilders in der Sicherung sind nicht lesbar.",

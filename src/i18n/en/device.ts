@@ -59,6 +59,7 @@ export const device = {
     allSame: "All of the contents are already on this device.",
     tools: (n: number) => `Tool table: ${n} ${n === 1 ? "tool" : "tools"}`,
     own: (n: number) => `Own cycles: ${n}`,
+    parts: (n: number) => `Finished parts: ${n}`,
     keep: "Keep mine",
     missing: (n: number) => `Add the ${n} missing here`,
     replace: "Replace mine with these",
@@ -72,6 +73,7 @@ export const device = {
     unreadParts: {
       tools: "The tool table in the backup cannot be read.",
       own: "The own cycles in the backup cannot be read.",
+      parts: "The finished parts in the backup cannot be read.",
       settings: "The settings in the backup cannot be read.",
       course: "The course progress in the backup cannot be read.",
       taught: "The instructor’s exercises in the backup cannot be read.",

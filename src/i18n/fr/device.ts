@@ -63,6 +63,7 @@ export const device = typeset<DeviceTexts>({
     allSame: "Tout le contenu est déjà sur cet appareil.",
     tools: (n) => `Tableau d’outils : ${n} ${n === 1 ? "outil" : "outils"}`,
     own: (n) => `Cycles personnalisés : ${n}`,
+    parts: (n) => `Pièces finies : ${n}`,
     keep: "Garder les miens",
     missing: (n) => (n === 1 ? "Ajouter celui qui manque ici" : `Ajouter les ${n} qui manquent ici`),
     replace: "Remplacer les miens par ceux-ci",
@@ -76,6 +77,7 @@ export const device = typeset<DeviceTexts>({
     unreadParts: {
       tools: "Le tableau d’outils de la sauvegarde est illisible.",
       own: "Les cycles personnalisés de la sauvegarde sont illisibles.",
+      parts: "Les pièces finies de la sauvegarde sont illisibles.",
       settings: "Les réglages de la sauvegarde sont illisibles.",
       course: "L’avancement du cours de la sauvegarde est illisible.",
       taught: "Les exercices du formateur de la sauvegarde sont illisibles.",

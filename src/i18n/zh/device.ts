@@ -54,6 +54,7 @@ export const device = {
     allSame: "全部内容本设备上都已有。",
     tools: (n) => `刀具表：${n} 把刀具`,
     own: (n) => `自定义循环：${n}`,
+    parts: (n) => `成品零件：${n}`,
     keep: "保留我的",
     missing: (n) => `添加缺少的 ${n} 项`,
     replace: "用这些替换我的",
@@ -66,6 +67,7 @@ export const device = {
     unreadParts: {
       tools: "备份中的刀具表无法读取。",
       own: "备份中的自定义循环无法读取。",
+      parts: "备份中的成品零件无法读取。",
       settings: "备份中的设置无法读取。",
       course: "备份中的课程进度无法读取。",
       taught: "备份中的老师练习无法读取。",

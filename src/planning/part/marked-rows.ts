@@ -13,7 +13,7 @@ import type { FinishedPart, RowMark } from "./finished-part.ts";
 import { partProblem, type PartProblem, type PartSide } from "./part-problem.ts";
 
 /** Rows of undercuts with the form and the words of their designation; typed words stay. */
-function withUndercuts(
+export function withUndercuts(
   part: FinishedPart,
   rows: readonly ContourRow[],
   side: PartSide,

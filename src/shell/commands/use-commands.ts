@@ -74,7 +74,7 @@ function useViewSettings(): readonly SettingChoice[] {
 /** Everything that the palette offers now, in the screen language. */
 export function useCommands(): readonly Command[] {
   const t = useTexts("commands");
-  const { page, menu } = useTexts("first");
+  const { page, menu, start } = useTexts("first");
   const { does } = useTexts("keys");
   const { lessons } = useCourseIndex();
   const works = useSavedWorks((k) => k.works);
@@ -116,6 +116,7 @@ export function useCommands(): readonly Command[] {
       place(page.works.title, { page: "works" }),
       place(t.course, { page: "course", lesson: null, at: 1 }),
       place(page.tools.title, { page: "tools", number: null, milling: false }),
+      place(start.doors.plan, { page: "plan" }),
       place(page.own.title, { page: "own", row: null }),
       place(t.guide, { page: "guide", path: ["guide"] }),
       place(t.glossary, { page: "guide", path: ["glossary"] }),
@@ -150,5 +151,5 @@ export function useCommands(): readonly Command[] {
       })),
       ...settingCommands([...settingChoices(page, settings), ...views]),
     ];
-  }, [t, page, menu, does, lessons, works, open, isProgram, settings, views, undo, redo]);
+  }, [t, page, menu, start, does, lessons, works, open, isProgram, settings, views, undo, redo]);
 }

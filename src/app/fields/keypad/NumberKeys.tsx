@@ -24,8 +24,8 @@ export function NumberKeys() {
       const pressed = numberFieldOf(e.target);
       if (pressed && touched.current && spelled.current !== pressed) pressed.inputMode = "none";
     };
-    const onFocus = (e: FocusEvent) => {
-      const focused = numberFieldOf(e.target),
+    const openFor = (target: EventTarget | null) => {
+      const focused = numberFieldOf(target),
         fits = focused !== null && (touched.current || holds("coarse"));
       if (fits && spelled.current !== focused) {
         focused.inputMode = "none";
@@ -33,6 +33,7 @@ export function NumberKeys() {
         setField(focused);
       }
     };
+    const onFocus = (e: FocusEvent) => openFor(e.target);
     // As in the prompts, the first digit replaces the value; the next tap sets the caret. The field may have moved
     // under the finger when its keypad opened.
     const onClick = () => {
@@ -60,6 +61,8 @@ export function NumberKeys() {
     document.addEventListener("click", onClick);
     document.addEventListener("focusout", onLeave);
     document.addEventListener("pointerup", onLeave);
+    // This part is fetched: a field may have got the focus before.
+    openFor(document.activeElement);
     return () => {
       document.removeEventListener("pointerdown", onPress, true);
       document.removeEventListener("focusin", onFocus);

@@ -10,10 +10,10 @@ import { Icon } from "../../../app/base/Icon.tsx";
 import { lazyPart } from "../../../app/base/parts.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
-import { contourTableSlot } from "../../../app/fields/slots.ts";
+import { contourSlot } from "../../../app/fields/slots.ts";
 import { TeachText } from "./WordFields.tsx";
 
-const ContourTable = lazyPart(async () => ({ default: await contourTableSlot.fetch() }));
+const ContourTable = lazyPart(async () => ({ default: (await contourSlot.fetch()).ContourTable }));
 
 const textOf = (rows: readonly ContourRow[]): string =>
   contourStatements(rows)

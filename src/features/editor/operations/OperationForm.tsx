@@ -26,7 +26,7 @@ import { Message } from "../../../app/base/Message.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { useSession } from "../../../app/fields/blocks/session.ts";
-import { contourTableSlot } from "../../../app/fields/slots.ts";
+import { contourSlot } from "../../../app/fields/slots.ts";
 import { OPEN_NUMBER } from "./AskedNumber.tsx";
 import { SpindleFields, StartFields, arePlaceFieldsUsable } from "./PlaceFields.tsx";
 import { addThreadTool } from "../../../app/fields/dialog/thread-blank.ts";
@@ -44,7 +44,7 @@ import { ToolChoice } from "./ToolChoice.tsx";
 import type { StateBefore } from "./stock-before.ts";
 import { UNKNOWN_STOCK } from "./unknown-stock.ts";
 
-const ContourTable = lazyPart(async () => ({ default: await contourTableSlot.fetch() }));
+const ContourTable = lazyPart(async () => ({ default: (await contourSlot.fetch()).ContourTable }));
 
 /** The values of a job without the sizes of a surface that is not known. */
 const emptied = ({ cycle, drafts }: SetJob, placed: Draft): SetJob["drafts"] => ({

@@ -9,6 +9,7 @@ export const start = {
     program: "Zyklus programmieren",
     programHow: "Eingaben wie an der Steuerung; die Drehmaschine zeigt jeden Wert",
     openHow: "Klartext oder DIN/ISO: prüfen, im Dialog ändern, exportieren",
+    plan: "Arbeitsplan vom Fertigteil",
   },
   hero: {
     name: (n) => `Eine Welle wird in ${n} Bearbeitungen gedreht: Das Werkzeug fährt und trägt Material ab`,

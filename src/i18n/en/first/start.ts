@@ -9,6 +9,7 @@ export const start = {
     program: "Program a cycle",
     programHow: "Answer the prompts as on the control; the lathe shows each value",
     openHow: "Klartext or DIN/ISO, to check, change by dialog and export",
+    plan: "Working plan from the part",
   },
   hero: {
     name: (n: number) => `A shaft is machined in ${n} operations: the tool moves and removes material`,

@@ -9,6 +9,7 @@ export const start = {
     program: "Programmer un cycle",
     programHow: "Répondre comme sur la commande ; le tour montre chaque valeur",
     openHow: "Klartext ou DIN/ISO : vérifier, modifier par dialogue, exporter",
+    plan: "Gamme d’usinage de la pièce",
   },
   hero: {
     name: (n) => `Un arbre est usiné en ${n} opérations : l’outil se déplace et enlève la matière`,

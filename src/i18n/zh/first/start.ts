@@ -9,6 +9,7 @@ export const start = {
     program: "编程一个循环",
     programHow: "像在数控系统上一样回答提问；车床画面显示每个数值",
     openHow: "Klartext 或 DIN/ISO：检查、用对话修改、导出",
+    plan: "由零件生成加工方案",
   },
   hero: {
     name: (n) => `一根轴分 ${n} 道工序车削：刀具运动，材料被切除`,

@@ -1,0 +1,16 @@
+import { proxy } from "comlink";
+import type { PlanProgress } from "../../planning/working-plan.ts";
+import type { PlanAnswer, PlanOrder } from "./part-plan.ts";
+import { askAgain } from "./worker-life.ts";
+
+/** The working plan of a part; `tell` gets the best one so far. Null if it cannot be calculated. */
+export async function askForPlan(order: PlanOrder, tell: (progress: PlanProgress) => void): Promise<PlanAnswer | null> {
+  try {
+    return await askAgain(async (engine): Promise<PlanAnswer> => engine.planOfPart(order, proxy(tell)));
+  } catch {
+    return null;
+  }
+}
+
+/** Stops the search in progress: its answer is "stopped". */
+export const stopPlan = async (): Promise<void> => askAgain((engine) => engine.stopPlanning());

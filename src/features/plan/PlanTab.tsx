@@ -1,0 +1,127 @@
+import { useEffect, useRef } from "react";
+import type { Residue, WorkingPlan } from "../../planning/working-plan.ts";
+import { Message } from "../../app/base/Message.tsx";
+import type { StoredPart } from "../../app/records/part-store.ts";
+import { planAgain, useLocked, type MadePlan } from "./plan-store.ts";
+import { pointAtRows, showClamping, usePlanPlace } from "./plan-place.ts";
+import { areaWords, missingWords, regionPlace, type PlanWords } from "./plan-words.ts";
+import { ProblemList } from "./ProblemList.tsx";
+import { StepItem } from "./StepItem.tsx";
+
+interface Props {
+  readonly words: PlanWords;
+  readonly stored: StoredPart;
+  readonly made: MadePlan | null;
+  readonly isOutdated: boolean;
+  readonly isRunning: boolean;
+}
+
+/** The plan of the clamping that is shown. */
+export const planOfClamping = (made: MadePlan | null, clamping: "first" | "second"): WorkingPlan | null => {
+  const plan = made?.plan ?? null;
+  return clamping === "second" ? (plan?.second ?? plan) : plan;
+};
+
+/** What a plan does not make, and the tool that would. */
+function LeftList({ words, residue }: { readonly words: PlanWords; readonly residue: readonly Residue[] }) {
+  const { left } = words.t;
+  if (residue.length === 0) return null;
+  return (
+    <section className="plan-left" aria-label={left.title}>
+      <h2>{left.title}</h2>
+      <ul>
+        {residue.map((each, i) => (
+          <li key={i} onPointerEnter={() => pointAtRows(each.rows)} onPointerLeave={() => pointAtRows(null)}>
+            <b>
+              {each.region
+                ? left.region(areaWords(words, each.region.area), left.where[each.site])
+                : left.thread(each.missing?.thread ?? "")}
+            </b>
+            {each.region && <span className="small soft number">{regionPlace(words, each.region.box)}</span>}
+            <span>{left.why[each.why]}</span>
+            {each.missing && (
+              <span className="small">
+                {left.missing}: {missingWords(words, each.missing)}
+              </span>
+            )}
+          </li>
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+/** The operations of the plan, why they are so, and what is not made. */
+export function PlanTab({ words, stored, made, isOutdated, isRunning }: Props) {
+  const { t } = words;
+  const { open, clamping } = usePlanPlace();
+  const locked = useLocked(stored.id);
+  const list = useRef<HTMLOListElement>(null);
+  const plan = planOfClamping(made, clamping),
+    second = made?.plan?.second ?? null;
+  const at = useRef<number | null>(null);
+  // A new plan keeps the focus at the operation that was changed: its button may be gone.
+  useEffect(() => {
+    const { current } = at;
+    if (current === null || isRunning || document.activeElement !== document.body) return;
+    const names = list.current?.querySelectorAll<HTMLElement>(".plan-step-name");
+    names?.[Math.min(current, names.length - 1)]?.focus({ preventScroll: true });
+  }, [made, isRunning]);
+  if (!made) return <p className="plan-none soft">{t.run.about}</p>;
+  return (
+    <div className={`plan-result${isOutdated ? " outdated" : ""}`}>
+      {isOutdated && (
+        <div className="plan-outdated" role="status">
+          <Message tone="warning">{t.run.outdated}</Message>
+          <button type="button" className="button" disabled={isRunning} onClick={planAgain}>
+            {t.run.again}
+          </button>
+        </div>
+      )}
+      <ProblemList words={words} part={stored.part} problems={made.problems} />
+      {second && (
+        <div className="view-switch plan-sides" role="group" aria-label={t.result.title}>
+          {(["first", "second"] as const).map((each) => (
+            <button
+              key={each}
+              type="button"
+              className="button"
+              aria-pressed={clamping === each}
+              onClick={() => showClamping(each)}
+            >
+              {t.result[each]}
+            </button>
+          ))}
+        </div>
+      )}
+      {plan && (
+        <>
+          {plan.steps.length === 0 && <p className="plan-none">{t.run.none}</p>}
+          <ol
+            className="plan-steps"
+            aria-label={t.steps.title}
+            ref={list}
+            onFocus={({ target }) => {
+              const item = target.closest("li.plan-step");
+              at.current = item ? [...(list.current?.children ?? [])].indexOf(item) : null;
+            }}
+          >
+            {plan.steps.map((step, i) => (
+              <StepItem
+                key={i}
+                words={words}
+                stored={stored}
+                step={step}
+                index={i}
+                isOpen={open === i}
+                isLocked={locked.some(({ key }) => key === step.tried.action.key)}
+                canChange={!isRunning && !isOutdated && clamping === "first"}
+              />
+            ))}
+          </ol>
+          <LeftList words={words} residue={plan.residue} />
+        </>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,130 @@
+import { cycleByNumber, type CycleNumber } from "../../cycles/index.ts";
+import { VALUE_FORMULAS, type ValueFormula } from "../../planning/values/formulas.ts";
+import type { PartProblem } from "../../planning/part/part-problem.ts";
+import type { Action, ReasonedValue } from "../../planning/types.ts";
+import type { MissingTool, StepReason, WorkingPlan } from "../../planning/working-plan.ts";
+import type { PlanTexts } from "../../i18n/en/plan.ts";
+import type { Texts } from "../../i18n/index.ts";
+import type { Language } from "../../i18n/languages.ts";
+import { partProblemText, type PartProblemTexts } from "../../i18n/part-problem.ts";
+import { writer } from "../../i18n/write.ts";
+import { issueText } from "../../app/calculation/issue-text.ts";
+import { durationText } from "../../app/base/clock-text.ts";
+
+/** The words of the page: its own texts, those of the workplaces and of problems of a part, and the screen language. */
+export interface PlanWords {
+  readonly t: PlanTexts;
+  readonly work: Texts;
+  readonly problems: PartProblemTexts;
+  readonly language: Language;
+}
+
+export const timeWords = ({ work, language }: PlanWords, seconds: number): string =>
+  durationText(work.page.effect.duration, language, seconds);
+export const areaWords = ({ language }: PlanWords, area: number): string => writer(language).area(area);
+
+/** The cycle with its name, or path blocks. */
+export function cycleWords({ t, work }: PlanWords, cycle: number | null): string {
+  if (cycle === null) return t.steps.pathBlocks;
+  const name = cycleByNumber(cycle) ? work.cycles.of[cycle as CycleNumber].name : "";
+  return `${cycle} ${name}`.trim();
+}
+
+/** A way in a few words: its cycle and its tool. */
+const wayWords = ({ t }: PlanWords, cycle: number | null, tool: number): string =>
+  `${cycle === null ? t.steps.pathBlocks : t.steps.cycle(String(cycle))}, ${t.steps.tool(String(tool), "")}`;
+export const actionWords = (words: PlanWords, { cycle, tool }: Action): string =>
+  `${cycleWords(words, cycle)}, ${words.t.steps.tool(String(tool.T), tool.NAME ?? "")}`;
+
+/** Why a step is what it is, in words. */
+export function reasonWords(words: PlanWords, reason: StepReason): string {
+  const { because } = words.t;
+  switch (reason.kind) {
+    case "onlyTool":
+      return because.onlyTool;
+    case "onlyCycle":
+      return reason.cycle === null ? because.onlyPath : because.onlyCycle;
+    case "faster":
+      return because.faster(timeWords(words, reason.seconds), wayWords(words, reason.cycle, reason.tool));
+    case "takesMore":
+      return because.takesMore(areaWords(words, reason.area), wayWords(words, reason.cycle, reason.tool));
+    case "sameTool":
+      return because.sameTool;
+    case "rule":
+      return because.rules[reason.rule];
+    case "rest":
+      return because.rest(reason.step + 1);
+    case "byHand":
+      return because.byHand;
+  }
+}
+
+const isFormula = (key: string): key is ValueFormula => Object.hasOwn(VALUE_FORMULAS, key);
+
+/** A value of a step: its name, the value, and the formula with its numbers. */
+export function valueWords(
+  { t, work, language }: PlanWords,
+  cycle: number | null,
+  { q, value, formula, inputs }: ReasonedValue,
+) {
+  const { number } = writer(language);
+  const names: Readonly<Record<string, string>> = t.values;
+  const param = cycle === null ? undefined : cycleByNumber(cycle)?.params[q];
+  const put = Object.entries(inputs).map(([name, n]) => `${name} = ${typeof n === "number" ? number(n) : n}`);
+  return {
+    name: names[q] ?? q,
+    label: param ? work.params[param.text as keyof PlanWords["work"]["params"]].label : "",
+    value: number(value),
+    formula: [isFormula(formula) ? VALUE_FORMULAS[formula] : formula, put.join(", ")].filter(Boolean).join("; "),
+  };
+}
+
+/** The smallest data of a missing tool, in words. */
+export function missingWords({ t, language }: PlanWords, tool: MissingTool): string {
+  const { left } = t,
+    { length, angle } = writer(language);
+  const said = [
+    left.forms[tool.form],
+    left.where[tool.site],
+    tool.hand && left[tool.hand],
+    tool.thread !== undefined && left.forThread(tool.thread),
+    tool.descends !== undefined && left.descends(angle(tool.descends)),
+    tool.mostNose !== undefined && left.mostNose(length(tool.mostNose)),
+    tool.mostWidth !== undefined && left.mostWidth(length(tool.mostWidth)),
+    tool.leastDepth !== undefined && left.leastDepth(length(tool.leastDepth)),
+    tool.mostDiameter !== undefined && left.mostDiameter(length(tool.mostDiameter)),
+    tool.leastReach !== undefined && left.leastReach(length(tool.leastReach)),
+  ];
+  return said.filter(Boolean).join(", ");
+}
+
+/** What a plan achieves, in a few words: the verdict is that of its whole program. */
+export function verdictWords(words: PlanWords, plan: WorkingPlan): { readonly text: string; readonly isGood: boolean } {
+  const { result } = words.t;
+  const bad = (text: string) => ({ text, isGood: false });
+  if (plan.judged.verdict === "faults") return bad(result.faults);
+  if (plan.gouge > 0.01) return bad(result.damage(areaWords(words, plan.gouge)));
+  if (plan.judged.verdict === "incomplete" || plan.steps.length === 0) return bad(result.unchecked);
+  const open = plan.residue.filter(({ why }) => why !== "rear" && why !== "clamping");
+  const threads = open.filter(({ region }) => region === null).length,
+    area = open.reduce((sum, { region }) => sum + (region?.area ?? 0), 0);
+  if (threads > 0) return bad(result.notMade(threads));
+  if (area > 0) return bad(result.left(areaWords(words, area)));
+  return { text: plan.residue.length > 0 ? result.rest : result.complete, isGood: plan.isComplete };
+}
+
+/** A problem of a part in words; `numberOf`: the number of a row in its table. */
+export function problemWords(
+  { work, problems, language }: PlanWords,
+  problem: PartProblem,
+  numberOf: (row: string) => number,
+): string {
+  const numbered = problem.row === undefined ? problem : { ...problem, row: String(numberOf(problem.row)) };
+  return partProblemText(language, numbered, problems, (issue) => issueText(work, language, issue, null));
+}
+
+/** The place of a region, as Z of its ends and its diameters. */
+export const regionPlace = (
+  { t, language }: PlanWords,
+  box: { readonly left: number; readonly right: number },
+): string => t.left.at(writer(language).signed(box.right), writer(language).signed(box.left));
