@@ -3,7 +3,7 @@ import { basename, extname } from "node:path";
 import { noteText } from "../src/i18n/drawing-note.ts";
 import { drawing as drawingWords } from "../src/i18n/en/drawing.ts";
 import { ncLabels } from "../src/i18n/nc-labels.ts";
-import { planTitles } from "../src/i18n/plan-titles.ts";
+import { planTitles } from "../src/i18n/nc/plan-titles.ts";
 import type { LengthUnit } from "../src/kernel/units.ts";
 import { NC_LANGUAGES, type NcLanguage } from "../src/nc/nc-languages.ts";
 import type { FinishedPart } from "../src/planning/part/finished-part.ts";

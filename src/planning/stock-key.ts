@@ -39,7 +39,10 @@ export function turnedVolume(area: readonly Ring[]): number {
   for (const ring of area) {
     let a: Pt | undefined = ring.at(-1);
     for (const b of ring) {
-      if (a) sum += (a.z - b.z) * (a.r ** 2 + a.r * b.r + b.r ** 2);
+      if (a) {
+        const [from, to] = [Number(a.r), Number(b.r)];
+        sum += (a.z - b.z) * (from * from + from * to + to * to);
+      }
       a = b;
     }
   }

@@ -1,3 +1,4 @@
+import { newPart } from "../../planning/part/finished-part.ts";
 import { beginExam } from "../../course/exam.ts";
 import { SET_FORMAT, setSchema } from "../../course/task-set.ts";
 import { answerOf } from "../../course/judge/answer.ts";
@@ -129,7 +130,21 @@ const exams = {
 const column = { cell: "RS", inch: true, diameter: false } as const;
 const words = { TYPE: { Schruppen: "ROUGH" }, TO: {} };
 const columns = [{ signature: '["nr","radius"]', day: "2026-11-21", columns: [null, column], words }];
-const whole = { tools, own, settings, course, taught: [taught], sets: [set], exams, forms, worked, results, columns };
+const parts = [{ id: "part-1", part: newPart("PIN"), withoutTools: [3], withoutCycles: [] }];
+const whole = {
+  tools,
+  own,
+  settings,
+  course,
+  taught: [taught],
+  sets: [set],
+  exams,
+  forms,
+  worked,
+  results,
+  columns,
+  parts,
+};
 const nothing = {
   tools: null,
   own: null,
@@ -142,6 +157,7 @@ const nothing = {
   worked: null,
   results: null,
   columns: null,
+  parts: null,
 };
 const read = (bytes: Uint8Array): ReadArchive => {
   const found = readArchive(bytes);

@@ -91,7 +91,7 @@ export const plan = {
     title: "Résultat",
     complete: "Vérifié, toute la matière accessible enlevée",
     rest: "Vérifié ; le reste exige une autre prise",
-    left: (area) => `${area} de matière restante`,
+    left: (area) => `${area} de matière résiduelle`,
     notMade: (threads) => (threads === 1 ? "1 filetage non usiné" : `${threads} filetages non usinés`),
     faults: "Contrôle : erreurs trouvées",
     unchecked: "Simulation incomplète",
@@ -113,7 +113,7 @@ export const plan = {
   },
   steps: {
     title: "Opérations",
-    pathBlocks: "blocs de contournage",
+    pathBlocks: "séquences de contournage",
     cycle: (cycle) => `cycle ${cycle}`,
     tool: (n, name) => `T${n} ${name}`.trim(),
     takes: (area) => `enlève ${area}`,
@@ -149,7 +149,7 @@ export const plan = {
   because: {
     onlyTool: "seul outil qui atteint cette matière",
     onlyCycle: "seul cycle possible ici",
-    onlyPath: "seuls des blocs de contournage conviennent ici",
+    onlyPath: "seuls des séquences de contournage conviennent ici",
     faster: (time, other) => `${time} plus rapide que ${other}`,
     takesMore: (area, other) => `enlève ${area} de plus que ${other}`,
     sameTool: "sans changement d’outil",

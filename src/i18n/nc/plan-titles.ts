@@ -1,4 +1,4 @@
-import type { NcLanguage } from "../nc/nc-languages.ts";
+import type { NcLanguage } from "../../nc/nc-languages.ts";
 
 /** Words of the structure items of a planned program, by the kind of operation. */
 const titles = {
