@@ -109,7 +109,7 @@ export const plan = {
     finished: "matière après la dernière opération",
     step: (n, what) => `opération ${n}, ${what} : matière avant et après`,
     searching: "meilleure gamme jusqu’ici",
-    legend: { part: "Pièce finie", stock: "Matière", cut: "Enlevé dans cette opération", left: "Matière restante" },
+    legend: { part: "Pièce finie", stock: "Matière", cut: "Enlevé dans cette opération", left: "Matière résiduelle" },
   },
   steps: {
     title: "Opérations",
