@@ -85,10 +85,10 @@ test("improvements are found, compared, used one by one, and undone", async ({ p
   const rows = dialog.getByRole("list", { name: ways.list, exact: true }).getByRole("listitem");
   const [first, gain] = [rows.first(), ways.gains.toolGone("15")];
   await expect(first).toContainText(gain);
+  const count = await rows.count();
   await first.getByRole("button", { expanded: false }).press("Enter");
   await expect(first.getByRole("group", { name: words.list }).getByRole("button")).toContainText("TOOL CALL 1");
   await expectFineInBothThemes(page, "improvements");
-  const count = await rows.count();
 
   await first.getByRole("button", { name: ways.useLong(gain), exact: true }).press("Enter");
   await expect(dialog.getByText(ways.used(gain))).toBeVisible();
