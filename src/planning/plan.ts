@@ -74,12 +74,13 @@ export function* planning(
   // What is left may be for the other end; a second clamping has no third.
   const hasRegion = found.some(({ region }) => region !== null);
   const other = hasRegion && !request.begun ? secondClamping(asked, end, parse(whole.text)) : null;
-  const second = other && (yield* planning(other, {}, sources));
+  const second = other && (yield* unseen(planning(other, {}, sources), progressOf(end, s)));
   const residue = second?.isComplete
     ? found.map((each) => (each.region ? { ...each, why: "rear" as const } : each))
     : found;
   return {
     ...whole,
+    setup: { part: request.part, blank: request.blank, clamping: request.clamping },
     steps,
     residue,
     isComplete: whole.judged.verdict === "proved" && residue.every(({ why }) => why === "rear" || why === "clamping"),
@@ -98,6 +99,15 @@ function* reported<T>(
     const next = part.next();
     if (next.done) return next.value;
     yield progressOf(best() ?? next.value, s);
+  }
+}
+
+/** A search whose stock is turned end for end: it tells where the first one ended. */
+function* unseen<T>(search: Generator<PlanProgress, T>, told: PlanProgress): Generator<PlanProgress, T> {
+  for (;;) {
+    const next = search.next();
+    if (next.done) return next.value;
+    yield told;
   }
 }
 
