@@ -20,10 +20,10 @@ const MOST = 1500;
 const MEMORY = 50_000_000;
 
 /** The state behind the steps that an operator keeps or has chosen, as far as they are possible and work. */
-function* replayed({ keep = [], instead }: PlanChanges, s: Searching): Generator<PlanNode, PlanNode> {
+function* replayed({ keep = [], again, instead }: PlanChanges, s: Searching): Generator<PlanNode, PlanNode> {
   let node = firstNode(s);
   const kept = instead ? keep.slice(0, instead.at) : keep;
-  const keys = kept.map(({ tried }) => tried.action.key);
+  const keys = again?.keys ?? kept.map(({ tried }) => tried.action.key);
   for (const key of instead ? [...keys, instead.actionKey] : keys) {
     const action = actionsIn(node, s).find((a) => a.key === key);
     if (!action) return node;
@@ -44,7 +44,7 @@ export function* planning(
   changes: PlanChanges = {},
   sources: readonly ActionSource[] = actionSources,
 ): Generator<PlanProgress, WorkingPlan> {
-  const { keep = [], instead, locked = [] } = changes;
+  const { keep = [], again, instead, locked = [] } = changes;
   const request: PlanRequest = { ...asked, shop: { ...asked.shop, memory: new AnswerCache(MEMORY) } };
   const byHand = keep.filter((step, i) => step.isByHand && i !== instead?.at).map(({ tried }) => tried.action);
   const s: Searching = {
@@ -56,7 +56,11 @@ export function* planning(
     locked: [...locked, ...byHand.filter(({ key }) => !locked.some((l) => l.key === key))],
     most: MOST,
   };
-  const hand = new Set([...s.locked.map(({ key }) => key), ...(instead ? [instead.actionKey] : [])]);
+  const hand = new Set([
+    ...s.locked.map(({ key }) => key),
+    ...(again?.byHand ?? []),
+    ...(instead ? [instead.actionKey] : []),
+  ]);
   const from = yield* reported(replayed(changes, s), s, () => null);
   let best: PlanNode | null = null;
   for (const width of WIDTHS) {

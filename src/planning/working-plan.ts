@@ -130,6 +130,8 @@ export interface PlanProgress {
 export interface PlanChanges {
   /** The former plan: its steps are kept from the first one on as long as they are possible and work. */
   readonly keep?: readonly PlanStep[];
+  /** A former plan of which only the keys of its actions are known, in their order, and of those by hand. */
+  readonly again?: { readonly keys: readonly string[]; readonly byHand: readonly string[] };
   /** Another way (its `action.key`) in place of the step at this index; the steps before it are kept. */
   readonly instead?: { readonly at: number; readonly actionKey: string };
   /** Actions with values changed by hand, or locked as they are: each replaces the action with its key and is done. */
