@@ -20,10 +20,10 @@ const MOST = 1500;
 const MEMORY = 50_000_000;
 
 /** The state behind the steps that an operator keeps or has chosen, as far as they are possible and work. */
-function* replayed({ keep = [], instead }: PlanChanges, s: Searching): Generator<PlanNode, PlanNode> {
+function* replayed({ keep = [], again, instead }: PlanChanges, s: Searching): Generator<PlanNode, PlanNode> {
   let node = firstNode(s);
   const kept = instead ? keep.slice(0, instead.at) : keep;
-  const keys = kept.map(({ tried }) => tried.action.key);
+  const keys = again?.keys ?? kept.map(({ tried }) => tried.action.key);
   for (const key of instead ? [...keys, instead.actionKey] : keys) {
     const action = actionsIn(node, s).find((a) => a.key === key);
     if (!action) return node;
@@ -44,7 +44,7 @@ export function* planning(
   changes: PlanChanges = {},
   sources: readonly ActionSource[] = actionSources,
 ): Generator<PlanProgress, WorkingPlan> {
-  const { keep = [], instead, locked = [] } = changes;
+  const { keep = [], again, instead, locked = [] } = changes;
   const request: PlanRequest = { ...asked, shop: { ...asked.shop, memory: new AnswerCache(MEMORY) } };
   const byHand = keep.filter((step, i) => step.isByHand && i !== instead?.at).map(({ tried }) => tried.action);
   const s: Searching = {
@@ -56,7 +56,11 @@ export function* planning(
     locked: [...locked, ...byHand.filter(({ key }) => !locked.some((l) => l.key === key))],
     most: MOST,
   };
-  const hand = new Set([...s.locked.map(({ key }) => key), ...(instead ? [instead.actionKey] : [])]);
+  const hand = new Set([
+    ...s.locked.map(({ key }) => key),
+    ...(again?.byHand ?? []),
+    ...(instead ? [instead.actionKey] : []),
+  ]);
   const from = yield* reported(replayed(changes, s), s, () => null);
   let best: PlanNode | null = null;
   for (const width of WIDTHS) {
@@ -74,12 +78,13 @@ export function* planning(
   // What is left may be for the other end; a second clamping has no third.
   const hasRegion = found.some(({ region }) => region !== null);
   const other = hasRegion && !request.begun ? secondClamping(asked, end, parse(whole.text)) : null;
-  const second = other && (yield* planning(other, {}, sources));
+  const second = other && (yield* unseen(planning(other, {}, sources), progressOf(end, s)));
   const residue = second?.isComplete
     ? found.map((each) => (each.region ? { ...each, why: "rear" as const } : each))
     : found;
   return {
     ...whole,
+    setup: { part: request.part, blank: request.blank, clamping: request.clamping },
     steps,
     residue,
     isComplete: whole.judged.verdict === "proved" && residue.every(({ why }) => why === "rear" || why === "clamping"),
@@ -98,6 +103,15 @@ function* reported<T>(
     const next = part.next();
     if (next.done) return next.value;
     yield progressOf(best() ?? next.value, s);
+  }
+}
+
+/** A search whose stock is turned end for end: it tells where the first one ended. */
+function* unseen<T>(search: Generator<PlanProgress, T>, told: PlanProgress): Generator<PlanProgress, T> {
+  for (;;) {
+    const next = search.next();
+    if (next.done) return next.value;
+    yield told;
   }
 }
 

@@ -2,7 +2,7 @@ import type { Site } from "../cycles/shape-request.ts";
 import type { Ring } from "../kernel/geometry/point.ts";
 import type { Judged } from "../report/verdict.ts";
 import type { OpenRegion } from "./open-regions.ts";
-import type { Action, TriedAction } from "./types.ts";
+import type { Action, PlanRequest, TriedAction } from "./types.ts";
 
 /** Rules of the trade by their name: each makes a plan that breaks it dearer, none forbids. */
 export type TradeRule =
@@ -90,6 +90,8 @@ export interface Residue {
 
 /** A whole plan for one clamping. */
 export interface WorkingPlan {
+  /** Part, blank and clamping as this clamping has them: the second one has its part turned end for end. */
+  readonly setup: Pick<PlanRequest, "part" | "blank" | "clamping">;
   readonly steps: readonly PlanStep[];
   /** The program in the language of `PlanRequest.labels`. */
   readonly text: string;
@@ -128,6 +130,8 @@ export interface PlanProgress {
 export interface PlanChanges {
   /** The former plan: its steps are kept from the first one on as long as they are possible and work. */
   readonly keep?: readonly PlanStep[];
+  /** A former plan of which only the keys of its actions are known, in their order, and of those by hand. */
+  readonly again?: { readonly keys: readonly string[]; readonly byHand: readonly string[] };
   /** Another way (its `action.key`) in place of the step at this index; the steps before it are kept. */
   readonly instead?: { readonly at: number; readonly actionKey: string };
   /** Actions with values changed by hand, or locked as they are: each replaces the action with its key and is done. */

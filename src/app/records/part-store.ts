@@ -15,9 +15,15 @@ export interface StoredPart {
   /** Tools by number. */
   readonly withoutTools: readonly number[];
   readonly withoutCycles: readonly number[];
+  /** Operations of its newest plan by their keys, in their order, to plan it again after a reload. */
+  readonly ways?: readonly string[];
+  /** Keys of those that the operator chose or locked. */
+  readonly locked?: readonly string[];
 }
 export type PartList = readonly StoredPart[];
 
+/** Most operations that are noted of a plan. */
+const MOST_KEYS = 200;
 /** Most parts that the device keeps: the one that was opened longest ago goes first. */
 const MOST_PARTS = 50;
 
@@ -54,7 +60,15 @@ const part = z.object({
   rules,
 });
 const excluded = z.array(z.number()).check(z.maxLength(2000));
-const stored = z.object({ id: text, part, withoutTools: excluded, withoutCycles: excluded });
+const keys = z.optional(z.array(z.string().check(z.maxLength(2000))).check(z.maxLength(MOST_KEYS)));
+const stored = z.object({
+  id: text,
+  part,
+  withoutTools: excluded,
+  withoutCycles: excluded,
+  ways: keys,
+  locked: keys,
+});
 
 const NONE: PartList = [];
 
@@ -97,6 +111,12 @@ export function openPart(id: string): void {
   const all = partRecord.now(),
     wanted = all.find((each) => each.id === id);
   if (wanted) partRecord.put([wanted, ...all.filter((each) => each !== wanted)]);
+}
+
+/** Notes the operations of the newest plan of a part by their keys. That is no step of undo. */
+export function rememberPlan(id: string, ways: readonly string[], locked: readonly string[]): void {
+  const noted = { ways: ways.slice(0, MOST_KEYS), locked: locked.slice(0, MOST_KEYS) };
+  partRecord.put(partRecord.now().map((each) => (each.id === id ? { ...each, ...noted } : each)));
 }
 
 /** Deletes the open part. */

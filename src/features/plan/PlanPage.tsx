@@ -18,8 +18,8 @@ import { planOfClamping, PlanTab } from "./PlanTab.tsx";
 import { StockTab } from "./StockTab.tsx";
 import { ToolsTab } from "./ToolsTab.tsx";
 import { tableRows, withTableRows } from "./part-rows.ts";
-import { PLAN_TABS, sayOpened, showTab, usePlanPlace, type PlanSection } from "./plan-place.ts";
-import { usePlanOf, usePlans } from "./plan-store.ts";
+import { PLAN_TABS, sayOpened, showClamping, showTab, usePlanPlace, type PlanSection } from "./plan-place.ts";
+import { resumePlan, usePlanOf, usePlans } from "./plan-store.ts";
 import type { PlanWords } from "./plan-words.ts";
 import "./plan.css";
 
@@ -56,6 +56,12 @@ function OpenPart({ stored }: { readonly stored: StoredPart }) {
   const tab = usePlanPlace((p) => p.tab);
   const { made, isOutdated } = usePlanOf(stored);
   const isRunning = usePlans((s) => s.running?.id === stored.id);
+  useEffect(() => {
+    resumePlan(stored);
+    showClamping("first");
+    // Once for each part that is opened.
+    // eslint-disable-next-line react-hooks/exhaustive-deps
+  }, [stored.id]);
   const onPart = (next: FinishedPart, place: string | null) => editPart((now) => ({ ...now, part: next }), place);
   const content: Readonly<Record<PlanSection, ReactNode>> = {
     part: <PartTab words={words} stored={stored} planned={planned} onPart={onPart} />,
@@ -127,12 +133,14 @@ function PlanStage({
         </Suspense>
       </div>
     );
-  const plan = planOfClamping(made, clamping),
+  // The second clamping has the part turned end for end.
+  const plan = progress ? null : planOfClamping(made, clamping),
+    setup = tab === "plan" && clamping === "second" && plan ? plan.setup : planned,
     shown = tab === "plan" ? (pointed ?? open) : null,
     step = shown === null ? undefined : plan?.steps[shown];
-  const before = step && shown !== null ? (plan?.steps[shown - 1]?.tried.stock ?? planned.blank) : null;
+  const before = step && shown !== null ? (plan?.steps[shown - 1]?.tried.stock ?? setup.blank) : null;
   const isPlan = tab === "plan" && plan !== null;
-  const chains = planned.part ? [planned.part.outside, planned.part.inside] : [];
+  const chains = setup.part ? [setup.part.outside, setup.part.inside] : [];
   const { picture } = t;
   const shownWords = (): string => {
     if (progress) return picture.searching;
@@ -145,9 +153,9 @@ function PlanStage({
         t={t}
         name={picture.name(shownWords())}
         part={chains.flatMap(({ segments }) => segments)}
-        blank={planned.blank}
-        clamping={planned.clamping}
-        stock={progress?.stock ?? step?.tried.stock ?? (isPlan ? plan.stock : planned.blank)}
+        blank={setup.blank}
+        clamping={setup.clamping}
+        stock={progress?.stock ?? step?.tried.stock ?? (isPlan ? plan.stock : setup.blank)}
         before={progress ? null : before}
         residue={isPlan && !progress && !step ? plan.residue.flatMap(({ region }) => region?.rings ?? []) : NO_RINGS}
         chosen={chains.flatMap(({ segments, marks }) => segments.filter((_, i) => rows.includes(marks[i]?.row ?? "")))}

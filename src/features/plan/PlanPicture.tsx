@@ -87,16 +87,18 @@ export function PlanPicture({ t, name, part, blank, clamping, stock, before, res
       {chosen.length > 0 && <path className="plan-chosen" d={lineOf(chosen)} />}
     </>
   );
+  // A pattern is drawn in the units of the part: a stroke of one pixel is a seventh of its pitch.
+  const pitch = 7 / camera.scale;
   const hatch = (of: string, turn: number, className: string) => (
     <pattern
       id={`${id}${of}`}
-      width={7 / camera.scale}
-      height={7 / camera.scale}
+      width={pitch}
+      height={pitch}
       patternUnits="userSpaceOnUse"
       patternTransform={`rotate(${turn})`}
     >
-      <rect className={`${className}-ground`} width={7 / camera.scale} height={7 / camera.scale} />
-      <path className={className} d={`M0 0V${7 / camera.scale}`} />
+      <rect className={`${className}-ground`} width={pitch} height={pitch} />
+      <path className={className} strokeWidth={pitch / 7} d={`M0 0V${pitch}`} />
     </pattern>
   );
   const { legend } = t.picture;

@@ -7,7 +7,7 @@ import type { StoredPart } from "../../app/records/part-store.ts";
 import { usePlanPlace } from "./plan-place.ts";
 import { startPlan, planAgain, stopSearch, usePlans, type MadePlan } from "./plan-store.ts";
 import { planOfClamping } from "./PlanTab.tsx";
-import { timeWords, verdictWords, type PlanWords } from "./plan-words.ts";
+import { changeSeconds, timeWords, verdictWords, type PlanWords } from "./plan-words.ts";
 
 interface Props {
   readonly words: PlanWords;
@@ -24,6 +24,9 @@ function openPlan(plan: WorkingPlan, { part }: StoredPart): void {
   if (part.material !== "") setMaterial(part.material);
 }
 
+const toneOf = ({ isGood, isProved }: ReturnType<typeof verdictWords>): string =>
+  isGood ? "plan-good" : isProved ? "plan-warned" : "plan-bad";
+
 /** What the plan achieves, the search in progress, and the ways to plan and to open the program. */
 export function PlanStrip({ words, stored, made, isOutdated, onPlan }: Props) {
   const { t } = words;
@@ -33,7 +36,8 @@ export function PlanStrip({ words, stored, made, isOutdated, onPlan }: Props) {
   const plan = planOfClamping(made, clamping);
   const isRunning = running !== null,
     isSecond = plan !== null && plan === made?.plan?.second;
-  const verdict = plan && verdictWords(words, plan);
+  const verdict = plan && verdictWords(words, plan),
+    changes = plan ? changeSeconds(plan) : 0;
   const begin = () => {
     onPlan();
     if (made?.plan) planAgain();
@@ -64,12 +68,15 @@ export function PlanStrip({ words, stored, made, isOutdated, onPlan }: Props) {
         )}
         {!isRunning && plan && verdict && (
           <>
-            <b className={isOutdated ? "soft" : verdict.isGood ? "plan-good" : "plan-bad"}>
+            <b className={isOutdated ? "soft" : toneOf(verdict)}>
               <Icon name={isOutdated ? "info" : verdict.isGood ? "check" : "warning"} />{" "}
               {isOutdated ? t.run.outdated : verdict.text}
             </b>
-            <span className="small soft">{t.run.done(plan.steps.length, timeWords(words, plan.seconds))}</span>
+            <span className="small soft">
+              {t.run.done(plan.steps.length, timeWords(words, plan.seconds - changes), timeWords(words, changes))}
+            </span>
             {ended === "failed" && <span className="small plan-bad">{t.run.failed}</span>}
+            {ended === "stopped" && <span className="small">{t.run.stoppedAgain}</span>}
           </>
         )}
       </div>

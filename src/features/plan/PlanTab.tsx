@@ -16,10 +16,16 @@ interface Props {
   readonly isRunning: boolean;
 }
 
+/** The plan of the second clamping, where it has an operation. */
+const secondOf = (made: MadePlan | null): WorkingPlan | null => {
+  const second = made?.plan?.second ?? null;
+  return second && second.steps.length > 0 ? second : null;
+};
+
 /** The plan of the clamping that is shown. */
 export const planOfClamping = (made: MadePlan | null, clamping: "first" | "second"): WorkingPlan | null => {
   const plan = made?.plan ?? null;
-  return clamping === "second" ? (plan?.second ?? plan) : plan;
+  return clamping === "second" ? (secondOf(made) ?? plan) : plan;
 };
 
 /** What a plan does not make, and the tool that would. */
@@ -58,7 +64,7 @@ export function PlanTab({ words, stored, made, isOutdated, isRunning }: Props) {
   const locked = useLocked(stored.id);
   const list = useRef<HTMLOListElement>(null);
   const plan = planOfClamping(made, clamping),
-    second = made?.plan?.second ?? null;
+    second = secondOf(made);
   const at = useRef<number | null>(null);
   // A new plan keeps the focus at the operation that was changed: its button may be gone.
   useEffect(() => {
@@ -115,7 +121,8 @@ export function PlanTab({ words, stored, made, isOutdated, isRunning }: Props) {
                 index={i}
                 isOpen={open === i}
                 isLocked={locked.some(({ key }) => key === step.tried.action.key)}
-                canChange={!isRunning && !isOutdated && clamping === "first"}
+                canChange={!isRunning && !isOutdated}
+                isSecond={second !== null && plan === second}
               />
             ))}
           </ol>

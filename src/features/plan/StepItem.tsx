@@ -8,6 +8,7 @@ import {
   areaWords,
   cycleWords,
   reasonWords,
+  threadName,
   timeWords,
   valueWords,
   type PlanWords,
@@ -20,6 +21,8 @@ interface Props {
   readonly index: number;
   readonly isOpen: boolean;
   readonly isLocked: boolean;
+  /** The second clamping follows from the first: its operations are shown only. */
+  readonly isSecond: boolean;
   /** False while a plan is searched, or for an outdated one: nothing can be changed then. */
   readonly canChange: boolean;
 }
@@ -29,7 +32,7 @@ const SAME_AREA = 0.05,
   SAME_TIME = 0.05;
 
 /** One operation of a plan: what it is, what it takes; open, why, its values and the next best ways. */
-export function StepItem({ words, stored, step, index, isOpen, isLocked, canChange }: Props) {
+export function StepItem({ words, stored, step, index, isOpen, isLocked, isSecond, canChange }: Props) {
   const { t } = words,
     { steps: w } = t,
     id = useId();
@@ -65,22 +68,26 @@ export function StepItem({ words, stored, step, index, isOpen, isLocked, canChan
           <span className="plan-step-takes">
             <b className="number">{timeWords(words, seconds)}</b>
             <span className="small soft">
-              {action.threads.length > 0 ? action.threads.join(", ") : w.takes(areaWords(words, tried.cut))}
+              {action.threads.length > 0
+                ? action.threads.map(threadName).join(", ")
+                : w.takes(areaWords(words, tried.cut))}
             </span>
           </span>
         </button>
-        <button
-          type="button"
-          className="button icon plain"
-          aria-pressed={isLocked}
-          aria-label={w.lock(index + 1)}
-          title={w.lock(index + 1)}
-          onClick={() => toggleLock(stored.id, action)}
-        >
-          <svg className="icon" viewBox="0 0 24 24" aria-hidden="true" focusable="false">
-            <path d={`M6 11h12v9H6zM8.5 11V7.5a3.5 3.5 0 0 1 7 0${isLocked ? "V11" : ""}`} />
-          </svg>
-        </button>
+        {!isSecond && (
+          <button
+            type="button"
+            className="button icon plain"
+            aria-pressed={isLocked}
+            aria-label={w.lock(index + 1)}
+            title={w.lock(index + 1)}
+            onClick={() => toggleLock(stored.id, action)}
+          >
+            <svg className="icon" viewBox="0 0 24 24" aria-hidden="true" focusable="false">
+              <path d={`M6 11h12v9H6zM8.5 11V7.5a3.5 3.5 0 0 1 7 0${isLocked ? "V11" : ""}`} />
+            </svg>
+          </button>
+        )}
       </div>
       {isOpen && (
         <div className="plan-step-more" id={id}>
@@ -129,42 +136,46 @@ export function StepItem({ words, stored, step, index, isOpen, isLocked, canChan
                         ? w.sameResult
                         : (other.leaves > 0 ? w.leaves : w.takesMore)(areaWords(words, Math.abs(other.leaves)))}
                     </span>
-                    <button
-                      type="button"
-                      className="button small"
-                      disabled={!canChange}
-                      aria-label={w.useLong(index + 1, name)}
-                      onClick={() => takeWay(index, way.key)}
-                    >
-                      {w.use}
-                    </button>
+                    {!isSecond && (
+                      <button
+                        type="button"
+                        className="button small"
+                        disabled={!canChange}
+                        aria-label={w.useLong(index + 1, name)}
+                        onClick={() => takeWay(index, way.key)}
+                      >
+                        {w.use}
+                      </button>
+                    )}
                   </li>
                 );
               })}
             </ul>
           )}
-          <div className="plan-step-ways">
-            <button
-              type="button"
-              className="button small"
-              disabled={!canChange}
-              onClick={() => exclude({ withoutTools: [...stored.withoutTools, action.tool.T] })}
-            >
-              {w.exclude(tool)}
-            </button>
-            {action.cycle !== null && (
+          {!isSecond && (
+            <div className="plan-step-ways">
               <button
                 type="button"
                 className="button small"
                 disabled={!canChange}
-                onClick={() =>
-                  action.cycle !== null && exclude({ withoutCycles: [...stored.withoutCycles, action.cycle] })
-                }
+                onClick={() => exclude({ withoutTools: [...stored.withoutTools, action.tool.T] })}
               >
-                {w.forbid(String(action.cycle))}
+                {w.exclude(tool)}
               </button>
-            )}
-          </div>
+              {action.cycle !== null && (
+                <button
+                  type="button"
+                  className="button small"
+                  disabled={!canChange}
+                  onClick={() =>
+                    action.cycle !== null && exclude({ withoutCycles: [...stored.withoutCycles, action.cycle] })
+                  }
+                >
+                  {w.forbid(String(action.cycle))}
+                </button>
+              )}
+            </div>
+          )}
         </div>
       )}
     </li>

@@ -2,7 +2,7 @@ import { create } from "zustand";
 import { ncLanguageOf } from "../../i18n/languages.ts";
 import type { MachineData } from "../../program/machine/machine-data.ts";
 import type { Action } from "../../planning/types.ts";
-import type { PlanChanges, PlanProgress, WorkingPlan } from "../../planning/working-plan.ts";
+import type { PlanChanges, PlanProgress, PlanStep, WorkingPlan } from "../../planning/working-plan.ts";
 import type { PartProblem } from "../../planning/part/part-problem.ts";
 import { isSameData } from "../../app/base/same.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
@@ -11,7 +11,7 @@ import { askForPlan, stopPlan } from "../../app/calculation/planner.ts";
 import { USUAL_RAPID } from "../../app/calculation/request.ts";
 import { useTools } from "../../app/document/tool-store.ts";
 import { machineTextOf, shopOf } from "../../app/document/work-tools.ts";
-import { editPart, partRecord, type StoredPart } from "../../app/records/part-store.ts";
+import { editPart, partRecord, rememberPlan, type StoredPart } from "../../app/records/part-store.ts";
 
 /** What a plan was made from: it is outdated when one of these has changed. */
 interface PlanBasis {
@@ -43,9 +43,11 @@ const NO_ACTIONS: readonly Action[] = [];
 export const usePlans = create<Plans>(() => ({ made: new Map(), locked: new Map(), running: null, ended: "done" }));
 const { setState: set, getState: get } = usePlans;
 
+/** What a plan depends on: its own operations are noted beside it. */
+const inputOf = ({ part, withoutTools, withoutCycles }: StoredPart) => ({ part, withoutTools, withoutCycles });
 const basisOf = (stored: StoredPart): PlanBasis => ({ stored, table: shopOf({}).table, machine: machineTextOf({}) });
 const isBasis = (a: PlanBasis, b: PlanBasis): boolean =>
-  a.table === b.table && a.machine === b.machine && isSameData(a.stored, b.stored);
+  a.table === b.table && a.machine === b.machine && isSameData(inputOf(a.stored), inputOf(b.stored));
 
 /** The newest plan of a part, and whether the part, its stock or the tools have changed since. */
 export function usePlanOf(stored: StoredPart): { readonly made: MadePlan | null; readonly isOutdated: boolean } {
@@ -84,7 +86,34 @@ export async function startPlan(changes: PlanChanges = {}): Promise<void> {
   if (answer?.kind === "stopped" && get().running !== null) return;
   if (!answer || answer.kind === "stopped") return set({ running: null, ended: answer ? "stopped" : "failed" });
   const made: MadePlan = { basis, plan: answer.kind === "planned" ? answer.plan : null, problems: answer.problems };
-  set(({ made: all }) => ({ made: new Map([...all, [id, made]]), running: null, ended: "done" }));
+  const chosen = new Set([changes.instead?.actionKey, ...(changes.again?.byHand ?? [])]);
+  const taken = (made.plan?.steps ?? []).map(({ tried: { action } }) => action).filter(({ key }) => chosen.has(key));
+  set(({ made: all, locked: before }) => ({
+    made: new Map([...all, [id, made]]),
+    locked: taken.length > 0 ? new Map([...before, [id, withLocks(before.get(id), taken)]]) : before,
+    running: null,
+    ended: "done",
+  }));
+  remember(id);
+}
+
+/** Locked operations with others, the later of equal ones. */
+const withLocks = (locked: readonly Action[] = NO_ACTIONS, added: readonly Action[]): readonly Action[] => [
+  ...locked.filter(({ key }) => !added.some((each) => each.key === key)),
+  ...added,
+];
+
+/** Stores which operations a plan has and which of them are locked. */
+function remember(id: string): void {
+  const keyOf = ({ key }: Action) => key;
+  const ways = planOf(id)?.steps.map(({ tried }) => keyOf(tried.action)) ?? [];
+  rememberPlan(id, ways, (get().locked.get(id) ?? NO_ACTIONS).map(keyOf));
+}
+
+/** Plans a part of an earlier visit again: its plan is not stored, its operations are. */
+export function resumePlan({ id, ways = [], locked = [] }: StoredPart): void {
+  const { made, running } = get();
+  if (ways.length > 0 && !made.has(id) && running?.id !== id) void startPlan({ again: { keys: ways, byHand: locked } });
 }
 
 /** Stops the search; the former plan stays. */
@@ -95,18 +124,32 @@ export function stopSearch(): void {
 
 const planOf = (id: string): WorkingPlan | null => get().made.get(id)?.plan ?? null;
 
+/** The steps of a plan as the operator decided: only those that are locked stay for sure. */
+function keptSteps(id: string, { steps }: WorkingPlan): readonly PlanStep[] {
+  const locked = get().locked.get(id) ?? NO_ACTIONS;
+  return steps.map((step) => ({ ...step, isByHand: locked.some(({ key }) => key === step.tried.action.key) }));
+}
+
 /** Plans the open part again: the operations of the former plan stay as long as they are possible. */
 export function planAgain(): void {
   const [stored] = partRecord.now();
   const plan = stored && planOf(stored.id);
-  void startPlan(plan ? { keep: plan.steps } : {});
+  void startPlan(plan ? { keep: keptSteps(stored.id, plan) } : {});
 }
 
-/** Takes another way for an operation, and plans what follows again. */
+/** Takes another way for an operation, locks it, and plans what follows again. */
 export function takeWay(at: number, actionKey: string): void {
   const [stored] = partRecord.now();
   const plan = stored && planOf(stored.id);
-  if (plan) void startPlan({ keep: plan.steps, instead: { at, actionKey } });
+  if (!plan) return;
+  const former = plan.steps[at]?.tried.action.key;
+  set(({ locked }) => ({
+    locked: new Map([
+      ...locked,
+      [stored.id, (locked.get(stored.id) ?? NO_ACTIONS).filter(({ key }) => key !== former)],
+    ]),
+  }));
+  void startPlan({ keep: keptSteps(stored.id, plan), instead: { at, actionKey } });
 }
 
 /** Excludes tools or cycles, or allows them again, and plans again what follows from that. */
@@ -122,4 +165,5 @@ export function toggleLock(id: string, action: Action): void {
       others = before.filter(({ key }) => key !== action.key);
     return { locked: new Map([...locked, [id, others.length < before.length ? others : [...others, action]]]) };
   });
+  remember(id);
 }

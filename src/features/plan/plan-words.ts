@@ -30,6 +30,9 @@ export function cycleWords({ t, work }: PlanWords, cycle: number | null): string
   return `${cycle} ${name}`.trim();
 }
 
+/** Designation of a thread, without the place that its name in a plan has behind it. */
+export const threadName = (id: string): string => id.replace(/ -?[\d.]+$/, "");
+
 /** A way in a few words: its cycle and its tool. */
 const wayWords = ({ t }: PlanWords, cycle: number | null, tool: number): string =>
   `${cycle === null ? t.steps.pathBlocks : t.steps.cycle(String(cycle))}, ${t.steps.tool(String(tool), "")}`;
@@ -98,19 +101,28 @@ export function missingWords({ t, language }: PlanWords, tool: MissingTool): str
   return said.filter(Boolean).join(", ");
 }
 
+/** Time of tool changes in a plan, s. The time of its program has them only where the machine data state one. */
+export const changeSeconds = ({ steps }: WorkingPlan): number =>
+  steps.reduce((sum, { seconds, tried }) => sum + seconds - tried.seconds, 0);
+
 /** What a plan achieves, in a few words: the verdict is that of its whole program. */
-export function verdictWords(words: PlanWords, plan: WorkingPlan): { readonly text: string; readonly isGood: boolean } {
+export function verdictWords(
+  words: PlanWords,
+  plan: WorkingPlan,
+): { readonly text: string; readonly isGood: boolean; readonly isProved: boolean } {
   const { result } = words.t;
-  const bad = (text: string) => ({ text, isGood: false });
+  const isProved = plan.judged.verdict === "proved" && plan.gouge <= 0.01;
+  const bad = (text: string) => ({ text, isGood: false, isProved });
   if (plan.judged.verdict === "faults") return bad(result.faults);
   if (plan.gouge > 0.01) return bad(result.damage(areaWords(words, plan.gouge)));
-  if (plan.judged.verdict === "incomplete" || plan.steps.length === 0) return bad(result.unchecked);
+  if (plan.steps.length === 0) return bad(words.t.run.none);
+  if (plan.judged.verdict === "incomplete") return bad(result.unchecked);
   const open = plan.residue.filter(({ why }) => why !== "rear" && why !== "clamping");
   const threads = open.filter(({ region }) => region === null).length,
     area = open.reduce((sum, { region }) => sum + (region?.area ?? 0), 0);
   if (threads > 0) return bad(result.notMade(threads));
   if (area > 0) return bad(result.left(areaWords(words, area)));
-  return { text: plan.residue.length > 0 ? result.rest : result.complete, isGood: plan.isComplete };
+  return { text: plan.residue.length > 0 ? result.rest : result.complete, isGood: plan.isComplete, isProved };
 }
 
 /** A problem of a part in words; `numberOf`: the number of a row in its table. */
