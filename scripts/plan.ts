@@ -19,6 +19,7 @@ import { readMachine } from "../src/program/machine/machine-file.ts";
 import type { MachineData } from "../src/program/machine/machine-data.ts";
 import { over, type ShopTools } from "../src/program/tools/read-tools.ts";
 import { shippedTools } from "../src/program/tools/shipped-tools.ts";
+import { shippedMills } from "../src/program/tools/standard-drills.ts";
 import { planLines } from "./plan-words.ts";
 import { readShopTools, toolFormatNames } from "./shop-tools.ts";
 
@@ -43,7 +44,7 @@ are on standard error.
 
   PART.json                the finished part (format turnwise-part/1); ${STDIN} reads one from standard input
   PART.dxf                 a drawing of it: DXF, STEP or SVG, outside and bore
-  --tools TOOLS            tools of the shop; each replaces the built-in tool of the same number. TOOLS.json of this app, or a
+  --tools TOOLS            tools of the shop; each replaces the built-in one of the same number. TOOLS.json of this app, or a
                            file of ${toolFormatNames}
   --tools-unit mm|inch     unit of lengths of a tools file that does not state it, mm if not said
   --machine MACHINE.json   what the machine can do (format turnwise-machine/1)
@@ -165,11 +166,11 @@ const say = (line: string) => process.stderr.write(`${line}\n`);
 const textOf = (data: Uint8Array) => new TextDecoder().decode(data);
 
 function toolsOf({ tools: path, toolsUnit }: Command): ShopTools {
-  if (path === null) return { tools: shippedTools, refused: new Map() };
+  if (path === null) return { tools: shippedTools, mills: shippedMills, refused: new Map() };
   const read = readShopTools(basename(path), bytes(path), toolsUnit);
   if ("problem" in read) throw new WrongUse(`tools file ${path}: ${read.problem}`);
   for (const note of read.notes) say(`tools file ${path}: ${note}`);
-  return over(shippedTools, read.tools);
+  return over({ tools: shippedTools, mills: shippedMills }, read.tools);
 }
 
 function machineOf({ machine: path }: Command): MachineData | null {
