@@ -33,7 +33,7 @@ const RAPID = 10_000;
 
 const usage = (called: string): string =>
   `usage: ${called} PART.json|PART.dxf [--tools TOOLS] [--tools-unit mm|inch] [--machine MACHINE.json] [--unit mm|inch] ` +
-  "[--material ID] [--blank SIZE] [--part-off] [--without-tool N …] [--without-cycle N …] [--language en|de|fr|zh]";
+  "[--material ID] [--blank SIZE] [--part-off] [--without-tool N …] [--without-cycle N …] [--clamping 1|2] [--language en|de|fr|zh]";
 
 const help = (called: string): string =>
   `${usage(called)}
@@ -55,11 +55,15 @@ are on standard error.
   --part-off               series from bar: the part is parted off
   --without-tool N         plans without this tool; may be repeated
   --without-cycle N        plans without this cycle; may be repeated
+  --clamping 1|2           the clamping whose program is printed, 1 if not said; both are planned
   --language en|de|fr|zh   language of the program, en if not said
   --help, --version        this text; the version
 
 Exit status: 0 the program is verified and nothing is left, 1 it is not or something is left, 2 the command could not run.
 `;
+
+/** The clamping whose program is printed: a control loads a file with one program. */
+const CLAMPINGS = ["1", "2"] as const;
 
 interface Command {
   readonly file: string;
@@ -72,6 +76,7 @@ interface Command {
   readonly partsOff: boolean;
   readonly withoutTools: readonly number[];
   readonly withoutCycles: readonly number[];
+  readonly clamping: (typeof CLAMPINGS)[number];
   readonly language: NcLanguage;
 }
 
@@ -110,6 +115,7 @@ function command(args: readonly string[], called: string): Command {
     partsOff: false,
     withoutTools: [],
     withoutCycles: [],
+    clamping: "1",
     language: "en",
   };
   for (let i = 0; i < args.length; i += 1) {
@@ -147,6 +153,8 @@ function valued(option: string, typed: string | undefined, before: Omit<Command,
       return { withoutTools: [...before.withoutTools, number(option, value())] };
     case "--without-cycle":
       return { withoutCycles: [...before.withoutCycles, number(option, value())] };
+    case "--clamping":
+      return { clamping: oneOf(option, value(), CLAMPINGS) };
     case "--language":
       return { language: oneOf(option, value(), NC_LANGUAGES) };
     default:
@@ -246,10 +254,13 @@ export async function main(args: readonly string[], called = "npm run --silent p
       const titles = planTitles("en");
       const nameOf = (title: string) => `${title.slice(0, 1)}${title.slice(1).toLowerCase()}`;
       const clampings = [made, ...(made.second ? [made.second] : [])];
-      for (const one of clampings) {
-        process.stdout.write(one.text);
+      clampings.forEach((one, i) => {
+        if (clampings.length > 1) say(`clamping ${i + 1}:`);
         planLines(one, ({ kind }) => nameOf(titles[kind])).forEach(say);
-      }
+      });
+      const printed = asked.clamping === "1" ? made : made.second;
+      if (!printed) throw new WrongUse("there is no second clamping");
+      process.stdout.write(printed.text);
       return clampings.every(({ isComplete }) => isComplete) ? 0 : 1;
     }
     return 0;
