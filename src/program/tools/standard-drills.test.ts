@@ -1,4 +1,5 @@
 import { expect, test } from "vitest";
+import { radius, toDiameter } from "../../kernel/units.ts";
 import { drillOf } from "./drill-of.ts";
 import { over, readTools, type ShopTools } from "./read-tools.ts";
 import { shippedTools } from "./shipped-tools.ts";
@@ -50,5 +51,5 @@ test("a shipped boring bar goes into the hole of the largest drill", () => {
   // From the tip to the far side of the bar.
   const across = -(bar?.offsetX ?? NaN) + (bar?.width ?? NaN);
   const largest = Math.max(...shippedMills.flatMap((row) => (row.TYPE === "DRILL" ? [row.R] : [])));
-  expect(2 * largest).toBeGreaterThan(across + 1);
+  expect(toDiameter(radius(largest))).toBeGreaterThan(across + 1);
 });
