@@ -19,6 +19,7 @@ import { readMachine } from "../src/program/machine/machine-file.ts";
 import type { MachineData } from "../src/program/machine/machine-data.ts";
 import { over, type ShopTools } from "../src/program/tools/read-tools.ts";
 import { shippedTools } from "../src/program/tools/shipped-tools.ts";
+import { shippedMills } from "../src/program/tools/standard-drills.ts";
 import { planLines } from "./plan-words.ts";
 import { readShopTools, toolFormatNames } from "./shop-tools.ts";
 
@@ -32,7 +33,7 @@ const RAPID = 10_000;
 
 const usage = (called: string): string =>
   `usage: ${called} PART.json|PART.dxf [--tools TOOLS] [--tools-unit mm|inch] [--machine MACHINE.json] [--unit mm|inch] ` +
-  "[--material ID] [--blank SIZE] [--part-off] [--without-tool N …] [--without-cycle N …] [--language en|de|fr|zh]";
+  "[--material ID] [--blank SIZE] [--part-off] [--without-tool N …] [--without-cycle N …] [--clamping 1|2] [--language en|de|fr|zh]";
 
 const help = (called: string): string =>
   `${usage(called)}
@@ -43,7 +44,7 @@ are on standard error.
 
   PART.json                the finished part (format turnwise-part/1); ${STDIN} reads one from standard input
   PART.dxf                 a drawing of it: DXF, STEP or SVG, outside and bore
-  --tools TOOLS            tools of the shop; each replaces the built-in tool of the same number. TOOLS.json of this app, or a
+  --tools TOOLS            tools of the shop; each replaces the built-in one of the same number. TOOLS.json of this app, or a
                            file of ${toolFormatNames}
   --tools-unit mm|inch     unit of lengths of a tools file that does not state it, mm if not said
   --machine MACHINE.json   what the machine can do (format turnwise-machine/1)
@@ -54,11 +55,15 @@ are on standard error.
   --part-off               series from bar: the part is parted off
   --without-tool N         plans without this tool; may be repeated
   --without-cycle N        plans without this cycle; may be repeated
+  --clamping 1|2           the clamping whose program is printed, 1 if not said; both are planned
   --language en|de|fr|zh   language of the program, en if not said
   --help, --version        this text; the version
 
 Exit status: 0 the program is verified and nothing is left, 1 it is not or something is left, 2 the command could not run.
 `;
+
+/** The clamping whose program is printed: a control loads a file with one program. */
+const CLAMPINGS = ["1", "2"] as const;
 
 interface Command {
   readonly file: string;
@@ -71,6 +76,7 @@ interface Command {
   readonly partsOff: boolean;
   readonly withoutTools: readonly number[];
   readonly withoutCycles: readonly number[];
+  readonly clamping: (typeof CLAMPINGS)[number];
   readonly language: NcLanguage;
 }
 
@@ -109,6 +115,7 @@ function command(args: readonly string[], called: string): Command {
     partsOff: false,
     withoutTools: [],
     withoutCycles: [],
+    clamping: "1",
     language: "en",
   };
   for (let i = 0; i < args.length; i += 1) {
@@ -146,6 +153,8 @@ function valued(option: string, typed: string | undefined, before: Omit<Command,
       return { withoutTools: [...before.withoutTools, number(option, value())] };
     case "--without-cycle":
       return { withoutCycles: [...before.withoutCycles, number(option, value())] };
+    case "--clamping":
+      return { clamping: oneOf(option, value(), CLAMPINGS) };
     case "--language":
       return { language: oneOf(option, value(), NC_LANGUAGES) };
     default:
@@ -165,11 +174,11 @@ const say = (line: string) => process.stderr.write(`${line}\n`);
 const textOf = (data: Uint8Array) => new TextDecoder().decode(data);
 
 function toolsOf({ tools: path, toolsUnit }: Command): ShopTools {
-  if (path === null) return { tools: shippedTools, refused: new Map() };
+  if (path === null) return { tools: shippedTools, mills: shippedMills, refused: new Map() };
   const read = readShopTools(basename(path), bytes(path), toolsUnit);
   if ("problem" in read) throw new WrongUse(`tools file ${path}: ${read.problem}`);
   for (const note of read.notes) say(`tools file ${path}: ${note}`);
-  return over(shippedTools, read.tools);
+  return over({ tools: shippedTools, mills: shippedMills }, read.tools);
 }
 
 function machineOf({ machine: path }: Command): MachineData | null {
@@ -245,10 +254,13 @@ export async function main(args: readonly string[], called = "npm run --silent p
       const titles = planTitles("en");
       const nameOf = (title: string) => `${title.slice(0, 1)}${title.slice(1).toLowerCase()}`;
       const clampings = [made, ...(made.second ? [made.second] : [])];
-      for (const one of clampings) {
-        process.stdout.write(one.text);
+      clampings.forEach((one, i) => {
+        if (clampings.length > 1) say(`clamping ${i + 1}:`);
         planLines(one, ({ kind }) => nameOf(titles[kind])).forEach(say);
-      }
+      });
+      const printed = asked.clamping === "1" ? made : made.second;
+      if (!printed) throw new WrongUse("there is no second clamping");
+      process.stdout.write(printed.text);
       return clampings.every(({ isComplete }) => isComplete) ? 0 : 1;
     }
     return 0;

@@ -7,6 +7,7 @@ import { TOOL_FILE_ENDINGS } from "../src/program/tool-files/formats.ts";
 import { numbered, readToolFiles, type ForeignTools } from "../src/program/tool-files/read-tool-files.ts";
 import { readTools, type ShopTools } from "../src/program/tools/read-tools.ts";
 import { shippedTools } from "../src/program/tools/shipped-tools.ts";
+import { shippedMills } from "../src/program/tools/standard-drills.ts";
 import type { CellName } from "../src/program/tools/tool-columns.ts";
 import { readEntry } from "../src/program/tools/tool-entry.ts";
 import { isLength, proposedAssignment, toolsOfSheet } from "../src/program/tool-sheets/assignment.ts";
@@ -53,6 +54,9 @@ const notesOf = ({ tools, refused, assumedUnit }: ForeignTools): readonly string
   ...refused.map(({ label, why, kind }) => `not read: ${label}: ${toolForeign.refusals[why](kind)}`),
 ];
 
+/** Numbers of the built-in tools and drills: a tool without a number gets another one. */
+const SHIPPED = [...shippedTools, ...shippedMills].map(({ T }): number => T);
+
 /** Columns that a sheet needs to be one of tools: what each tool is. */
 const SAYS_KIND: ReadonlySet<string> = new Set(["TYPE", "CODE"]);
 
@@ -66,7 +70,7 @@ function sheetTools(text: string, unit: LengthUnit): ReadShopTools | null {
   const inUnit = columns.map((column, at) =>
     column && isLength(column.cell) && unitIn(titleOf(at)) === null ? { ...column, inch: unit === "inch" } : column,
   );
-  const taken = new Set<number>(shippedTools.map(({ T }) => T));
+  const taken = new Set<number>(SHIPPED);
   const { rows, twice, unused } = toolsOfSheet(sheet, { columns: inUnit, words }, taken);
   const read = columns.flatMap((column, at) => (column ? [`${titleOf(at)} as ${column.cell}`] : []));
   const { table } = readList(rows.map(({ cells }, i) => ({ id: `r${i}`, cells })));
@@ -99,7 +103,7 @@ export function readShopTools(name: string, data: Uint8Array, unit: LengthUnit):
     return (only && sheetTools(only.text, unit)) ?? { problem: "not a table of tools in a known format" };
   const foreign = read.flatMap(({ content }) => ("foreign" in content ? [content.foreign] : []));
   const rows = read.flatMap(({ content }) => ("table" in content ? content.table.rows : []));
-  const taken = new Set([...shippedTools.map(({ T }) => T as number), ...rows.map(({ T }) => Number(T))]);
+  const taken = new Set([...SHIPPED, ...rows.map(({ T }) => Number(T))]);
   const tools = numbered(
     foreign.flatMap((each) => each.tools),
     taken,

@@ -20,6 +20,7 @@ import type { LengthUnit } from "../src/kernel/units.ts";
 import { over, type ShopTools } from "../src/program/tools/read-tools.ts";
 import { run } from "../src/program/run/run.ts";
 import { shippedTools } from "../src/program/tools/shipped-tools.ts";
+import { shippedMills } from "../src/program/tools/standard-drills.ts";
 import { hasErrors, report, type Report } from "../src/report/report.ts";
 import { summary } from "../src/report/summary.ts";
 import { simulate } from "../src/sim/simulate.ts";
@@ -47,7 +48,7 @@ Runs turning programs in Klartext or DIN/ISO, cuts the stock along their paths a
 
   FILE.h                   a program; ${STDIN} reads one from standard input. Programs that it calls are looked for in its folder
                            and among the other files.
-  --tools TOOLS            tools of the shop; each replaces the built-in tool of the same number. TOOLS.json of this app, or a file
+  --tools TOOLS            tools of the shop; each replaces the built-in one of the same number. TOOLS.json of this app, or a file
                            of ${toolFormatNames}; what is proposed or not understood is named on standard error
   --tools-unit mm|inch     unit of lengths of a tools file that does not state it, mm if not said
   --machine MACHINE.json   what the machine can do (format turnwise-machine/1): rapids, accelerations, tool change and spindle go
@@ -170,11 +171,11 @@ function decoded(data: Buffer): Decoded {
 
 /** Tools of the shop over the built-in ones; what is doubtful about them goes to standard error. */
 function toolsOf(path: string | null, unit: LengthUnit): ShopTools {
-  if (path === null) return { tools: shippedTools, refused: new Map() };
+  if (path === null) return { tools: shippedTools, mills: shippedMills, refused: new Map() };
   const read = readShopTools(basename(path), bytes(path), unit);
   if ("problem" in read) throw new Refusal(`tools file ${path}: ${read.problem}`);
   for (const note of read.notes) process.stderr.write(`verify: tools file ${path}: ${note}\n`);
-  return over(shippedTools, read.tools);
+  return over({ tools: shippedTools, mills: shippedMills }, read.tools);
 }
 
 function machineIn(path: string | null): MachineData | null {

@@ -70,6 +70,44 @@ test("a drawing gives the part, options its blank", async () => {
   expect(err).toMatch(/\d\. Part off: /);
 });
 
+test("the other side has a program of its own", async () => {
+  const axle = file(
+    "axle.json",
+    JSON.stringify({
+      format: "turnwise-part/1",
+      name: "AXLE",
+      blank: { outside: 30, bore: 0, length: 61, allowance: 1 },
+      clamping: { kind: "chuckOutside", words: { D: 30, LENGTH: 25, FACE: -36, SIZE: 160 } },
+      outside: [{ x: 0, z: 0 }, { x: 20 }, { z: -18 }, { x: 28 }, { z: -42 }, { x: 20 }, { z: -60 }],
+    }),
+  );
+  const begins = () => out.match(/BEGIN PGM \w+/g);
+  expect(await main([axle])).toBe(0);
+  expect(begins()).toEqual(["BEGIN PGM AXLE"]);
+  out = "";
+  expect(await main([axle, "--clamping", "2"])).toBe(0);
+  expect(begins()).toEqual(["BEGIN PGM AXLE_2"]);
+  expect(err).toContain("clamping 2:\n 1. ");
+});
+
+test("a bore is drilled with the built-in drills; a side without a step is no clamping", async () => {
+  const ring = file(
+    "ring.json",
+    JSON.stringify({
+      format: "turnwise-part/1",
+      name: "RING",
+      blank: { outside: 50, bore: 0, length: 60, allowance: 1 },
+      outside: [{ x: 30, z: 0 }, { x: 48 }, { z: -20 }, { x: 30 }],
+      inside: [{ x: 30, z: 0 }, { z: -20 }],
+      partsOff: true,
+    }),
+  );
+  expect(await main([ring])).toBe(0);
+  expect(err).toMatch(/\d\. Drill: path blocks with T38 DRILL-D26[^]*\d\. Finish bore: [^]*\d\. Part off: /);
+  expect(await main([ring, "--clamping", "2"])).toBe(2);
+  expect(err).toMatch(/plan: there is no second clamping\n$/);
+});
+
 test("what is left names its tool, and the status is 1", async () => {
   const turning = [1, 2, 3, 4, 5, 6, 7, 8, 11, 14, 15, 16, 17].flatMap((T) => ["--without-tool", String(T)]);
   expect(await main([pin(), ...turning])).toBe(1);

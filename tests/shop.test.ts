@@ -54,7 +54,7 @@ const shop: Readonly<Record<string, ExpectedReport>> = {
 const shopTools = (() => {
   const read = readTools(tools);
   if ("problem" in read) throw new Error(read.problem);
-  return over(shippedTools, read);
+  return over({ tools: shippedTools }, read);
 })();
 
 /** The differences between a report and its expectation, in words. */

@@ -7,7 +7,7 @@ import type { ReportTime } from "../src/report/report.ts";
 import { projectFile } from "./sources.ts";
 
 const table = readTools(projectFile("tests/times/tools.json"));
-const shop = "tools" in table ? over(shippedTools, table) : { tools: shippedTools, refused: new Map() };
+const shop = "tools" in table ? over({ tools: shippedTools }, table) : { tools: shippedTools, refused: new Map() };
 
 function machineIn(name: string) {
   const read = readMachine(projectFile(`tests/times/${name}`));

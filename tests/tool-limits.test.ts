@@ -52,7 +52,7 @@ const row = (T: number, limits: object) => {
 const hits = (text: string, tool: object) => {
   const read = readTools(JSON.stringify({ tools: [tool] }));
   if ("problem" in read) throw new Error(read.problem);
-  const { issues, proof } = verified("case.h", text, over(shippedTools, read));
+  const { issues, proof } = verified("case.h", text, over({ tools: shippedTools }, read));
   return {
     limits: issues.filter(({ code }) => code === "toolLimit").map(({ data }) => data),
     holder: proof.holder,

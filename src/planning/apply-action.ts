@@ -7,6 +7,7 @@ import { parse } from "../nc/parse.ts";
 import type { Program } from "../nc/program.ts";
 import { withHandOperation, withOperation, type OperationPlace } from "../program/edits/added-operation.ts";
 import { emptyProgram } from "../program/job/empty-program.ts";
+import type { SetJob } from "../program/job/job.ts";
 import { runOn } from "../program/run/run.ts";
 import { verdictOf, type VerdictReason } from "../report/verdict.ts";
 import { simulateCuts } from "../sim/simulate.ts";
@@ -30,13 +31,18 @@ const NO_FAULT: ReadonlySet<VerdictReason["kind"]> = new Set([
   "noOperation",
 ]);
 
-/** A program with the blocks of an action added. */
-export const withAction = (
+/** A program with the blocks of an action added; a tailstock is passed across the axis. */
+export function withAction(
   program: Program,
   { job, cut }: Action,
-  labels: PlanRequest["labels"],
+  { labels, clamping }: Pick<PlanRequest, "labels" | "clamping">,
   place?: OperationPlace,
-) => (cut ? withHandOperation(program, job, cut, place) : withOperation(program, job, labels, place));
+): Program {
+  const { kind, tailstock } = clamping?.clamping ?? {};
+  const held: SetJob =
+    kind && tailstock ? { ...job, clamping: { kind, words: { QUILL: String(tailstock.quill) } } } : job;
+  return cut ? withHandOperation(program, held, cut, place) : withOperation(program, held, labels, place);
+}
 
 const placeOf = ({ place: { front, rear, high, low } }: Action): Ring => [
   at(rear, low),
@@ -65,8 +71,8 @@ export function leftBy(
 
 /** Runs one action on the stock of a state and measures what it takes. After parting off the stock is the part. */
 export function applyAction(action: Action, { stock }: Pick<PlanState, "stock">, request: PlanRequest): TriedAction {
-  const { labels, part, shop, clamping } = request;
-  const program = withAction(parse(emptyProgram("PLAN", null)), action, labels);
+  const { part, shop, clamping } = request;
+  const program = withAction(parse(emptyProgram("PLAN", null)), action, request);
   const made = runOn(stock, program, shop);
   const simulation = simulateCuts({ ...made, clamping });
   const faults = verdictOf(made, simulation).reasons.filter(({ kind }) => !NO_FAULT.has(kind));

@@ -78,7 +78,8 @@ export function* planning(
   // What is left may be for the other end; a second clamping has no third.
   const hasRegion = found.some(({ region }) => region !== null);
   const other = hasRegion && !request.begun ? secondClamping(asked, end, parse(whole.text)) : null;
-  const second = other && (yield* unseen(planning(other, {}, sources), progressOf(end, s)));
+  const turned = other && (yield* unseen(planning(other, {}, sources), progressOf(end, s)));
+  const second = turned && turned.steps.length > 0 ? turned : null;
   const residue = second?.isComplete
     ? found.map((each) => (each.region ? { ...each, why: "rear" as const } : each))
     : found;

@@ -46,7 +46,7 @@ export type WholeProgram = Pick<
 
 /** The program of a plan, each action under its title, run and cut as one. */
 export function wholeProgram(actions: readonly Action[], request: PlanRequest): WholeProgram {
-  const { shop, rules, labels, titles, part } = request;
+  const { shop, rules, titles, part } = request;
   // Operations on the same contour share its label; the blank may have one.
   const begin = emptyOf(request);
   const taken = begin.blocks.filter(({ statement: s }) => s.kind === "label" && s.label !== 0).length;
@@ -57,7 +57,7 @@ export function wholeProgram(actions: readonly Action[], request: PlanRequest): 
     const contour = contours.get(rows);
     if (!isOwn && contour === undefined) contours.set(rows, taken + contours.size + 1);
     const title = titles?.[action.kind];
-    return withAction(all, action, labels, {
+    return withAction(all, action, request, {
       ...(title !== undefined && { title }),
       ...(!isOwn && contour !== undefined && { contour }),
     });

@@ -14,7 +14,7 @@ const expected = { ...others, ...running, ...expectedCauses };
 function tableOf({ tools }: Expected) {
   const read = readTools(JSON.stringify({ tools: tools ?? [] }));
   if ("problem" in read) throw new Error(read.problem);
-  return over(shippedTools, read);
+  return over({ tools: shippedTools }, read);
 }
 const programs = import.meta.glob<string>("./*.h", { query: "?raw", import: "default", eager: true });
 const nameOf = (path: string) => path.replace(/^\.\/|\.h$/g, "");

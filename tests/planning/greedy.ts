@@ -68,7 +68,7 @@ function firstWorking(state: PlanState, request: PlanRequest, onTried: (tried: T
 /** The program of a plan. */
 export const programOf = ({ done }: PlanState, request: PlanRequest): Program =>
   done.reduce(
-    (program, { action }) => withAction(program, action, request.labels, { title: action.kind }),
+    (program, { action }) => withAction(program, action, request, { title: action.kind }),
     request.begun ?? parse(emptyProgram(request.part.name, cylinderAround(request.blank))),
   );
 

@@ -57,7 +57,7 @@ function simplePlan(request: PlanRequest): PlanState {
 /** The program of all actions of a plan, in a row. */
 function verdictOfPlan({ done }: PlanState, { blank, clamping, labels, shop }: PlanRequest) {
   const program = done.reduce(
-    (made, { action }) => withAction(made, action, labels),
+    (made, { action }) => withAction(made, action, { labels, clamping }),
     parse(emptyProgram("PLAN", cylinderAround(blank))),
   );
   const made = run(program, shop);

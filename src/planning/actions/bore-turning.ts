@@ -215,7 +215,7 @@ function cutsInto({ moves }: Plan, { left, right, low, high }: Box): boolean {
   const least = low + REACHES * (high - low);
   return moves.some(({ kind, to }, i) => {
     const from = moves[i - 1]?.to ?? to;
-    return kind !== "rapid" && to.r > least && Math.min(from.z, to.z) < right && Math.max(from.z, to.z) > left;
+    return kind !== "rapid" && to.r > least - SAME && Math.min(from.z, to.z) < right && Math.max(from.z, to.z) > left;
   });
 }
 

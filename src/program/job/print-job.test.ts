@@ -108,6 +108,13 @@ describe("the way to the start point and back", () => {
     expect(found.there).toEqual(there);
     expect(found.back).toEqual([...back, "M305", "M30"]);
   });
+
+  test("with a tailstock across the axis, also in front", () => {
+    const clamping = { kind: "chuckOutside", words: { QUILL: "40", TIP: "0" } } as const;
+    const found = ways(jobOf(811, { blank, start: { x: "90", z: "3" }, clamping }));
+    expect(found.there).toEqual(["L X+110 Z+53 R0 FMAX", "L Z+3 FMAX", "L X+90 Y+0 Z+3 FMAX M303"]);
+    expect(found.back).toEqual(["L X+110 R0 FMAX", "L Z+53 R0 FMAX", "M305", "M30"]);
+  });
 });
 
 describe("every text of the app obeys the rules that it checks", () => {

@@ -83,11 +83,13 @@ const assignments = (job: Job, known: KnownParameters): Statement[] =>
   });
 
 /**
- * Position of the start point: clear of the blank, in its bore, or below its outside, where a shoulder may be higher.
+ * Position of the start point: clear of the blank, in its bore, or below its outside, where a shoulder may be higher, or
+ * behind a tailstock, where the way along the axis is not free.
  */
 type StartPlace = "clear" | "bore" | "low";
 
-function placeOfStart({ blank, start }: Job): StartPlace {
+function placeOfStart({ blank, start, clamping }: Job): StartPlace {
+  if (clamping?.words.QUILL) return "low";
   const [outside, bore, x] = [number(blank.outside, 0), number(blank.bore, 0), number(start.x, 0)];
   if (number(start.z, 0) >= number(blank.allowance, 0)) return "clear";
   if (bore > 0 && x <= bore) return "bore";

@@ -105,7 +105,7 @@ describe("the printed contour with arcs, tool radius 6", () => {
   test("a milling tool of a tools file stands beside turning tools and takes their number", () => {
     const read = readTools('{"tools":[{"T":1,"NAME":"D12","TYPE":"MILL","R":5.5,"DR":0.5}]}');
     if ("problem" in read) throw new Error(read.problem);
-    const table = over(shippedTools, read);
+    const table = over({ tools: shippedTools }, read);
     expect(table.tools.some((t) => t.T === 1)).toBe(false);
     expect(shown(run(parse(circular), { ...table, rapid: 10_000 }))).toEqual(shown(done));
     expect(readTools('{"tools":[{"T":1,"TYPE":"MILL"}]}')).toMatchObject({

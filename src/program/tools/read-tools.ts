@@ -143,11 +143,13 @@ export function readTools(text: string): ShopTools | { readonly problem: string 
 }
 
 /** Merges a table into another: rows with the same number are replaced. */
-export function over(base: readonly Tool[], table: ShopTools): ShopTools {
-  const mills = table.mills ?? [];
-  const replaced = new Set([...table.tools.map((t) => t.T), ...table.refused.keys(), ...mills.map((m) => m.T)]);
+export function over(base: Omit<ShopTools, "refused">, table: ShopTools): ShopTools {
+  const own = table.mills ?? [];
+  const replaced = new Set([...table.tools, ...own].map(({ T }) => T).concat([...table.refused.keys()]));
+  const rest = <Row extends { readonly T: number }>(rows: readonly Row[]) => rows.filter(({ T }) => !replaced.has(T));
+  const mills = [...rest(base.mills ?? []), ...own];
   return {
-    tools: [...base.filter((t) => !replaced.has(t.T)), ...table.tools],
+    tools: [...rest(base.tools), ...table.tools],
     refused: table.refused,
     ...(mills.length > 0 && { mills }),
   };

@@ -2,14 +2,18 @@ import { METRIC_SIZES } from "../../kernel/contour/metric-thread.ts";
 import { CENTRE_FORMS, type CentreForm } from "../../kernel/plan/tool.ts";
 import type { NamedThread } from "../../kernel/thread/named-thread.ts";
 import { tapRows } from "./tap-of-thread.ts";
-import { freeNumber, type ToolList } from "./tool-list.ts";
+import type { Mill } from "./plane-types.ts";
+import { freeNumber, readList, shippedList, type ToolList } from "./tool-list.ts";
 import type { ToolEntry } from "./tool-entry.ts";
 
 type Cells = ToolEntry["cells"];
 
 /** Point angle of a usual drill, degrees. */
 const POINT = "118";
-/** Drills by diameter with the flute length of DIN 338, mm; the smaller ones are the core holes of the taps. */
+/**
+ * Drills by diameter with the flute length of DIN 338, above ⌀20 of DIN 345, recalled (tag K), mm; the smaller ones are the
+ * core holes of the taps, and the largest makes room for the shipped boring bars.
+ */
 const drill = (NAME: string, R: string, LCUTS: string): Cells => ({ NAME, TYPE: "DRILL", R, "T-ANGLE": POINT, LCUTS });
 /** Taps of metric coarse threads. */
 const tap = (nominal: number, LCUTS: string): Cells => ({
@@ -53,6 +57,7 @@ const ROWS: readonly Cells[] = [
   drill("DRILL-D12", "6", "101"),
   drill("DRILL-D16", "8", "120"),
   drill("DRILL-D20", "10", "140"),
+  drill("DRILL-D26", "13", "165"),
   tap(6, "15"),
   tap(8, "18"),
   tap(10, "20"),
@@ -73,3 +78,7 @@ export function standardDrills(list: ToolList, thread: NamedThread | null = null
     ...cells,
   }));
 }
+
+/** The standard drills, taps and centre drills with numbers behind those of the shipped tools. */
+export const shippedMills: readonly Mill[] =
+  readList(standardDrills(shippedList).map((cells, i) => ({ id: `m${i}`, cells }))).table.mills ?? [];
