@@ -56,6 +56,8 @@ function roughings(work: OutsideWork, piece: Piece, { stock, tools, request }: A
     const made = ranked(into, better)
       .slice(0, MOST)
       .map(({ tool, job, values }) => actionOf({ ...candidate, variant: "in" }, tool, job, values));
-    return [...over, ...made];
+    // Going over its grooves first is no gain for a tool that goes into them.
+    const alone = over.filter(({ tool }) => !made.some((inside) => inside.tool.T === tool.T));
+    return [...(alone.length > 0 ? alone : over.slice(0, 1)), ...made];
   });
 }

@@ -10,7 +10,7 @@ import { withCuttingValues } from "../values/cycle-values.ts";
 import { cuttingValues } from "../values/cutting-values.ts";
 import { heldWorkpiece } from "../values/held-workpiece.ts";
 import type { HeldBar, HeldWorkpiece } from "../values/stability.ts";
-import type { CuttingValues, ValuesRequest, Work } from "../values/values-request.ts";
+import type { CuttingValues, ValuesRequest, WantedRoughness, Work } from "../values/values-request.ts";
 
 /** Machining operation of a cycle: roughing and finishing, roughing, finishing to size. */
 const OPERATION = { both: 0, rough: 1, finish: 2 } as const;
@@ -23,8 +23,8 @@ export interface CutRequest {
   readonly smallest: number;
   readonly largest: number;
   readonly stock: readonly Ring[];
-  /** Greatest mean roughness of its surfaces, µm; absent without a mark. */
-  readonly roughness?: number;
+  /** The finest of its surfaces; absent without a mark. */
+  readonly roughness?: WantedRoughness;
   /** Depth of a hole or a groove, height of a thread, mm. */
   readonly depth?: number;
   readonly pitch?: number;
@@ -69,7 +69,7 @@ export function valuesOf(tool: Tool, cut: CutRequest, request: PlanRequest): Cut
     bar: cut.bar ?? null,
     machine: shop.machine?.spindle ?? null,
     power,
-    roughness: cut.roughness === undefined ? null : { kind: "Ra", value: cut.roughness },
+    roughness: cut.roughness ?? null,
     ...(cut.depth !== undefined && { depth: cut.depth }),
     ...(cut.pitch !== undefined && { pitch: cut.pitch }),
   };
