@@ -82,14 +82,15 @@ export const face: ActionSource = {
       .flatMap((cycle) => {
         const tools = toolsOf(request).filter((tool) => isUsualTool(cycle.group, tool));
         const job = jobFor(cycle, wanted, stock);
-        const candidate = { kind: "face", site: "face", cycle, job, cut, box, most: MOST } as const;
+        const candidate = { kind: "face", site: "face", cycle, job, cut, box } as const;
         const own = actionsOf(
           candidate,
           tools.filter(({ T }) => goesOn.has(T)),
+          MOST,
           request,
           better,
         );
-        return own.length > 0 ? own : actionsOf(candidate, tools, request, better);
+        return own.length > 0 ? own : actionsOf(candidate, tools, MOST, request, better);
       });
     return notDone(actions, state);
   },

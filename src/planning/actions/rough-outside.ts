@@ -40,10 +40,10 @@ function roughings(work: OutsideWork, piece: Piece, { stock, tools, request }: A
   return turningCycles(plain.segments, request).flatMap((cycle) => {
     const across = worksAcross(cycle);
     const cut = cutOf(cycle, "rough", { box, stock });
-    const candidate = { kind: "roughOutside", site: "outside", cycle, cut, box, most: MOST } as const;
+    const candidate = { kind: "roughOutside", site: "outside", cycle, cut, box } as const;
     const jobOf = ({ segments }: Chain, plunging: number) =>
       withValue(contourJob(cycle, { segments, way: "ahead", stock }), "Q487", plunging);
-    const over = actionsOf({ ...candidate, job: jobOf(across ? whole : plain, 0) }, tools, request, better);
+    const over = actionsOf({ ...candidate, job: jobOf(across ? whole : plain, 0) }, tools, MOST, request, better);
     if (across || work.pockets.length === 0) return over;
     const into = tools.flatMap((tool) => {
       const chain = turnedChain(
