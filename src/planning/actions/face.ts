@@ -6,6 +6,7 @@ import { SAME } from "../../kernel/tolerance.ts";
 import { axial, diameter, radius, rounded, toDiameter } from "../../kernel/units.ts";
 import { jobFor } from "../../program/job/requested-job.ts";
 import { frontOf } from "../../program/job/stock-surface.ts";
+import { positionAsTyped } from "../../program/values/typed-value.ts";
 import { isUsualTool } from "../../program/tools/which-tool.ts";
 import { cyclesFor } from "../../report/which/ways.ts";
 import type { ActionSource, PlannedPart, PlanRequest } from "../types.ts";
@@ -20,6 +21,8 @@ import { typesFirst } from "./turned-contour.ts";
 const OVER_BORE = 2;
 /** Distance from the point of a tailstock and other bodies of the clamping, mm. */
 const BESIDE = 2;
+/** Distance of the start point from the finished face, mm. */
+const AHEAD = 2;
 /** Tools to try. */
 const MOST = 3;
 
@@ -81,7 +84,8 @@ export const face: ActionSource = {
       .filter((c) => worksAcross(c) && useOf(c).shapes.includes("step") && !request.withoutCycles.includes(c.number))
       .flatMap((cycle) => {
         const tools = toolsOf(request).filter((tool) => isUsualTool(cycle.group, tool));
-        const job = jobFor(cycle, wanted, stock);
+        const begun = jobFor(cycle, wanted, stock);
+        const job = { ...begun, start: { ...begun.start, z: positionAsTyped(rounded(Math.max(front, end + AHEAD))) } };
         const candidate = { kind: "face", site: "face", cycle, job, cut, box } as const;
         const own = actionsOf(
           candidate,

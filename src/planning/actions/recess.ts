@@ -73,7 +73,10 @@ function recesses(
     site: axis === "z" ? "face" : "outside",
     cycle,
     job: contourJob(cycle, { segments, way: "ahead", stock }),
-    cut: cutOf(cycle, operation, { box, stock, ...(roughness !== undefined && { roughness }) }),
+    cut: {
+      ...cutOf(cycle, operation, { box, stock, ...(roughness !== undefined && { roughness }) }),
+      width: axis === "z" ? box.high - box.low : box.right - box.left,
+    },
     box,
   }));
   const tools = toolsOf(request).filter((tool) => candidates.some(({ cycle }) => isUsualTool(cycle.group, tool)));
