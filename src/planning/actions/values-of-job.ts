@@ -97,7 +97,7 @@ export function withValues(
   const made = withCuttingValues({ ...job, tool: tool.T }, cycle, { main, ...(finish && { finish }) });
   const { allowance } = request.rules;
   const leaves = cut.operation !== "finish";
-  const isFilled = cut.width !== undefined && cut.width - 2 * allowance.z < cuttingWidth(tool);
+  const isFilled = cut.width !== undefined && cut.width - cuttingWidth(tool) < allowance.z + allowance.z;
   // A finishing pass takes what roughing leaves in a corner.
   const stands = Math.hypot(perSide(diameter(allowance.diameter)), allowance.z);
   const set: Readonly<Record<string, number>> = {
