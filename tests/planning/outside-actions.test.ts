@@ -1,11 +1,13 @@
 import { describe, expect, test } from "vitest";
 import { ncLabels } from "../../src/i18n/nc-labels.ts";
 import { inBox } from "../../src/kernel/area/box.ts";
+import { union } from "../../src/kernel/area/clip.ts";
 import { at, part } from "../../src/kernel/geometry/point.ts";
 import { degrees, length } from "../../src/kernel/units.ts";
 import { parse } from "../../src/nc/parse.ts";
 import { applyAction, withAction } from "../../src/planning/apply-action.ts";
 import { actionSources } from "../../src/planning/actions/index.ts";
+import { thread } from "../../src/planning/actions/thread.ts";
 import { openRegions } from "../../src/planning/open-regions.ts";
 import { plannedPart } from "../../src/planning/part/planned-part.ts";
 import type { ActionKind, PlannedPart, PlanRequest, PlanState, TriedAction } from "../../src/planning/types.ts";
@@ -183,4 +185,14 @@ describe("a simple plan of actions outside", () => {
       left: Math.round(100 * left.reduce((sum, { area }) => sum + area, 0)) / 100,
     }).toEqual({ verdict: "proved", gouge: 0, ...expected });
   });
+});
+
+test("a taper thread with a shallow relief is cut along its cone", () => {
+  const request = ofTrade("npt-fitting");
+  const bar = [at(-70, 6.5), at(-36, 6.5), at(-36, 15), at(-70, 15)];
+  const state = { stock: union(request.part.rings, [bar]), done: [], threads: new Set<string>() };
+  const tried = thread.actions(state, request).map((action) => applyAction(action, state, request));
+  expect(tried.map(({ works, gouge, action }) => ({ works, gouge, threads: action.threads }))).toEqual([
+    { works: true, gouge: 0, threads: ["1/2 NPT -1.358"] },
+  ]);
 });

@@ -4,7 +4,10 @@ import { noseRadius } from "../../kernel/cutter/insert.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import type { Plan } from "../../kernel/plan/plan.ts";
 import type { Box } from "../../kernel/geometry/segments.ts";
+import type { Spindle } from "../../kernel/time/step.ts";
+import { secondsOf } from "../../kernel/time/time.ts";
 import type { SetJob } from "../../program/job/job.ts";
+import { tipAtCall } from "../../program/job/requested-job.ts";
 import { checkTool } from "../../program/tools/check-tool.ts";
 import { fitOf, type ToolFit } from "../../program/tools/which-tool.ts";
 import type { Action, ActionKind, PlanRequest, PlanState } from "../types.ts";
@@ -21,8 +24,6 @@ export interface Candidate {
   readonly box: Box;
   /** Tells candidates of one cycle in one place apart. */
   readonly variant?: string;
-  /** Most tools to try. */
-  readonly most: number;
 }
 
 /** Tools that may be used, checked once for a table. */
@@ -68,13 +69,54 @@ export function ranked<T extends ToolFit>(fits: readonly T[], better: Better): r
 export function actionsOf(
   candidate: Candidate,
   tools: readonly Tool[],
+  most: number,
   request: PlanRequest,
   better: Better = () => 0,
 ): readonly Action[] {
   const fits = tools.flatMap((tool) => fitted(candidate, tool, request) ?? []);
   return ranked(fits, better)
-    .slice(0, candidate.most)
+    .slice(0, most)
     .map(({ tool, job, values }) => actionOf(candidate, tool, job, values));
+}
+
+/** Time of the path of a job, s. */
+function secondsOfPlan({ job, plan: { moves } }: Fitted, { shop }: PlanRequest): number {
+  const { mode, speed, cuttingSpeed, limit } = job.spindle;
+  const spindle: Spindle =
+    mode === "surface"
+      ? { kind: "surface", cuttingSpeed: Number(cuttingSpeed), limit: Number(limit) }
+      : { kind: "constant", speed: Number(speed) };
+  let from = tipAtCall(job);
+  return moves.reduce((sum, move) => {
+    const seconds = secondsOf(from, move, spindle, shop.rapid);
+    from = move.to;
+    return sum + seconds;
+  }, 0);
+}
+
+/** Time that a length of contour costs that a tool does not reach, s/mm: another tool has to take what is left there. */
+const PER_UNREACHED = 1;
+
+/** The best ways among several candidates for the same place: those that reach everything, the quickest first. */
+export function bestWays(
+  candidates: readonly Candidate[],
+  tools: readonly Tool[],
+  most: number,
+  request: PlanRequest,
+  better: Better = () => 0,
+): readonly Action[] {
+  return candidates
+    .flatMap((candidate) =>
+      tools.flatMap((tool) => {
+        const fit = fitted(candidate, tool, request);
+        if (!fit) return [];
+        const cost = secondsOfPlan(fit, request) + PER_UNREACHED * fit.unreached;
+        return [{ candidate, fit, cost: cost + (fit.makesContour ? 0 : request.rules.toolChange) }];
+      }),
+    )
+    .toSorted((a, b) => better(a.fit.tool, b.fit.tool) || a.cost - b.cost || a.fit.tool.T - b.fit.tool.T)
+    .slice(0, most)
+    .map(({ candidate, fit: { tool, job, values } }) => actionOf(candidate, tool, job, values));
 }
 
 /** The action of a candidate with a tool. */

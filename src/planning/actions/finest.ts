@@ -1,7 +1,12 @@
+import { rzOf } from "../values/turning-values.ts";
+import type { WantedRoughness } from "../values/values-request.ts";
 import type { Chain } from "../types.ts";
 
-/** The finest surface of a section, µm; undefined without a mark. */
-export const finestOf = ({ marks }: Pick<Chain, "marks">): number | undefined => {
-  const all = marks.flatMap(({ roughness }) => (roughness === undefined ? [] : [roughness]));
-  return all.length > 0 ? Math.min(...all) : undefined;
-};
+/** The finest surface of a section, by Ra or Rz as its mark states; undefined without a mark. */
+export function finestOf({ marks }: Pick<Chain, "marks">): WantedRoughness | undefined {
+  const wanted = marks.flatMap(({ roughness, rz }): readonly WantedRoughness[] => [
+    ...(roughness === undefined ? [] : [{ kind: "Ra", value: roughness } as const]),
+    ...(rz === undefined ? [] : [{ kind: "Rz", value: rz } as const]),
+  ]);
+  return wanted.toSorted((a, b) => rzOf(a) - rzOf(b))[0];
+}

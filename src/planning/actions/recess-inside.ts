@@ -11,6 +11,7 @@ import type { Action, ActionSource, Chain, PlannedPart, PlanRequest } from "../t
 import { boredTo, clearRadius, insideRegions } from "./bore.ts";
 import { barActions, barsOf, freeInside, type BoreWay, type Section } from "./bore-turning.ts";
 import { notDone } from "./candidates.ts";
+import { finestOf } from "./finest.ts";
 import { pocketsOf, type Pocket } from "./pockets.ts";
 import { THICK } from "./rough-inside.ts";
 
@@ -57,12 +58,12 @@ function recessing(region: OpenRegion, stock: readonly Ring[], request: PlanRequ
   const clear = clearRadius(stock, box.left + WITHIN, frontOf(stock));
   const way: BoreWay = { z: first.z, clear, low: clear - BESIDE };
   const wanted = freeInside(segments);
-  const fine = marks.flatMap(({ roughness }) => roughness ?? []);
+  const roughness = finestOf({ marks });
   const cut = {
     operation: "both",
     work: "recess",
     depth: box.high - clear,
-    ...(fine.length > 0 && { roughness: Math.min(...fine) }),
+    ...(roughness !== undefined && { roughness }),
   } as const;
   const work = { kind: "recess", wanted, region: { box }, way, cut, most: MOST_TOOLS } as const;
   return cyclesFor(wanted)

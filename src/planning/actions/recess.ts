@@ -1,4 +1,3 @@
-import type { Cycle } from "../../cycles/define.ts";
 import { worksAcross } from "../../cycles/use.ts";
 import { boxOf } from "../../kernel/area/box.ts";
 import { part, type Ring, type Segment } from "../../kernel/geometry/point.ts";
@@ -7,14 +6,15 @@ import { boxAroundContour } from "../../program/job/requested-shape.ts";
 import { isUsualTool } from "../../program/tools/which-tool.ts";
 import { cyclesFor } from "../../report/which/ways.ts";
 import type { Action, ActionSource, PlanRequest } from "../types.ts";
-import { actionsOf, notDone, toolsOf, type Candidate } from "./candidates.ts";
+import { bestWays, notDone, toolsOf, type Candidate } from "./candidates.ts";
 import { contourJob } from "./contour-job.ts";
-import { outsideWork, pocketOf, type OutsideWork, type Piece } from "./outside-work.ts";
+import { finestOf } from "./finest.ts";
+import { outsideWork, pocketOf, type Piece } from "./outside-work.ts";
 import type { Pocket } from "./pockets.ts";
 import { cutOf } from "./turned-contour.ts";
 
-/** Tools of each cycle. */
-const MOST = 2;
+/** Ways to make each groove. */
+const MOST = 3;
 
 /** Recess turning and recessing of grooves, in cylinders and in faces: of each with something left in it. */
 export const recess: ActionSource = {
@@ -31,7 +31,7 @@ export const recess: ActionSource = {
     look(work.rough, "both");
     if (work.rough.length === 0) look(work.pieces, "finish");
     return notDone(
-      [...found.values()].flatMap((each) => recesses(each, work, state.stock, request)),
+      [...found.values()].flatMap((each) => recesses(each, state.stock, request)),
       state,
     );
   },
@@ -62,27 +62,23 @@ const cyclesOf = (segments: readonly Segment[], axis: Pocket["axis"], { withoutC
 };
 
 function recesses(
-  { pocket: { segments, axis }, operation }: Recess,
-  _: OutsideWork,
+  { pocket: { segments, marks, axis }, operation }: Recess,
   stock: readonly Ring[],
   request: PlanRequest,
 ): readonly Action[] {
   const box = boxOf(part.flattenedChain(segments, CHORD));
-  const tools = toolsOf(request);
-  return cyclesOf(segments, axis, request).flatMap((cycle: Cycle) => {
-    const candidate: Candidate = {
-      kind: "recess",
-      site: axis === "z" ? "face" : "outside",
-      cycle,
-      job: contourJob(cycle, { segments, way: "ahead", stock }),
-      cut: cutOf(cycle, operation, { box, stock }),
-      box,
-      most: MOST,
-    };
-    return actionsOf(
-      candidate,
-      tools.filter((tool) => isUsualTool(cycle.group, tool)),
-      request,
-    );
-  });
+  const roughness = finestOf({ marks });
+  const candidates = cyclesOf(segments, axis, request).map((cycle): Candidate => ({
+    kind: "recess",
+    site: axis === "z" ? "face" : "outside",
+    cycle,
+    job: contourJob(cycle, { segments, way: "ahead", stock }),
+    cut: {
+      ...cutOf(cycle, operation, { box, stock, ...(roughness !== undefined && { roughness }) }),
+      width: axis === "z" ? box.high - box.low : box.right - box.left,
+    },
+    box,
+  }));
+  const tools = toolsOf(request).filter((tool) => candidates.some(({ cycle }) => isUsualTool(cycle.group, tool)));
+  return bestWays(candidates, tools, MOST, request);
 }

@@ -2,14 +2,15 @@ import { worksAcross } from "../../cycles/use.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
 import { withValue } from "../../program/job/requested-job.ts";
 import type { Action, ActionKind, ActionSource, PlanRequest } from "../types.ts";
-import { actionsOf, notDone, toolsOf } from "./candidates.ts";
+import { bestWays, notDone, toolsOf, type Candidate } from "./candidates.ts";
 import { contourJob, type Way } from "./contour-job.ts";
 import { outsideWork, type Piece } from "./outside-work.ts";
 import { cutOf, turningCycles, typesFirst } from "./turned-contour.ts";
 import { finestOf } from "./finest.ts";
 
-/** Pieces to work on, and tools of each way. */
-const [MOST_PIECES, MOST_TOOLS] = [4, 2];
+/** Pieces to work on, and ways to work on each. */
+const [MOST_PIECES, MOST_WAYS] = [4, 4];
+const finishing = typesFirst("FINISH", "ROUGH");
 const WAYS: readonly Way[] = ["ahead", "back"];
 
 /** Roughs what is left between higher places, from either side. */
@@ -36,27 +37,19 @@ export function sectionWorks(
 ): readonly Action[] {
   const { segments } = section;
   const tools = toolsOf(request).filter(({ TYPE }) => TYPE === "ROUGH" || TYPE === "FINISH" || TYPE === "BUTTON");
-  const types = operation === "finish" ? typesFirst("FINISH", "ROUGH") : typesFirst("ROUGH", "FINISH");
   const roughness = finestOf(section);
-  return turningCycles(segments, request)
+  const candidates = turningCycles(segments, request)
     .filter((cycle) => !worksAcross(cycle))
     .flatMap((cycle) =>
-      WAYS.flatMap((way) =>
-        actionsOf(
-          {
-            kind,
-            site: "outside",
-            cycle,
-            job: withValue(contourJob(cycle, { segments, way, stock }), "Q487", 1),
-            cut: cutOf(cycle, operation, { box, stock, ...(roughness !== undefined && { roughness }) }),
-            box,
-            variant: way,
-            most: MOST_TOOLS,
-          },
-          tools,
-          request,
-          types,
-        ),
-      ),
+      WAYS.map((way): Candidate => ({
+        kind,
+        site: "outside",
+        cycle,
+        job: withValue(contourJob(cycle, { segments, way, stock }), "Q487", 1),
+        cut: cutOf(cycle, operation, { box, stock, ...(roughness !== undefined && { roughness }) }),
+        box,
+        variant: way,
+      })),
     );
+  return bestWays(candidates, tools, MOST_WAYS, request, operation === "finish" ? finishing : undefined);
 }

@@ -7,20 +7,23 @@ import { actionOf, actionsOf, fitted, notDone, ranked, toolsOf } from "./candida
 import { contourJob } from "./contour-job.ts";
 import { outsideWork, workUpTo, type OutsideWork, type Piece } from "./outside-work.ts";
 import { bridgedOver } from "./pockets.ts";
-import { cutOf, turnedChain, turningCycles, typesFirst, withoutFront } from "./turned-contour.ts";
-
-const better = typesFirst("ROUGH", "FINISH");
+import { cutOf, turnedChain, turningCycles, withoutFront } from "./turned-contour.ts";
 
 /** Roughs the outside from the front: along the axis over its grooves or into them, and across it. */
 export const roughOutside: ActionSource = {
   kind: "roughOutside",
   actions(state, request) {
-    const tools = toolsOf(request).filter(({ TYPE }) => TYPE === "ROUGH" || TYPE === "FINISH");
     const work = outsideWork(state, request);
-    const actions = work.rough
-      .filter(({ opensAhead }) => opensAhead)
-      .flatMap((piece) => roughings(workUpTo(work, piece), piece, { stock: state.stock, tools, request }));
-    return notDone(actions, state);
+    const open = work.rough.filter(({ opensAhead }) => opensAhead);
+    const withTools = (tools: readonly Tool[]) =>
+      notDone(
+        open.flatMap((piece) => roughings(workUpTo(work, piece), piece, { stock: state.stock, tools, request })),
+        state,
+      );
+    // Finishing inserts rough only what no strong one can.
+    const all = toolsOf(request);
+    const strong = withTools(all.filter(({ TYPE }) => TYPE === "ROUGH"));
+    return strong.length > 0 ? strong : withTools(all.filter(({ TYPE }) => TYPE === "FINISH"));
   },
 };
 
@@ -40,10 +43,10 @@ function roughings(work: OutsideWork, piece: Piece, { stock, tools, request }: A
   return turningCycles(plain.segments, request).flatMap((cycle) => {
     const across = worksAcross(cycle);
     const cut = cutOf(cycle, "rough", { box, stock });
-    const candidate = { kind: "roughOutside", site: "outside", cycle, cut, box, most: MOST } as const;
+    const candidate = { kind: "roughOutside", site: "outside", cycle, cut, box } as const;
     const jobOf = ({ segments }: Chain, plunging: number) =>
       withValue(contourJob(cycle, { segments, way: "ahead", stock }), "Q487", plunging);
-    const over = actionsOf({ ...candidate, job: jobOf(across ? whole : plain, 0) }, tools, request, better);
+    const over = actionsOf({ ...candidate, job: jobOf(across ? whole : plain, 0) }, tools, MOST, request);
     if (across || work.pockets.length === 0) return over;
     const into = tools.flatMap((tool) => {
       const chain = turnedChain(
@@ -53,9 +56,11 @@ function roughings(work: OutsideWork, piece: Piece, { stock, tools, request }: A
       if (chain.segments.length === plain.segments.length) return [];
       return fitted({ cycle, cut, job: jobOf(chain, 1) }, tool, request) ?? [];
     });
-    const made = ranked(into, better)
+    const made = ranked(into, () => 0)
       .slice(0, MOST)
       .map(({ tool, job, values }) => actionOf({ ...candidate, variant: "in" }, tool, job, values));
-    return [...over, ...made];
+    // Going over its grooves first is no gain for a tool that goes into them.
+    const alone = over.filter(({ tool }) => !made.some((inside) => inside.tool.T === tool.T));
+    return [...(alone.length > 0 ? alone : over.slice(0, 1)), ...made];
   });
 }

@@ -1,10 +1,12 @@
 import { valuesOfThread, type ThreadFill } from "../../cycles/thread-values.ts";
 import type { Cycle } from "../../cycles/define.ts";
+import { catalogue } from "../../cycles/index.ts";
+import { useOf } from "../../cycles/use.ts";
 import { cutLength, noseRadius, USUAL_TOOTH } from "../../kernel/cutter/insert.ts";
 import type { Aim, NamedThread } from "../../kernel/thread/named-thread.ts";
 import { readThread } from "../../kernel/thread/threads.ts";
 import { boxOf } from "../../kernel/area/box.ts";
-import { part, type Ring } from "../../kernel/geometry/point.ts";
+import { part, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import { CHORD, SAME } from "../../kernel/tolerance.ts";
 import { axial, diameter, radians, radius, radiusOf, rounded, roundedUp, toDiameter } from "../../kernel/units.ts";
 import { jobFor, tipAtCall, withValue } from "../../program/job/requested-job.ts";
@@ -65,6 +67,24 @@ const EDGE = 3;
 /** Length of a run-out in a cylinder without relief, in pitches. */
 export const RUN_OUT = 2;
 
+/** Cycles that cut a thread on a cone. */
+const taperCycles: readonly Cycle[] = catalogue.filter((c) => c.thread?.line && useOf(c).shapes.includes("thread"));
+
+/** The line of a taper thread, on the crest of the drawing between two Z; null for a cycle without such a line. */
+function alongCrest(
+  { thread: roles }: Cycle,
+  segments: readonly Segment[],
+  [front, end]: readonly [number, number],
+): Readonly<Record<string, number>> | null {
+  const [first, last] = [segments[0]?.from, segments.at(-1)?.to];
+  if (!roles?.line || !first || !last) return null;
+  const across = (z: number) =>
+    rounded(toDiameter(radius(first.r + ((last.r - first.r) * (z - first.z)) / (last.z - first.z))));
+  const [startX = "", endX = ""] = roles.diameters;
+  const { startZ, endZ } = roles.line;
+  return { [startX]: across(front), [startZ]: rounded(front), [endX]: across(end), [endZ]: rounded(end) };
+}
+
 function threadings(
   named: NamedThread,
   place: ThreadPlace,
@@ -74,11 +94,10 @@ function threadings(
 ): readonly Action[] {
   const segments = chain.segments.slice(place.first, place.last + 1);
   const box = boxOf(part.flattenedChain(segments, CHORD));
-  const [before, next] = [chain.segments[place.first - 1], chain.segments[place.last + 1]];
+  const before = chain.segments[place.first - 1];
   // A thread begins at the face when only an edge break is in front of it.
   const isBreak = before && before.from.r < box.high && before.from.z - box.right < EDGE;
   const front = isBreak ? Math.max(box.right, before.from.z) : box.right;
-  const isRelieved = !next || next.to.r < box.high - SAME;
   const across = toDiameter(radius(box.high));
   const corner = (z: number) => ({ diameter: diameter(rounded(across)), z: axial(rounded(z)) });
   const wanted = {
@@ -91,24 +110,29 @@ function threadings(
     contour: null,
     allowance: 0,
   } as const;
-  const cycles = cyclesFor(wanted).filter(({ number }) => !request.withoutCycles.includes(number));
+  const cycles = (named.taper > 0 ? taperCycles : cyclesFor(wanted)).filter(
+    ({ number }) => !request.withoutCycles.includes(number),
+  );
   return cycles.flatMap((cycle) =>
     toolsOf(request)
       .filter((tool) => hasAngleOf(named, tool))
       .flatMap((tool): readonly Action[] => {
         const fill = fillOf(named, cycle, across, noseRadius(tool));
         if (!fill) return [];
-        const root = radiusOf(fill.cut.root);
-        const deep = isRelieved ? reliefFrom(chain, place, root) : box.left;
+        const root = named.taper > 0 ? box.low - fill.cut.depth : radiusOf(fill.cut.root);
+        const relief = reliefFrom(chain, place, root);
+        const deep = relief ?? box.left;
         // In a short relief the tooth stops in front of the shoulder, and rises on the way to that place.
-        const shoulder = isRelieved ? shoulderBehind(chain, place) : null;
+        const shoulder = relief !== null ? shoulderBehind(chain, place) : null;
         const tooth = Math.min(cutLength(tool) ?? USUAL_TOOTH, (shoulder?.r ?? root) - root);
         const half = Math.tan(radians(named.angle) / 2) * tooth + noseRadius(tool);
         const end = shoulder ? Math.max(deep, shoulder.z + named.pitch + half) : deep;
-        const rise = isRelieved ? Math.max(0, end > deep ? box.left - end : 0) : RUN_OUT * named.pitch;
+        const rise = relief !== null ? Math.max(0, end > deep ? box.left - end : 0) : RUN_OUT * named.pitch;
         const begun = jobFor(cycle, { ...wanted, to: corner(end) }, stock);
-        const filled = Object.entries(fill.values).reduce((job, [q, value]) => withValue(job, q, value), begun);
-        const job = clearOf(withValue(filled, "Q474", rounded(rise)), box.left, stock);
+        const line = alongCrest(cycle, segments, [front, end]);
+        const values = { ...fill.values, ...line, Q474: rounded(rise), ...(line && { Q466: rounded(named.pitch) }) };
+        const filled = Object.entries(values).reduce((job, [q, value]) => withValue(job, q, value), begun);
+        const job = clearOf(filled, box.left, stock);
         const cut = {
           operation: "both",
           work: "thread",
@@ -135,15 +159,14 @@ function shoulderBehind({ segments }: Chain, { last }: ThreadPlace): { readonly 
   return over ? { z: over.to.z, r: over.to.r } : null;
 }
 
-/** Z from which on the relief behind a thread is at least as deep as its root. */
-function reliefFrom({ segments }: Chain, { last }: ThreadPlace, root: number): number {
-  let end = segments[last]?.to.z ?? 0;
+/** Z from which on the relief behind a thread is as deep as its root; null where it is not, or there is none. */
+function reliefFrom({ segments }: Chain, { last }: ThreadPlace, root: number): number | null {
+  if (last === segments.length - 1) return segments[last]?.to.z ?? null;
   for (const s of segments.slice(last + 1)) {
-    if (s.to.r >= s.from.r - SAME) return end;
-    end = s.to.z;
-    if (s.to.r <= root) return end;
+    if (s.to.r > s.from.r + SAME) return null;
+    if (s.to.r <= root + ROOT) return s.to.z;
   }
-  return end;
+  return null;
 }
 
 /** The values of a thread whose crest is nearest to the cylinder of the drawing. */

@@ -1,7 +1,7 @@
 import type { Cycle } from "../../cycles/define.ts";
 import type { ShapeRequest } from "../../cycles/shape-request.ts";
 import type { Plan } from "../../kernel/plan/plan.ts";
-import type { Ring, Segment } from "../../kernel/geometry/point.ts";
+import type { Segment } from "../../kernel/geometry/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { toDiameter, radius } from "../../kernel/units.ts";
 import { boxAroundContour } from "../../program/job/requested-shape.ts";
@@ -79,7 +79,7 @@ export function turnedChain(
 export const cutOf = (
   cycle: Cycle,
   operation: CutRequest["operation"],
-  { box, stock, roughness }: Pick<Piece, "box"> & { readonly stock: readonly Ring[]; readonly roughness?: number },
+  { box, stock, roughness }: Pick<Piece, "box"> & Pick<CutRequest, "stock" | "roughness">,
 ): CutRequest => ({
   operation,
   work: workOf(cycle.group, operation),

@@ -1,5 +1,7 @@
 import type { Cycle, Group } from "../../cycles/define.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
+import { cuttingWidth } from "../../kernel/cutter/insert.ts";
+import { diameter, perSide, roundedUpTo } from "../../kernel/units.ts";
 import { never } from "../../kernel/never.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { usualTable } from "../../program/tools/cutting-table.ts";
@@ -10,10 +12,13 @@ import { withCuttingValues } from "../values/cycle-values.ts";
 import { cuttingValues } from "../values/cutting-values.ts";
 import { heldWorkpiece } from "../values/held-workpiece.ts";
 import type { HeldBar, HeldWorkpiece } from "../values/stability.ts";
-import type { CuttingValues, ValuesRequest, Work } from "../values/values-request.ts";
+import type { CuttingValues, ValuesRequest, WantedRoughness, Work } from "../values/values-request.ts";
 
 /** Machining operation of a cycle: roughing and finishing, roughing, finishing to size. */
 const OPERATION = { both: 0, rough: 1, finish: 2 } as const;
+
+/** Grid of an infeed, mm. */
+const INFEED = 0.05;
 
 /** What the values of an operation depend on besides its cycle and its tool. */
 export interface CutRequest {
@@ -23,8 +28,10 @@ export interface CutRequest {
   readonly smallest: number;
   readonly largest: number;
   readonly stock: readonly Ring[];
-  /** Greatest mean roughness of its surfaces, µm; absent without a mark. */
-  readonly roughness?: number;
+  /** The finest of its surfaces; absent without a mark. */
+  readonly roughness?: WantedRoughness;
+  /** Width of a groove, mm: a blade that fills it leaves no oversize on its sides. */
+  readonly width?: number;
   /** Depth of a hole or a groove, height of a thread, mm. */
   readonly depth?: number;
   readonly pitch?: number;
@@ -69,7 +76,7 @@ export function valuesOf(tool: Tool, cut: CutRequest, request: PlanRequest): Cut
     bar: cut.bar ?? null,
     machine: shop.machine?.spindle ?? null,
     power,
-    roughness: cut.roughness === undefined ? null : { kind: "Ra", value: cut.roughness },
+    roughness: cut.roughness ?? null,
     ...(cut.depth !== undefined && { depth: cut.depth }),
     ...(cut.pitch !== undefined && { pitch: cut.pitch }),
   };
@@ -90,10 +97,14 @@ export function withValues(
   const made = withCuttingValues({ ...job, tool: tool.T }, cycle, { main, ...(finish && { finish }) });
   const { allowance } = request.rules;
   const leaves = cut.operation !== "finish";
+  const isFilled = cut.width !== undefined && cut.width - cuttingWidth(tool) < allowance.z + allowance.z;
+  // A finishing pass takes what roughing leaves in a corner.
+  const stands = Math.hypot(perSide(diameter(allowance.diameter)), allowance.z);
   const set: Readonly<Record<string, number>> = {
     Q215: OPERATION[cut.operation],
     Q483: leaves ? allowance.diameter : 0,
-    Q484: leaves ? allowance.z : 0,
+    Q484: leaves && !isFilled ? allowance.z : 0,
+    ...(!leaves && { Q463: roundedUpTo(INFEED, Math.max(stands, main.infeed?.value ?? 0)) }),
   };
   return {
     job: Object.entries(set).reduce((j, [q, n]) => (cycle.params[q] ? withValue(j, q, n) : j), made.job),
