@@ -95,6 +95,10 @@ export interface WorkingPlan {
   readonly text: string;
   /** Time of the whole program, tool changes included, s. */
   readonly seconds: number;
+  /** Time of the program as its run states it, s: tool changes count only where the machine data states their time. */
+  readonly programSeconds: number;
+  /** Time of the tool changes by the rules of the shop, s: what `seconds` has more; zero where the machine states it. */
+  readonly changeSeconds: number;
   /** Numbers of its tools, in the order of their first use. */
   readonly tools: readonly number[];
   readonly toolChanges: number;
