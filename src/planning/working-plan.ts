@@ -21,6 +21,8 @@ export type StepReason =
   | { readonly kind: "onlyCycle"; readonly cycle: number | null }
   /** Quicker than the next way, tool changes included, s. */
   | { readonly kind: "faster"; readonly seconds: number; readonly cycle: number | null; readonly tool: number }
+  /** The next way takes as long and leaves as much: the usual one is taken. */
+  | { readonly kind: "equal"; readonly cycle: number | null; readonly tool: number }
   /** Takes more material than the quickest other way, mm² of the half plane. */
   | { readonly kind: "takesMore"; readonly area: number; readonly cycle: number | null; readonly tool: number }
   /** The tool is in the spindle already. */
