@@ -10,6 +10,7 @@ import { brokenByPlan } from "../tests/laws/plan-laws.ts";
 import { situations } from "../tests/laws/situation.ts";
 import { arbitraryParts } from "../tests/planning/arbitrary-part.ts";
 import { brokenByPart, requestOf } from "../tests/planning/plan-laws.ts";
+import { handTable, tradeTable } from "../tests/planning/plan-tables.ts";
 
 /** Machining operations (Q215), and the number of set-ups for one process. */
 const OPERATIONS = [0, 1, 2, 3];
@@ -80,6 +81,7 @@ function plannedParts(cases: number, seed: number): number {
 
 /**
  * `npm run laws -- --parts=N [-- --seed=N]`: plans N random parts and checks the laws of plans.
+ * `npm run laws -- --trade`: plans the parts of the trade and those programmed by hand and prints their times.
  * `npm run laws [-- --cases=N] [-- --seed=N] [-- --cycle=N]`: draws N set-ups of each cycle (10,000), cuts each twice
  * and checks every law. A set-up that breaks a law is written to tests/laws/found, where `npm test` tries it from then
  * on. Returns 1 if there was one.
@@ -87,6 +89,11 @@ function plannedParts(cases: number, seed: number): number {
 export async function main(args: readonly string[]): Promise<number> {
   if (args[0] === "--job") {
     process.stdout.write(JSON.stringify(tried(JSON.parse(args[1] ?? "") as Job)));
+    return 0;
+  }
+  if (args.includes("--trade")) {
+    for (const line of tradeTable()) console.log(line);
+    for (const line of handTable()) console.log(line);
     return 0;
   }
   const seed = option(args, "seed", Number(process.env["LAW_SEED"] ?? Date.now() % 2 ** 31));

@@ -40,6 +40,8 @@ function reasonWords(reason: StepReason): string {
       return `only ${cycleWords(reason.cycle)} ${reason.cycle === null ? "work" : "works"} here`;
     case "faster":
       return `${seconds(reason.seconds)} faster than ${wayWords(reason)}`;
+    case "equal":
+      return `as quick as ${wayWords(reason)}, the usual way`;
     case "takesMore":
       return `removes ${area(reason.area)} more than ${wayWords(reason)}`;
     case "sameTool":

@@ -16,8 +16,9 @@ import type { OtherWay, PlanStep, StepReason } from "./working-plan.ts";
 
 /** Most other ways that a step shows. */
 const MOST_OTHERS = 2;
-/** Shorter differences are none, s. */
+/** Shorter differences are none: s, and part of the time of the step. */
 const NO_TIME = 0.5;
+const NO_SHARE = 0.01;
 /** Part of the material of a step that another way has to take, too. */
 const SHARED = 0.5;
 
@@ -56,7 +57,7 @@ function reasonsOf(node: PlanNode, ways: readonly OtherWay[], isByHand: boolean,
     : ways.every((w) => w.tried.action.cycle === action.cycle)
       ? [{ kind: "onlyCycle", cycle: action.cycle }]
       : [];
-  const way = [...sole, ...(next ? [comparedWith(next)] : [])].flatMap((r) => r ?? []);
+  const way = [...sole, ...(next ? [comparedWith(next, tried)] : [])].flatMap((r) => r ?? []);
   return [
     ...(isByHand ? [{ kind: "byHand" as const }] : []),
     ...way,
@@ -67,10 +68,12 @@ function reasonsOf(node: PlanNode, ways: readonly OtherWay[], isByHand: boolean,
 }
 
 /** What speaks for a step beside the next way; null where nothing does. */
-function comparedWith({ tried: { action }, longer, leaves }: OtherWay): StepReason | null {
+function comparedWith({ tried: { action }, longer, leaves }: OtherWay, { seconds }: TriedAction): StepReason | null {
   const other = { cycle: action.cycle, tool: action.tool.T };
   if (leaves >= LEAST_REGION) return { kind: "takesMore", area: leaves, ...other };
-  return longer > NO_TIME ? { kind: "faster", seconds: longer, ...other } : null;
+  const isLonger = Math.abs(longer) > Math.max(NO_TIME, NO_SHARE * seconds);
+  if (!isLonger) return { kind: "equal", ...other };
+  return longer > 0 ? { kind: "faster", seconds: longer, ...other } : null;
 }
 
 /** The steps of a plan with their reasons. Yields before every try. */

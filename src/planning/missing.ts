@@ -79,7 +79,9 @@ export function missingFor(region: OpenRegion, { part: planned, blank }: PlanReq
   const nose = Number.isFinite(hollow) ? { mostNose: whole(hollow) } : {};
   const inside = site === "inside" ? boring(region, planned, blank) : {};
   const { ahead, back } = descents(elements, site === "inside" ? -1 : 1);
-  if (Math.min(ahead, back) > WALL) {
+  if (site === "inside" && box.low < SAME) return { form: "drill", site, ...inside };
+  const isPocket = site !== "inside" || box.low > leastRadius(region, planned) - SAME;
+  if (isPocket && Math.min(ahead, back) > WALL) {
     const around = chain.segments
       .flatMap((s) => [s.from, s.to])
       .filter(({ z }) => z >= box.left - 1 && z <= box.right + 1);
@@ -96,24 +98,35 @@ export function missingFor(region: OpenRegion, { part: planned, blank }: PlanReq
       ...inside,
     };
   }
-  if (site === "inside" && box.low < SAME && elements.every(isAcross)) return { form: "drill", site, ...inside };
   const isRight = ahead <= back;
+  const descends = whole(Math.min(ahead, back), 1);
   return {
     form: site === "inside" ? "boring" : "turning",
     site,
     hand: isRight ? "right" : "left",
-    descends: whole(Math.min(ahead, back), 1),
+    ...(descends > 0 && descends <= WALL && { descends }),
     ...nose,
     ...inside,
   };
 }
 
-/** What fits into a bore up to a region. */
-function boring({ box }: OpenRegion, { inside }: PlannedPart, blank: PlanRequest["blank"]): Partial<MissingTool> {
-  const way = inside.segments.flatMap((s) => [s.from, s.to]).filter(({ z }) => z > box.left);
-  const least = Math.min(...way.map(({ r }) => r).filter((r) => r > SAME));
+/** Least radius of the finished bore from its front to the rear of a region, mm; Infinity where it has none. */
+const leastRadius = ({ box }: OpenRegion, { inside }: PlannedPart): number =>
+  Math.min(
+    Infinity,
+    ...inside.segments
+      .flatMap((s) => [s.from, s.to])
+      .filter(({ z, r }) => z > box.left - SAME && r > SAME)
+      .map(({ r }) => r),
+  );
+
+/** What fits into a bore up to a region: into the hole that is there, or for a drill into the finished bore. */
+function boring(region: OpenRegion, planned: PlannedPart, blank: PlanRequest["blank"]): Partial<MissingTool> {
+  const { box } = region;
+  const least = leastRadius(region, planned);
+  const most = box.low < SAME ? least : Math.min(least, box.low);
   return {
-    ...(Number.isFinite(least) ? { mostDiameter: whole(toDiameter(radius(least))) } : {}),
+    ...(Number.isFinite(most) ? { mostDiameter: whole(toDiameter(radius(most))) } : {}),
     leastReach: whole(boxAround(blank).right - box.left),
   };
 }

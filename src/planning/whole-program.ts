@@ -41,7 +41,7 @@ function emptyOf({ part, blank, clamping, begun }: PlanRequest): Program {
 /** The check of a whole program. */
 export type WholeProgram = Pick<
   WorkingPlan,
-  "text" | "seconds" | "tools" | "toolChanges" | "stock" | "judged" | "gouge"
+  "text" | "seconds" | "programSeconds" | "changeSeconds" | "tools" | "toolChanges" | "stock" | "judged" | "gouge"
 >;
 
 /** The program of a plan, each action under its title, run and cut as one. */
@@ -67,9 +67,12 @@ export function wholeProgram(actions: readonly Action[], request: PlanRequest): 
   const simulation = simulate(made);
   const stock = leftBy(simulation, actions, part.rings);
   const changes = actions.filter(({ tool }, i) => tool.T !== actions[i - 1]?.tool.T).length;
+  const changeSeconds = shop.machine?.toolChange === undefined ? changes * rules.toolChange : 0;
   return {
     text,
-    seconds: made.seconds + (shop.machine?.toolChange === undefined ? changes * rules.toolChange : 0),
+    seconds: made.seconds + changeSeconds,
+    programSeconds: made.seconds,
+    changeSeconds,
     tools: [...new Set(actions.map(({ tool }) => tool.T))],
     toolChanges: changes,
     stock,

@@ -21,6 +21,8 @@ export type StepReason =
   | { readonly kind: "onlyCycle"; readonly cycle: number | null }
   /** Quicker than the next way, tool changes included, s. */
   | { readonly kind: "faster"; readonly seconds: number; readonly cycle: number | null; readonly tool: number }
+  /** The next way takes as long and leaves as much: the usual one is taken. */
+  | { readonly kind: "equal"; readonly cycle: number | null; readonly tool: number }
   /** Takes more material than the quickest other way, mm² of the half plane. */
   | { readonly kind: "takesMore"; readonly area: number; readonly cycle: number | null; readonly tool: number }
   /** The tool is in the spindle already. */
@@ -97,6 +99,10 @@ export interface WorkingPlan {
   readonly text: string;
   /** Time of the whole program, tool changes included, s. */
   readonly seconds: number;
+  /** Time of the program as its run states it, s: tool changes count only where the machine data states their time. */
+  readonly programSeconds: number;
+  /** Time of the tool changes by the rules of the shop, s: what `seconds` has more; zero where the machine states it. */
+  readonly changeSeconds: number;
   /** Numbers of its tools, in the order of their first use. */
   readonly tools: readonly number[];
   readonly toolChanges: number;

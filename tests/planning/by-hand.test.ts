@@ -2,6 +2,7 @@ import { expect, test } from "vitest";
 import { answerOf } from "../../src/course/judge/answer.ts";
 import { plannedPart } from "../../src/planning/part/planned-part.ts";
 import { partByHand, programByHand, PROGRAMMED_BY_HAND } from "./by-hand.ts";
+import { planOf, requestOf } from "./plan-laws.ts";
 
 test.each(PROGRAMMED_BY_HAND)("$name is a part, programmed by hand in $seconds s", (made) => {
   const { totalSeconds } = answerOf(programByHand(made)).simulation;
@@ -10,3 +11,16 @@ test.each(PROGRAMMED_BY_HAND)("$name is a part, programmed by hand in $seconds s
   expect(problems.filter((p) => p.severity === "error")).toEqual([]);
   expect(part?.rings.length).toBeGreaterThan(0);
 });
+
+/** Parts whose plans take little time; `npm run laws -- --trade` prints all. */
+const QUICKLY_PLANNED: readonly string[] = ["l22-pin", "l13-seal-groove", "l17-bush", "l19-another-size"];
+
+test.each(PROGRAMMED_BY_HAND.filter(({ name }) => QUICKLY_PLANNED.includes(name)))(
+  "the plan of $name is complete and at most 5 % slower than by hand",
+  (made) => {
+    const request = requestOf(partByHand(made));
+    const plan = request && planOf(request);
+    expect(plan).toMatchObject({ isComplete: true, gouge: expect.closeTo(0, 2) as number });
+    expect(plan?.programSeconds).toBeLessThan(made.seconds * 1.05);
+  },
+);

@@ -24,7 +24,7 @@ export const PROGRAMMED_BY_HAND = [
 ] as const;
 export type ByHand = (typeof PROGRAMMED_BY_HAND)[number];
 
-const file = (path: string) => readFileSync(join(import.meta.dirname, "../../src", path), "utf8");
+const file = (path: string) => readFileSync(join("src", path), "utf8");
 
 const taskOf = (name: string) => taskSchema.parse(JSON.parse(file(`course/tasks/${name}.json`)));
 

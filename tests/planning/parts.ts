@@ -3,7 +3,8 @@ import { join } from "node:path";
 import type { FinishedPart } from "../../src/planning/part/finished-part.ts";
 import { readPart } from "../../src/planning/part/part-file.ts";
 
-const FOLDER = join(import.meta.dirname, "parts");
+/** From the project folder: the script that prints tables is bundled elsewhere. */
+const FOLDER = join("tests", "planning", "parts");
 
 /** Names of the parts of the trade: files of `parts/`. */
 export const PART_NAMES: readonly string[] = readdirSync(FOLDER)

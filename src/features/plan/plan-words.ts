@@ -49,6 +49,8 @@ export function reasonWords(words: PlanWords, reason: StepReason): string {
       return reason.cycle === null ? because.onlyPath : because.onlyCycle;
     case "faster":
       return because.faster(timeWords(words, reason.seconds), wayWords(words, reason.cycle, reason.tool));
+    case "equal":
+      return because.equal(wayWords(words, reason.cycle, reason.tool));
     case "takesMore":
       return because.takesMore(areaWords(words, reason.area), wayWords(words, reason.cycle, reason.tool));
     case "sameTool":

@@ -153,6 +153,7 @@ export const plan = {
     onlyCycle: "einziger Zyklus, der hier geht",
     onlyPath: "hier gehen nur Bahnsätze",
     faster: (time, other) => `${time} schneller als ${other}`,
+    equal: (other) => `so schnell wie ${other}, der übliche Weg`,
     takesMore: (area, other) => `zerspant ${area} mehr als ${other}`,
     sameTool: "kein Werkzeugwechsel",
     rest: (step) => `entfernt das Restmaterial von Bearbeitung ${step}`,

@@ -154,6 +154,7 @@ export const plan = {
     onlyCycle: "the only cycle that works here",
     onlyPath: "only path blocks work here",
     faster: (time: string, other: string) => `${time} faster than ${other}`,
+    equal: (other: string) => `as quick as ${other}, the usual way`,
     takesMore: (area: string, other: string) => `removes ${area} more than ${other}`,
     sameTool: "no tool change",
     rest: (step: number) => `removes what operation ${step} left`,

@@ -154,6 +154,7 @@ export const plan = {
     onlyCycle: "seul cycle possible ici",
     onlyPath: "seuls des séquences de contournage conviennent ici",
     faster: (time, other) => `${time} plus rapide que ${other}`,
+    equal: (other) => `aussi rapide que ${other}, la façon usuelle`,
     takesMore: (area, other) => `enlève ${area} de plus que ${other}`,
     sameTool: "sans changement d’outil",
     rest: (step) => `enlève le reste de l’opération ${step}`,

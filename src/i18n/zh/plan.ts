@@ -152,6 +152,7 @@ export const plan = {
     onlyCycle: "此处唯一可用的循环",
     onlyPath: "此处只能用轨迹程序段",
     faster: (time, other) => `比${other}快 ${time}`,
+    equal: (other) => `与${other}用时相同，取常用方式`,
     takesMore: (area, other) => `比${other}多切除 ${area}`,
     sameTool: "无需换刀",
     rest: (step) => `去除工序 ${step} 的残余材料`,

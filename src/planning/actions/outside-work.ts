@@ -161,9 +161,16 @@ function workIn(stock: readonly Ring[], request: PlanRequest): OutsideWork {
 }
 
 /** The innermost pocket that a piece lies in; null for none. */
-export function pocketOf({ borders: [from, to] }: Pick<Piece, "borders">, pockets: readonly Pocket[]): Pocket | null {
-  const around = pockets.find(({ first, last }) => first <= from && to <= last);
-  return around ? (pocketOf({ borders: [from, to] }, around.inner) ?? around) : null;
+export function pocketOf(piece: Pick<Piece, "borders" | "box">, pockets: readonly Pocket[]): Pocket | null {
+  const [from, to] = piece.borders;
+  const around = pockets.find((p) => (p.first <= from && to <= p.last) || isWithin(piece.box, p));
+  return around ? (pocketOf(piece, around.inner) ?? around) : null;
+}
+
+/** Whether a box lies in that of a pocket: what is left for finishing keeps it away from the walls. */
+function isWithin({ left, right, low, high }: Box, { segments }: Pocket): boolean {
+  const around = boxOf(part.flattenedChain(segments, CHORD));
+  return left > around.left && right < around.right + SAME && low > around.low - SAME && high < around.high + SAME;
 }
 
 const piecesOf = (area: readonly Ring[], chain: Chain, near: number): readonly Piece[] =>
