@@ -1,6 +1,8 @@
 import type { Segment } from "../kernel/geometry/point.ts";
+import type { NamedThread } from "../kernel/thread/named-thread.ts";
 import { rounded, toRadius, type Axial, type Diameter, type Length } from "../kernel/units.ts";
 import type { Cycle, TurnedShape } from "./define.ts";
+import { valuesOfThread } from "./thread-values.ts";
 
 /** Where a shape is turned: on the circumference, in a bore, on a face. */
 export type Site = "outside" | "inside" | "face";
@@ -22,6 +24,8 @@ export interface ShapeRequest {
   readonly angle: number;
   /** Pitch of a thread, mm. */
   readonly pitch: number;
+  /** The thread that was asked for by its name; absent or null: a metric profile of diameter and pitch. */
+  readonly thread?: NamedThread | null;
   /** The section of a free contour, in either direction. */
   readonly contour: readonly Segment[] | null;
   /** Chamfer of 45° at the front edge of a step, mm; absent or 0: none. */
@@ -71,10 +75,17 @@ const GEOMETRY: Readonly<Record<string, (wanted: ShapeRequest, text: string, exa
 };
 
 /** The values of a cycle for a requested shape, by Q; all other values as in its printed example. */
-export const valuesFor = ({ params }: Cycle, wanted: ShapeRequest): Readonly<Record<string, number>> =>
-  Object.fromEntries(
+export function valuesFor({ params, thread: roles }: Cycle, wanted: ShapeRequest): Readonly<Record<string, number>> {
+  const values = Object.fromEntries(
     Object.entries(params).map(([q, { text, example }]) => [q, GEOMETRY[q]?.(wanted, text, example) ?? example]),
   );
+  const named = roles && wanted.thread && valuesOfThread(wanted.thread, roles, values, { aim: "middle", nose: null });
+  return named && typeof named !== "string" ? { ...values, ...named.values } : values;
+}
+
+/** Whether a cycle can cut the thread that was asked for by its name. */
+export const canCutThread = ({ thread: roles }: Cycle, { thread }: ShapeRequest): boolean =>
+  !roles || !thread || typeof valuesOfThread(thread, roles, {}, { aim: "middle", nose: null }) !== "string";
 
 /** Whether a cycle can make the requested chamfer. */
 export const canMakeChamfer = ({ contour, params }: Cycle, wanted: ShapeRequest): boolean =>

@@ -93,6 +93,50 @@ describe("sections", () => {
   });
 });
 
+/** Both halves of a section away from the origin, without a centre line, their axis along X or along Y. */
+const rings = (half: readonly (readonly [along: number, across: number])[], isUpright: boolean) =>
+  mm(
+    [1, -1].map((s) =>
+      polyline(
+        true,
+        half.map(([z, r]) => (isUpright ? [100 + s * r, 80 + z] : [80 + z, 100 + s * r])),
+      ),
+    ),
+  );
+const RING = [[0, 11], [0, 20], [-30, 20], [-30, 11]] as const; // prettier-ignore
+
+describe("a ring without a centre line, away from the origin", () => {
+  test.each([
+    ["plain", RING, "X22 Z0 | X40 | Z-30", "X22 Z0 | Z-30"],
+    [
+      "as wide as it is high",
+      [
+        [0, 11],
+        [0, 20],
+        [-9, 20],
+        [-9, 11],
+      ],
+      "X22 Z0 | X40 | Z-9",
+      "X22 Z0 | Z-9",
+    ],
+    ["chamfered", [[0, 11], [0, 19], [-1, 20], [-29, 20], [-30, 19], [-30, 11]], "X22 Z0 | X38 | X40 Z-1 | Z-29 | X38 Z-30", "X22 Z0 | Z-30"], // prettier-ignore
+  ] as const)("%s: its axis is between its halves, not along one", async (_, half, outside, bore) => {
+    for (const isUpright of [false, true]) {
+      const bytes = rings(half, isUpright);
+      expect(short((await taken(bytes)).made)).toBe(outside);
+      expect(short((await taken(bytes, { side: "bore" })).made)).toBe(bore);
+    }
+  });
+
+  test("a spool keeps its axis: its edges cross the line between its halves", async () => {
+    const spool = [[0, 0], [0, 12], [-4, 12], [-4, 20], [-26, 20], [-26, 12], [-30, 12], [-30, 0]] as const; // prettier-ignore
+    const lines = [1, -1].flatMap((s) =>
+      spool.slice(1).map(([z, r], i) => line(80 + (spool[i]?.[0] ?? 0), 100 + s * (spool[i]?.[1] ?? 0), 80 + z, 100 + s * r)),
+    ); // prettier-ignore
+    expect(short((await taken(mm(lines))).made)).toBe("X0 Z0 | X24 | Z-4 | X40 | Z-26 | X24 | Z-30");
+  });
+});
+
 describe("gaps", () => {
   const broken = (gap: number) => mm([line(0, 12, -18 + gap, 12), arc(-18, 16, 4, 180, 270), line(-22, 16, -22, 27 - gap), line(-22, 27, -46, 27)]); // prettier-ignore
 

@@ -1,6 +1,7 @@
 import type { TurnedShape } from "../../cycles/define.ts";
 import type { Site, ShapeRequest } from "../../cycles/shape-request.ts";
 import type { Pt, Ring, Segment } from "../../kernel/geometry/point.ts";
+import { cutThread, type NamedThread } from "../../kernel/thread/named-thread.ts";
 import { axial, diameter, length, rounded, toDiameter } from "../../kernel/units.ts";
 import { readRows } from "../../program/job/contour-rows.ts";
 import type { WhichRegion } from "../place/place.ts";
@@ -21,6 +22,8 @@ export interface OperationRequest {
   readonly stock: StockChoice;
   readonly typed: Readonly<Record<AskedMeasure, string>>;
   readonly rows: readonly ContourRow[];
+  /** The thread that was asked for by its name, with its diameter and pitch among the numbers; absent or null: none. */
+  readonly thread?: NamedThread | null;
 }
 
 const MORE = Number.MIN_VALUE;
@@ -102,6 +105,7 @@ export function readOperationRequest(asking: OperationRequest): OperationRequest
     shape,
     angle: shape === "free" || shape === "thread" ? 0 : value("angle"),
     pitch: value("pitch"),
+    thread: shape === "thread" ? (asking.thread ?? null) : null,
     chamfer: asked.includes("chamfer") ? length(value("chamfer")) : 0,
     allowance: asked.includes("allowance") && stock === "preturned" ? length(value("allowance")) : 0,
   } as const;
@@ -171,8 +175,35 @@ export function numbersOn(stock: readonly Ring[], site: Site, shape: TurnedShape
   return { ...usual, d1: across(usual.d1), d2: across(usual.d2), z1: along(usual.z1), z2: along(usual.z2) };
 }
 
+/** The side of a thread for a place: the one that its name says, or on which it exists. */
+function siteOf(thread: NamedThread, site: Site): Site {
+  const wanted = thread.side ?? (site === "inside" ? "inside" : "outside");
+  return thread[wanted] ? wanted : wanted === "inside" ? "outside" : "inside";
+}
+
+/** The request with diameter, pitch and, of a taper, length of its thread; without the name where it has no such side. */
+function withThread(next: OperationRequest): OperationRequest {
+  const { thread, site, shape, typed } = next;
+  if (!thread) return next;
+  const side = shape === "thread" && site !== "face" && siteOf(thread, site) === site ? thread[site] : null;
+  if (!side) return { ...next, thread: null };
+  const { crest, root } = cutThread(side, "middle");
+  const { gauge, taper, pitch, starts } = thread;
+  const wider = gauge && site === "outside" ? (gauge.useful - gauge.length) * taper : 0;
+  const long = gauge && (site === "inside" ? gauge.usefulInside : gauge.useful);
+  return {
+    ...next,
+    typed: {
+      ...typed,
+      d1: asTyped((site === "inside" ? root : crest) + wider),
+      pitch: asTyped(pitch * starts),
+      ...(long && { z2: asTyped(Number(typed.z1) - long) }),
+    },
+  };
+}
+
 /**
- * A request after a change. Typed numbers stay as long as they fit the new shape; the others are the usual ones of that
+ * A request after a change. A thread stays as long as its numbers do. Typed numbers stay as long as they fit the new shape; the others are the usual ones of that
  * shape.
  */
 export function changedRequest(
@@ -181,7 +212,10 @@ export function changedRequest(
   typed: ReadonlySet<AskedMeasure>,
   usual: typeof usualNumbers = usualNumbers,
 ): OperationRequest {
-  const next = { ...before, ...change };
+  let next = { ...before, ...change };
+  if (change.thread) return withThread({ ...next, site: siteOf(change.thread, next.site) });
+  const isRenumbered = (["d1", "pitch"] as const).some((m) => next.typed[m] !== before.typed[m]);
+  if (next.thread && isRenumbered) next = { ...next, thread: null };
   const stock = next.stock === "preturned" && !canBePreturned(next.shape) ? "solid" : next.stock;
   if (change.typed !== undefined || (change.site === undefined && change.shape === undefined))
     return { ...next, stock };
@@ -190,7 +224,7 @@ export function changedRequest(
     const tried = { ...fitting, typed: { ...fitting.typed, [measure]: before.typed[measure] } };
     if (readOperationRequest(tried).fault === null) fitting = tried;
   }
-  return fitting;
+  return withThread(fitting);
 }
 
 /** A number of a drawing, as typed. */

@@ -5,6 +5,8 @@ import type { Language } from "../../i18n/languages.ts";
 import type { Texts } from "../../i18n/index.ts";
 import type { WhichTexts } from "../../i18n/which-text.ts";
 import { bestFirst, bestOf } from "../../report/which/best.ts";
+import { pointAngle } from "../../kernel/cutter/insert.ts";
+import { hasAngleOf } from "../../program/tools/thread-tool.ts";
 import type { TriedOption } from "../../report/which/try-way.ts";
 import type { Proposal } from "../../report/which/ways.ts";
 import { NO_AREA } from "../../app/findings/effect/effect.ts";
@@ -12,7 +14,7 @@ import { Icon } from "../../app/base/Icon.tsx";
 import { issueText } from "../../app/calculation/issue-text.ts";
 import { durationText } from "../../app/base/clock-text.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
-import { useTexts } from "../../app/base/settings/use-texts.ts";
+import { useTexts, useTextsOrNull } from "../../app/base/settings/use-texts.ts";
 import type { ComparedProposals } from "./use-comparison.ts";
 
 /** Most problems listed for a proposal. */
@@ -59,11 +61,17 @@ function problemsOf(
 }
 
 /** The proposals: time, residual material, and the button that uses one. */
-export function ProposalCards({ words, compared: { ways, tried, isStale }, adds, onTake }: Props) {
+export function ProposalCards({ words, compared: { wanted, ways, tried, isStale }, adds, onTake }: Props) {
   const t = useTexts(),
     { duration } = t.page.effect;
   const language = useSettings((s) => s.language);
   const write = writer(language);
+  const threads = useTextsOrNull("threads");
+  /** An insert with another angle than the thread that was asked for. */
+  const insertProblem = ({ tool }: Proposal) =>
+    threads && wanted.thread && !hasAngleOf(wanted.thread, tool)
+      ? [threads.noInsert(String(tool.T), write.number(pointAngle(tool)), write.number(wanted.thread.angle))]
+      : [];
   const best = bestOf(tried);
   const whole = tried.length === ways.length;
   const nameOf = (way: Proposal) => `${way.job.cycle} ${t.cycles.of[way.job.cycle as CycleNumber].name}`;
@@ -99,7 +107,7 @@ export function ProposalCards({ words, compared: { ways, tried, isStale }, adds,
               words.tool(way.tool.T, way.tool.NAME),
               ...(choice === null ? [] : [choice]),
             ].join(", ");
-            const problems = one ? problemsOf(t, words, language, one, way.job.cycle) : [];
+            const problems = one ? [...insertProblem(way), ...problemsOf(t, words, language, one, way.job.cycle)] : [];
             const [reason] = one?.reasons ?? [];
             return (
               <li key={way.id} className={`which-way${isBest ? " which-best" : ""}`}>

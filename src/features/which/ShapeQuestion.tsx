@@ -3,6 +3,7 @@ import type { WhichTexts } from "../../i18n/which-text.ts";
 import type { TurnedShape } from "../../cycles/define.ts";
 import type { Site } from "../../cycles/shape-request.ts";
 import { Message } from "../../app/base/Message.tsx";
+import { ThreadField } from "./ThreadField.tsx";
 import { NumberField } from "../../app/fields/setup/NumberField.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import {
@@ -110,6 +111,13 @@ export function ShapeQuestion({ words, asking, fault, inWork, onAsk }: Props) {
           <span key={i}>{i % 2 === 0 ? part : slots[part]}</span>
         ))}
       </p>
+      {asking.shape === "thread" && asking.site !== "face" && (
+        <ThreadField
+          thread={asking.thread ?? null}
+          inside={asking.site === "inside"}
+          onThread={(thread) => onAsk({ thread })}
+        />
+      )}
       <div className="which-measures">
         {measuresOf(asking).map((m) => (
           <div key={m}>

@@ -109,3 +109,22 @@ test("in an open work two elements of the contour are selected, and the wanted s
     ["70", "-37.9"],
   ]);
 });
+
+test("a thread is asked for by its name: its sizes, its insert and its side follow, until a number is changed", async () => {
+  const done = shown();
+  await userEvent.selectOptions(await screen.findByRole("combobox", { name: "Shape" }), "thread");
+  const name = await screen.findByRole("combobox", { name: "Thread" });
+  await userEvent.type(name, "M10 6H{Enter}");
+  expect(screen.getByRole<HTMLSelectElement>("combobox", { name: "Where" }).value).toBe("inside");
+  expect(screen.getByText("This is M10 6H · Middle of tolerance")).toBeDefined();
+  await userEvent.type(name, "G1/2 A{Enter}");
+  expect((await field("Pitch")).value).toBe("1.814");
+  expect(screen.getByText("This is G1/2 A · Middle of tolerance")).toBeDefined();
+  await settled();
+  expect(screen.getAllByText(/has 60°; this thread requires 55°/).length).toBeGreaterThan(0);
+  expect(screen.getByText("None of these options is free of errors.")).toBeDefined();
+  await userEvent.click(within(await ways()).getAllByRole("button", { name: /^Use: / })[0] as HTMLElement);
+  const { job } = useEditor.getState();
+  expect(done).toHaveBeenCalled();
+  expect(job?.drafts[job.cycle]).toMatchObject({ Q472: "1.814", Q473: "1.127", Q491: "20.813" });
+});

@@ -31,6 +31,7 @@ const TRIED = 6;
 const WEIGHTS = {
   centreLine: 3,
   symmetry: 4,
+  pairApart: 1,
   oneSided: 1.5,
   lineOnAxis: 1.2,
   halfSection: 1.2,
@@ -143,13 +144,16 @@ function candidates(drawing: Drawing, axis: "x" | "y"): Candidate[] {
     const centre = centres
         .filter((c) => near(c.low, at))
         .reduce<Along | null>((most, c) => (most && most.to - most.from >= c.to - c.from ? most : c), null),
+      share = mirroredShare(groups, at, centre?.from ?? -Infinity, centre?.to ?? Infinity),
+      // Pieces that are images of each other, with nothing between them: the section of a ring.
+      isPairApart = share > 0.5 && !outline.some((c) => c.low < at + SAME_PLACE && c.high > at - SAME_PLACE),
       isOneSided = low >= at - SAME_PLACE || high <= at + SAME_PLACE,
       onAxis = outline.filter((c) => near(c.low, c.high) && near(c.low, at)),
-      span = Math.min(1, onAxis.reduce((sum, c) => sum + c.to - c.from, 0) / (to - from || 1)),
-      share = mirroredShare(groups, at, centre?.from ?? -Infinity, centre?.to ?? Infinity);
+      span = Math.min(1, onAxis.reduce((sum, c) => sum + c.to - c.from, 0) / (to - from || 1));
     const score =
       (centre ? (WEIGHTS.centreLine * (centre.to - centre.from)) / (longest || 1) : 0) +
       (share > 0.5 ? WEIGHTS.symmetry * share : 0) +
+      (isPairApart ? WEIGHTS.pairApart * share : 0) +
       (isOneSided && at === 0 ? WEIGHTS.oneSided : 0) +
       (isOneSided ? WEIGHTS.lineOnAxis * span : 0) +
       (isOneSided && at === 0 && span > 0.9 ? WEIGHTS.halfSection : 0) +

@@ -3,6 +3,7 @@ import { boxOf } from "../../kernel/area/box.ts";
 import { difference, offset, union } from "../../kernel/area/clip.ts";
 import { at, part, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import { METRIC } from "../../kernel/contour/metric-thread.ts";
+import { cutThread } from "../../kernel/thread/named-thread.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
 import { axial, diameter, radians, radius, rounded, toDiameter, toRadius } from "../../kernel/units.ts";
 import { newRow, type BlankDraft, type ContourRow } from "./job.ts";
@@ -108,12 +109,19 @@ export function cylinderAround(stock: readonly Ring[]): BlankDraft {
   return asTyped({ outside: high, bore: Math.max(0, low), front: right, back: left });
 }
 
+/** Radius of the bore before a named thread, of a taper at its far end; null for any other shape. */
+function coreOf({ thread }: ShapeRequest): number | null {
+  if (!thread?.inside) return null;
+  const { crest } = cutThread(thread.inside, "middle");
+  return toRadius(diameter(crest - (thread.gauge?.usefulInside ?? 0) * thread.taper));
+}
+
 /** Cylinder around the requested shape, or around the stock where that is known, as typed. */
 export function blankFor(wanted: ShapeRequest, stock: readonly Ring[] | null): BlankDraft {
   if (stock && stock.length > 0) return cylinderAround(stock);
   const { z1, z2, r1, r2, along, out } = requestedBox(wanted);
   const within = opensAhead(wanted);
-  const hole = wanted.shape === "thread" ? r1 - METRIC.inside * wanted.pitch : r1;
+  const hole = wanted.shape === "thread" ? (coreOf(wanted) ?? r1 - METRIC.inside * wanted.pitch) : r1;
   const begins = wanted.shape === "step" || wanted.site === "face";
   const [near, far] = [begins ? z1 : along > 0 ? Math.max(z1, 0) : z1 - BEHIND, z2 - along * BEHIND];
   return asTyped({

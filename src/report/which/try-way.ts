@@ -6,6 +6,7 @@ import type { Ring } from "../../kernel/geometry/point.ts";
 import { SLIVER } from "../../kernel/tolerance.ts";
 import { ncLabels } from "../../i18n/nc-labels.ts";
 import { parse } from "../../nc/parse.ts";
+import { hasAngleOf } from "../../program/tools/thread-tool.ts";
 import type { Shop } from "../../program/state/shop.ts";
 import type { RunFinding } from "../../program/state/run-types.ts";
 import { run } from "../../program/run/run.ts";
@@ -53,7 +54,7 @@ function summed(residual: readonly { readonly reason: Reason; readonly area: num
  * plain blank.
  */
 export function tryWay(
-  { id, job, suitsDepth }: Proposal,
+  { id, job, tool, suitsDepth }: Proposal,
   wanted: ShapeRequest,
   stock: readonly Ring[] | null,
   shop: Shop,
@@ -83,6 +84,6 @@ export function tryWay(
     judged,
     issues,
     leavesMost,
-    works: judged.verdict === "proved" && !leavesMost,
+    works: judged.verdict === "proved" && !leavesMost && (!wanted.thread || hasAngleOf(wanted.thread, tool)),
   };
 }

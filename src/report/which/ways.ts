@@ -2,7 +2,13 @@ import type { Cycle, Group } from "../../cycles/define.ts";
 import { catalogue } from "../../cycles/index.ts";
 import type { Topic } from "../../cycles/params.ts";
 import { useOf, worksAcross } from "../../cycles/use.ts";
-import { canMakeAngle, canMakeChamfer, chamferOf, type ShapeRequest } from "../../cycles/shape-request.ts";
+import {
+  canCutThread,
+  canMakeAngle,
+  canMakeChamfer,
+  chamferOf,
+  type ShapeRequest,
+} from "../../cycles/shape-request.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { cuttingWidth, isBar, noseRadius } from "../../kernel/cutter/insert.ts";
@@ -11,6 +17,7 @@ import type { SetJob } from "../../program/job/job.ts";
 import { readDraft } from "../../program/job/read-draft.ts";
 import { requestedBox } from "../../program/job/requested-shape.ts";
 import { jobFor, tipAtCall, withValue } from "../../program/job/requested-job.ts";
+import { hasAngleOf } from "../../program/tools/thread-tool.ts";
 import { isUsualTool, rankTools } from "../../program/tools/which-tool.ts";
 
 /** One option to make the wanted shape: a cycle with its values, and a tool. */
@@ -53,6 +60,7 @@ export function cyclesFor(wanted: ShapeRequest): readonly Cycle[] {
     (c) =>
       useOf(c).shapes.includes(wanted.shape) &&
       isOpenTo(c, wanted) &&
+      canCutThread(c, wanted) &&
       canMakeAngle(c, wanted) &&
       canMakeChamfer(c, wanted) &&
       // The starting element of a transverse cycle is at the other edge.
@@ -93,7 +101,9 @@ function toolsFor(cycle: Cycle, job: SetJob, wanted: ShapeRequest, tools: readon
   if (!values) return [];
   const given = { contour: cycle.contour === "free" ? readRows(job.contour).contour.segments : null, start };
   const setting = { start, feedUnit: "mm/rev", autoFeed: null, stock: null } as const;
-  const fits = rankTools(cycle, values, given, setting, tools);
+  const { thread } = wanted;
+  const angled = thread ? tools.filter((tool) => hasAngleOf(thread, tool)) : [];
+  const fits = rankTools(cycle, values, given, setting, angled.length > 0 ? angled : tools);
   const stands = (tool: Tool) =>
     !cycle.plan(values, { ...setting, tool }, given).issues.some((i) => i.code === "toolUnfit");
   const usual = fits

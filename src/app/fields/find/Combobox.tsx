@@ -14,9 +14,9 @@ export interface Combobox {
 }
 
 /** `chosen`: the option that Enter takes before anything is typed; −1: none. */
-export function useCombobox(chosen = 0): Combobox {
+export function useCombobox(chosen = 0, typed = ""): Combobox {
   const id = useId();
-  const [state, set] = useState({ typed: "", chosen });
+  const [state, set] = useState({ typed, chosen: typed === "" ? chosen : 0 });
   return { id, ...state, change: (next) => set((before) => ({ ...before, ...next })) };
 }
 

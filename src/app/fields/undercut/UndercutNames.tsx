@@ -21,6 +21,8 @@ interface Props {
   readonly onTake: (named: NamedUndercut) => void;
   /** What the place of the undercut leaves of the designation in use. */
   readonly hint?: string | null;
+  /** Typed already when it is shown. */
+  readonly begun?: string;
   /** Takes the focus when it is shown. */
   readonly isNew?: boolean;
   readonly field?: Readonly<Record<`data-${string}`, string>>;
@@ -37,11 +39,12 @@ export function UndercutNames({
   present,
   onTake,
   hint = null,
+  begun = "",
   isNew = false,
   field = {},
 }: Props) {
   const language = useSettings((s) => s.language);
-  const box = useCombobox(NONE);
+  const box = useCombobox(NONE, begun);
   const own = useRef<HTMLDivElement>(null);
   const input = useRef<HTMLInputElement>(null);
   const id = useId();

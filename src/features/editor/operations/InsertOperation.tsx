@@ -97,6 +97,7 @@ function Opened({ words, behind }: { readonly words: InsertTexts; readonly behin
   const [site, setSite] = useState<Site>("outside");
   const [work, setWork] = useState<HandWork | null>(null);
   const [thread, nameThread] = useState<NamedThread | null>(null);
+  const [undercut, nameUndercut] = useState("");
   const [which, ask] = useState(false);
   const before = useMemo(() => (newest ? stateBefore(newest, program, behind) : NOTHING), [newest, program, behind]);
 
@@ -164,7 +165,8 @@ function Opened({ words, behind }: { readonly words: InsertTexts; readonly behin
             more={handOffer(
               words,
               site,
-              (taken) => {
+              (taken, typed = "") => {
+                nameUndercut(typed);
                 if (taken === "undercut" && site === "face") setSite("outside");
                 setWork(taken);
               },
@@ -187,6 +189,7 @@ function Opened({ words, behind }: { readonly words: InsertTexts; readonly behin
           <UndercutForm
             words={words}
             site={site}
+            typed={undercut}
             before={before}
             onBack={back}
             onInsert={(made) => {

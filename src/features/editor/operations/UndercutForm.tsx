@@ -33,6 +33,8 @@ import { spindleLike, type StateBefore } from "./stock-before.ts";
 interface Props {
   readonly words: InsertTexts;
   readonly site: "outside" | "inside";
+  /** Designation that was searched for; empty: none. */
+  readonly typed: string;
   readonly before: StateBefore;
   readonly onBack: () => void;
   readonly onInsert: (made: InsertedOperation) => void;
@@ -44,7 +46,7 @@ const ACROSS: Field = { ...anyNumber, id: "undercut.x", range: [0.001, 99_999.99
 const ALONG: Field = { ...anyNumber, id: "undercut.z", range: [-99_999.999, 99_999.999], optional: false, decimals: 3 };
 
 /** Asks for an undercut by its designation, its shoulder and its tool; the tools are tried on it. */
-export function UndercutForm({ words, site, before, onBack, onInsert, onCut }: Props) {
+export function UndercutForm({ words, site, typed: begun, before, onBack, onInsert, onCut }: Props) {
   const names = useTextsOrNull("undercuts");
   const inches = useSession((s) => countsInches(s.reading.program));
   const unit = useLengths().words;
@@ -106,6 +108,7 @@ export function UndercutForm({ words, site, before, onBack, onInsert, onCut }: P
               label={words.hand.undercutName}
               place={place}
               present={named}
+              begun={begun}
               onTake={(next) => {
                 name(next);
                 take(null);

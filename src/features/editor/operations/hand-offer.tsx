@@ -3,6 +3,7 @@ import type { InsertTexts } from "../../../i18n/en/insert.ts";
 import type { Language } from "../../../i18n/languages.ts";
 import type { NamedThread } from "../../../kernel/thread/named-thread.ts";
 import { HAND_WORKS, isOnAxis, type HandWork as PathWork } from "../../../program/edits/hand-operation.ts";
+import { readUndercutName } from "../../../program/job/undercut-name.ts";
 import type { OtherRows } from "../../../app/fields/chooser/use-cycle-chooser.tsx";
 import { withoutAccents } from "../../../app/fields/chooser/search.ts";
 import { threadRows, type ThreadWay } from "./thread-rows.tsx";
@@ -27,18 +28,19 @@ export const nameOf = (hand: InsertTexts["hand"], work: HandWork): string =>
 export function handOffer(
   words: InsertTexts,
   site: Site,
-  onTake: (work: HandWork) => void,
+  /** `typed`: the designation of an undercut that was searched for. */
+  onTake: (work: HandWork, typed?: string) => void,
   { language, onThread }: { language: Language; onThread: (thread: NamedThread, way: ThreadWay) => void },
 ): OtherRows {
   const { hand } = words;
-  const rows = (works: readonly HandWork[]) =>
+  const rows = (works: readonly HandWork[], typed?: string) =>
     works.length > 0 && (
       <section aria-label={hand.title}>
         <h3 className="panel-title">{hand.title}</h3>
         <ul className="hand-works">
           {works.map((work) => (
             <li key={work}>
-              <button type="button" className="button" onClick={() => onTake(work)}>
+              <button type="button" className="button" onClick={() => onTake(work, typed)}>
                 <Icon name="add" /> {nameOf(hand, work)}
               </button>
             </li>
@@ -51,13 +53,18 @@ export function handOffer(
     const thread = threadRows(words, sought, { site, language, onTake: onThread });
     if (thread) return thread;
     const terms = withoutAccents(sought).split(/\s+/);
-    const found = WORKS.filter((work) => terms.every((word) => withoutAccents(nameOf(hand, work)).includes(word)));
+    // A form letter alone may begin any word.
+    const isUndercut = /din|iso/i.test(sought) && readUndercutName(sought) !== null;
+    const typed = isUndercut ? sought : undefined;
+    const found: readonly HandWork[] = isUndercut
+      ? ["undercut"]
+      : WORKS.filter((work) => terms.every((word) => withoutAccents(nameOf(hand, work)).includes(word)));
     const [first] = found;
     return {
       count: found.length,
       isNamed: true,
-      best: first ? { name: nameOf(hand, first), go: () => onTake(first) } : null,
-      shown: rows(found),
+      best: first ? { name: nameOf(hand, first), go: () => onTake(first, typed) } : null,
+      shown: rows(found, typed),
     };
   };
 }
