@@ -1,4 +1,5 @@
 import { ncLabels } from "../../i18n/nc-labels.ts";
+import { planTitles } from "../../i18n/nc/plan-titles.ts";
 import type { NcLanguage } from "../../nc/nc-languages.ts";
 import type { FinishedPart } from "../../planning/part/finished-part.ts";
 import type { PartProblem } from "../../planning/part/part-problem.ts";
@@ -57,6 +58,7 @@ export async function planOfPart(order: PlanOrder, tell: (progress: PlanProgress
       withoutCycles: order.withoutCycles,
       withoutTools: order.withoutTools,
       labels: ncLabels(order.ncLanguage),
+      titles: planTitles(order.ncLanguage),
     },
     order.changes,
   );

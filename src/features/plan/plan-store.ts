@@ -11,6 +11,7 @@ import { askForPlan, stopPlan } from "../../app/calculation/planner.ts";
 import { USUAL_RAPID } from "../../app/calculation/request.ts";
 import { useTools } from "../../app/document/tool-store.ts";
 import { machineTextOf, shopOf } from "../../app/document/work-tools.ts";
+import { withUsualDrills } from "./usual-drills.ts";
 import { editPart, partRecord, rememberPlan, type StoredPart } from "../../app/records/part-store.ts";
 
 /** What a plan was made from: it is outdated when one of these has changed. */
@@ -71,13 +72,15 @@ export async function startPlan(changes: PlanChanges = {}): Promise<void> {
   set({ running });
   const { language } = useSettings.getState();
   const machine: MachineData | null = await loadMachine(basis.machine);
+  const { table, control } = shopOf({});
+  const mills = withUsualDrills(useTools.getState().list);
   const answer = await askForPlan(
     {
       part,
       withoutTools,
       withoutCycles,
       ncLanguage: ncLanguageOf(language),
-      shop: { ...shopOf({}), rapid: USUAL_RAPID, machine },
+      shop: { table: { ...table, ...(mills && { mills }) }, control, rapid: USUAL_RAPID, machine },
       changes: { ...changes, ...(locked.length > 0 && { locked }) },
     },
     (progress) => get().running?.id === id && set({ running: { id, progress } }),
