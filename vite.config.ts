@@ -147,6 +147,7 @@ const EARLY = [
   "src/app/records/keep-pictures.ts",
   "src/app/records/keep-steps.ts",
   "src/app/records/files/kept-handles.ts",
+  "src/app/fields/keypad/NumberKeys.tsx",
 ].map(module);
 
 /** Where the page begins, and the worker that calculates: both in one build, so that neither brings what the other has. */
