@@ -45,7 +45,7 @@ export const centre: ActionSource = {
       const { high } = boxAround(hole);
       const place = { front, rear: front - depth, high, low: 0 };
       return made
-        ? [{ ...made, kind: "centre", key: `centre T${tool.T}`, site: "inside", tool, cycle: null, place, threads: [] }]
+        ? [{ ...made, kind: "centre", key: `centre T${tool.T}`, site: "inside", tool, place, threads: [] }]
         : [];
     });
   },

@@ -73,7 +73,6 @@ function drillAction(tool: Tool, z: number, stock: readonly Ring[], request: Pla
       key: `drill T${tool.T} Z${rounded(z)}`,
       site: "inside",
       tool,
-      cycle: null,
       place: { front, rear: front - depth, high: tool.R ?? 0, low: 0 },
       threads: [],
     }

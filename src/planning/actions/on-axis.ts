@@ -21,6 +21,8 @@ export const drillsOf = ({ shop: { mills = [] }, withoutTools }: PlanRequest): r
   mills.flatMap((row) => drillOf(row) ?? []).filter(({ T }) => !withoutTools.includes(T));
 
 interface AxisCut {
+  /** The drilling cycle. */
+  readonly cycle: number | null;
   readonly job: SetJob;
   readonly cut: readonly Statement[];
   readonly values: readonly ReasonedValue[];
@@ -28,7 +30,7 @@ interface AxisCut {
 
 /**
  * The operation of a tool on the axis to a depth below the front, with its cutting values; `set`: other values of its
- * cycle. Null without a catalogue.
+ * cycle. Null where that cycle is excluded.
  */
 export function onAxis(
   work: AxisWork,
@@ -43,12 +45,14 @@ export function onAxis(
   const face = at(front, 0);
   const surface = { site: "face", from: face, to: face } as const;
   const { start, cut } = handCut(work, { stock, surface, tool, sizes: { size: length(0), z: length(0) } });
+  const cycle = cut.find((s) => s.kind === "cycle")?.cycle ?? null;
+  if (cycle !== null && request.withoutCycles.includes(cycle)) return null;
   const base = { ...exampleJob(BASE), tool: tool.T, start, blank: cylinderAround(stock) };
   const fixed = { Q201: -depth, Q203: front, ...set };
   const filled = (values: Readonly<Record<string, number | undefined>>) => cut.map((s) => withParameters(s, values));
   if (work === "tap") {
     const spindle = { ...base.spindle, mode: "constant", speed: String(speedOnAxis(work, tool)) } as const;
-    return { job: { ...base, spindle }, cut: filled(fixed), values: [] };
+    return { cycle, job: { ...base, spindle }, cut: filled(fixed), values: [] };
   }
   const across = toDiameter(radius(tool.R ?? 0));
   const largest = work === "centre" ? (tool.centre?.hole.d2 ?? across) : across;
@@ -57,7 +61,7 @@ export function onAxis(
   const own = { Q206: main.feed, ...(work === "drill" && main.step && { Q202: main.step }) };
   const reasoned = Object.entries(own).map(([q, { value, formula, inputs }]) => ({ q, value, formula, inputs }));
   const numbers = Object.fromEntries(reasoned.map(({ q, value }) => [q, value]));
-  return { job, cut: filled({ ...numbers, ...fixed }), values: [...reasoned, ...values] };
+  return { cycle, job, cut: filled({ ...numbers, ...fixed }), values: [...reasoned, ...values] };
 }
 
 /** A drilling cycle with some of its values. */

@@ -74,7 +74,7 @@ function tapped({ named, box, id }: OpenThread, stock: readonly Ring[], request:
       if (!made) return [];
       const place = { front, rear, high: radiusOf(named.nominal) + ROOT, low: radiusOf(core.limits[0]) - ROOT };
       const key = `thread tap T${tool.T} ${box.right.toFixed(2)}`;
-      return [{ ...made, kind: "thread", key, site: "inside", tool, cycle: null, place, threads: [id] }];
+      return [{ ...made, kind: "thread", key, site: "inside", tool, place, threads: [id] }];
     });
 }
 
