@@ -24,9 +24,6 @@ export type PartList = readonly StoredPart[];
 
 /** Most operations that are noted of a plan. */
 const MOST_KEYS = 200;
-/** Most parts that the device keeps: the one that was opened longest ago goes first. */
-const MOST_PARTS = 50;
-
 const text = z.string().check(z.maxLength(500));
 const rows = z.array(contourRow).check(z.maxLength(2000));
 const number = z.optional(z.number());
@@ -87,7 +84,7 @@ export const useParts = partRecord.use;
 /** Restored parts that are missing here are added. */
 export const mergedParts = (mine: PartList, brought: PartList): PartList => {
   const known = new Set(mine.map(({ id }) => id));
-  return [...mine, ...brought.filter(({ id }) => !known.has(id))].slice(0, MOST_PARTS);
+  return [...mine, ...brought.filter(({ id }) => !known.has(id))];
 };
 
 /** Changes the open part as one step of undo; successive changes at the same place are one step. */
@@ -97,7 +94,7 @@ export const editPart = (change: (part: StoredPart) => StoredPart, place: string
 /** Adds a part and opens it. */
 export function addPart(part: FinishedPart): void {
   const added = { id: randomId(), part, withoutTools: [], withoutCycles: [] };
-  editRecord(partRecord, (all) => [added, ...all].slice(0, MOST_PARTS));
+  editRecord(partRecord, (all) => [added, ...all]);
 }
 
 /** Adds an empty part if there is none. That is no step of undo. */
