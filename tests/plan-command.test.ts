@@ -103,7 +103,7 @@ test("a bore is drilled with the built-in drills; a side without a step is no cl
     }),
   );
   expect(await main([ring])).toBe(0);
-  expect(err).toMatch(/\d\. Drill: path blocks with T38 DRILL-D26[^]*\d\. Finish bore: [^]*\d\. Part off: /);
+  expect(err).toMatch(/\d\. Drill: cycle 200 with T38 DRILL-D26[^]*\d\. Finish bore: [^]*\d\. Part off: /);
   expect(await main([ring, "--clamping", "2"])).toBe(2);
   expect(err).toMatch(/plan: there is no second clamping\n$/);
 });
