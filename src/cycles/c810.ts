@@ -57,4 +57,4 @@ export const c810 = defineCycle({
 });
 
 /** Random set-ups for the laws. */
-export const setups810: Setups = contourSetups(false);
+export const setups810: Setups = /* @__PURE__ */ contourSetups(false);

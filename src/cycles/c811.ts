@@ -21,4 +21,4 @@ export const c811 = defineCycle({
 });
 
 /** Random set-ups for the laws. */
-export const setups811: Setups = simpleSetups(shoulderSetups);
+export const setups811: Setups = /* @__PURE__ */ simpleSetups(shoulderSetups);

@@ -27,4 +27,4 @@ export const c813 = defineCycle({
 });
 
 /** Random set-ups for the laws. */
-export const setups813: Setups = withoutCornerElements(plungeSetups(false));
+export const setups813: Setups = /* @__PURE__ */ withoutCornerElements(/* @__PURE__ */ plungeSetups(false));

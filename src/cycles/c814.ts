@@ -51,4 +51,4 @@ export const c814 = defineCycle({
 });
 
 /** Random set-ups for the laws. */
-export const setups814: Setups = plungeSetups(false);
+export const setups814: Setups = /* @__PURE__ */ plungeSetups(false);

@@ -51,4 +51,4 @@ export const c820 = defineCycle({
 });
 
 /** Random set-ups for the laws. */
-export const setups820: Setups = contourSetups(true);
+export const setups820: Setups = /* @__PURE__ */ contourSetups(true);

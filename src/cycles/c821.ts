@@ -33,4 +33,4 @@ export const c821 = defineCycle({
 });
 
 /** Random set-ups for the laws. */
-export const setups821: Setups = simpleSetups(faceSetups);
+export const setups821: Setups = /* @__PURE__ */ simpleSetups(faceSetups);

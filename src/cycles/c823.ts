@@ -41,4 +41,4 @@ export const c823 = defineCycle({
 });
 
 /** Random set-ups for the laws. */
-export const setups823: Setups = withoutCornerElements(plungeSetups(true));
+export const setups823: Setups = /* @__PURE__ */ withoutCornerElements(/* @__PURE__ */ plungeSetups(true));

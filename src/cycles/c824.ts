@@ -53,4 +53,4 @@ export const c824 = defineCycle({
 });
 
 /** Random set-ups for the laws. */
-export const setups824: Setups = plungeSetups(true);
+export const setups824: Setups = /* @__PURE__ */ plungeSetups(true);

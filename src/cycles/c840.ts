@@ -61,4 +61,4 @@ export const c840 = defineCycle({
 });
 
 /** Random set-ups for the laws. */
-export const setups840: Setups = freeRecesses(false);
+export const setups840: Setups = /* @__PURE__ */ freeRecesses(false);

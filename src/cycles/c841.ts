@@ -31,4 +31,4 @@ export const c841 = defineCycle({
 });
 
 /** Random set-ups for the laws. */
-export const setups841: Setups = simpleRecesses(radialRecesses, false);
+export const setups841: Setups = /* @__PURE__ */ simpleRecesses(radialRecesses, false);

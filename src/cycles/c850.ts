@@ -60,4 +60,4 @@ export const c850 = defineCycle({
 });
 
 /** Random set-ups for the laws. */
-export const setups850: Setups = freeRecesses(true);
+export const setups850: Setups = /* @__PURE__ */ freeRecesses(true);

@@ -47,4 +47,4 @@ export const c851 = defineCycle({
 });
 
 /** Random set-ups for the laws. */
-export const setups851: Setups = simpleRecesses(axialRecesses, true);
+export const setups851: Setups = /* @__PURE__ */ simpleRecesses(axialRecesses, true);

@@ -30,4 +30,4 @@ export const c860 = defineCycle({
 });
 
 /** Random set-ups for the laws. */
-export const setups860: Setups = plungedSetups(freeRecesses(false));
+export const setups860: Setups = /* @__PURE__ */ plungedSetups(/* @__PURE__ */ freeRecesses(false));

@@ -37,4 +37,4 @@ export const c861 = defineCycle({
 });
 
 /** Random set-ups for the laws. */
-export const setups861: Setups = plungedSetups(simpleRecesses(radialRecesses, false));
+export const setups861: Setups = /* @__PURE__ */ plungedSetups(/* @__PURE__ */ simpleRecesses(radialRecesses, false));

@@ -51,4 +51,4 @@ export const c862 = defineCycle({
 });
 
 /** Random set-ups for the laws. */
-export const setups862: Setups = plungedSetups(radialRecesses);
+export const setups862: Setups = /* @__PURE__ */ plungedSetups(radialRecesses);

@@ -45,4 +45,4 @@ export const c870 = defineCycle({
 });
 
 /** Random set-ups for the laws. */
-export const setups870: Setups = plungedSetups(freeRecesses(true));
+export const setups870: Setups = /* @__PURE__ */ plungedSetups(/* @__PURE__ */ freeRecesses(true));

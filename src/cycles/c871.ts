@@ -37,4 +37,4 @@ export const c871 = defineCycle({
 });
 
 /** Random set-ups for the laws. */
-export const setups871: Setups = plungedSetups(simpleRecesses(axialRecesses, true));
+export const setups871: Setups = /* @__PURE__ */ plungedSetups(/* @__PURE__ */ simpleRecesses(axialRecesses, true));

@@ -51,4 +51,4 @@ export const c872 = defineCycle({
 });
 
 /** Random set-ups for the laws. */
-export const setups872: Setups = plungedSetups(axialRecesses);
+export const setups872: Setups = /* @__PURE__ */ plungedSetups(axialRecesses);
