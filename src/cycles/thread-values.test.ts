@@ -3,14 +3,8 @@ import { readThread } from "../kernel/thread/threads.ts";
 import { c831 } from "./c831.ts";
 import { c832 } from "./c832.ts";
 import type { ThreadRoles } from "./define.ts";
-import {
-  depthForNose,
-  differencesFrom,
-  threadOfValues,
-  valuesOfThread,
-  type ThreadAim,
-  type TypedValues,
-} from "./thread-values.ts";
+import { differencesFrom, threadOfValues } from "./found-thread.ts";
+import { depthForNose, valuesOfThread, type ThreadAim, type TypedValues } from "./thread-values.ts";
 
 const [long, extended] = [c831.thread as ThreadRoles, c832.thread as ThreadRoles];
 const MIDDLE: ThreadAim = { aim: "middle", nose: null };

@@ -1,12 +1,7 @@
 import { useRef, useState } from "react";
 import type { ThreadRoles } from "../../../cycles/define.ts";
-import {
-  differencesFrom,
-  threadOfValues,
-  valuesOfThread,
-  type FoundThread,
-  type ThreadAim,
-} from "../../../cycles/thread-values.ts";
+import { differencesFrom, threadOfValues, type FoundThread } from "../../../cycles/found-thread.ts";
+import { valuesOfThread, type ThreadAim } from "../../../cycles/thread-values.ts";
 import { designationOf, type Aim, type NamedThread } from "../../../kernel/thread/named-thread.ts";
 import { threadsNamed } from "../../../kernel/thread/threads.ts";
 import { noseRadius } from "../../../kernel/cutter/insert.ts";
