@@ -51,7 +51,7 @@ function areaUnder({ segments, level }: Pocket, path: readonly Segment[], shift 
 }
 
 /** Share of a pocket that the nose of a tool has to reach for the tool to be sent into it. */
-const LEAST_REACHED = 0.5;
+const LEAST_REACHED = 0.6;
 
 /** Whether a tool reaches enough of a pocket to be sent into it: a narrow groove is left to blades. */
 export function suits({ reach }: Plan, tool: Tool, pocket: Pocket): boolean {
