@@ -50,6 +50,8 @@ function reasonWords(reason: StepReason): string {
       return RULES[reason.rule];
     case "rest":
       return `removes what operation ${reason.step + 1} left`;
+    case "unfinished":
+      return `not made before: ${[...(reason.area > 0 ? [area(reason.area)] : []), ...reason.threads].join(", ")}`;
     case "byHand":
       return "set by hand";
   }
@@ -92,6 +94,7 @@ function missingWords(tool: MissingTool): string {
   const data = [
     tool.hand && `${tool.hand} hand`,
     tool.descends !== undefined && `clears a flank of ${angle(tool.descends)}`,
+    tool.leastEdge !== undefined && `setting angle at least ${angle(tool.leastEdge)}`,
     tool.mostNose !== undefined && `nose radius up to ${length(tool.mostNose)}`,
     tool.mostWidth !== undefined && `blade up to ${length(tool.mostWidth)} wide`,
     tool.leastDepth !== undefined && `cutting depth at least ${length(tool.leastDepth)}`,

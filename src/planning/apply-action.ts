@@ -17,7 +17,7 @@ import { FINISHING, type Action, type PlanRequest, type PlanState, type TriedAct
 /** Less is no cut, mm² of the half plane. */
 const LEAST_CUT = 0.05;
 /** Less is no damage, mm²: chords of arcs. */
-const LEAST_GOUGE = 0.01;
+export const LEAST_GOUGE = 0.01;
 
 /** Material beyond its oversize that a finishing cut takes at most, mm: the ground of an undercut. */
 const THICKEST = 1.5;

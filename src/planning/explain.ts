@@ -1,5 +1,8 @@
 import { areaOf } from "../kernel/area/area.ts";
-import { difference } from "../kernel/area/clip.ts";
+import { boxAround, inBox } from "../kernel/area/box.ts";
+import { difference, opened } from "../kernel/area/clip.ts";
+import { SLIVER } from "../kernel/tolerance.ts";
+import { threadId, threadsOf } from "./actions/thread.ts";
 import { LEAST_REGION } from "./open-regions.ts";
 import {
   actionsIn,
@@ -64,7 +67,18 @@ function reasonsOf(node: PlanNode, ways: readonly OtherWay[], isByHand: boolean,
     ...(last?.tool.T === action.tool.T ? [{ kind: "sameTool" as const, tool: action.tool.T }] : []),
     ...(action.kind === "restRough" && rest >= 0 ? [{ kind: "rest" as const, step: rest }] : []),
     ...(rule ? [{ kind: "rule" as const, rule }] : []),
+    ...(action.kind === "partOff" ? unfinished(before, s) : []),
   ];
+}
+
+/** What parting off leaves undone: no tool could make it before. */
+function unfinished({ open, threads }: PlanNode, { request: { part } }: Searching): readonly StepReason[] {
+  const { left, right, high } = boxAround(part.rings);
+  const area = areaOf(opened(inBox(open, { left: left + SLIVER, right, low: 0, high }), SLIVER));
+  const missed = [part.outside, part.inside].flatMap((chain) =>
+    threadsOf(chain).flatMap((place) => (threads.has(threadId(chain, place)) ? [] : [place.designation])),
+  );
+  return area < LEAST_REGION && missed.length === 0 ? [] : [{ kind: "unfinished", area: area < LEAST_REGION ? 0 : area, threads: missed }];
 }
 
 /** What speaks for a step beside the next way; null where nothing does. */

@@ -1,14 +1,17 @@
 import type { Site } from "../cycles/shape-request.ts";
-import { boxAround } from "../kernel/area/box.ts";
+import { boxAround, boxOf } from "../kernel/area/box.ts";
 import { part, type Segment } from "../kernel/geometry/point.ts";
 import { CHORD, SAME } from "../kernel/tolerance.ts";
 import { inDegrees, toDiameter, radius } from "../kernel/units.ts";
+import { pocketsOf, type Pocket } from "./actions/pockets.ts";
 import { borderOf, type OpenRegion } from "./open-regions.ts";
 import type { Chain, PlanRequest, PlannedPart } from "./types.ts";
 import type { MissingTool } from "./working-plan.ts";
 
 /** Steeper walls are left to blades, degrees from the axis. */
 const WALL = 85;
+/** Any turning tool comes up to such a face, degrees. */
+const UPRIGHT = 91;
 /** Levels at which the width of a region is measured. */
 const LEVELS = 8;
 
@@ -31,7 +34,7 @@ export function sideOf(
 const isAcross = (s: Segment | undefined) => s !== undefined && Math.abs(s.to.z - s.from.z) < SAME;
 
 /** Width of a region where it is narrowest between two walls, mm; Infinity where one side is open at every level. */
-function narrowest({ rings, box }: OpenRegion): number {
+function narrowest({ rings, box }: Pick<OpenRegion, "rings" | "box">): number {
   const heights = Array.from({ length: LEVELS }, (_, i) => box.low + ((i + 0.5) * (box.high - box.low)) / LEVELS);
   const widths = heights.flatMap((r) => {
     const crossed = rings
@@ -59,6 +62,23 @@ function descents(elements: readonly Segment[], sign: 1 | -1): { readonly ahead:
   return { ahead: Math.max(0, ...slopes), back: Math.max(0, ...slopes.map((n) => -n)) };
 }
 
+/** Steepest wall that a tool comes up to, degrees from the axis: more than 90 where it leans over its own foot. */
+function steepest(elements: readonly Segment[], hand: "right" | "left", site: Site): number {
+  const [ahead, out] = [hand === "right" ? -1 : 1, site === "inside" ? -1 : 1];
+  const walls = elements.flatMap((s) => {
+    const points = part.flattenedChain([s], CHORD);
+    return points.slice(1).flatMap((b, i) => {
+      const a = points[i] ?? b;
+      const [low, high] = (b.r - a.r) * out > 0 ? [a, b] : [b, a];
+      const rises = hand === "right" ? low === a : low === b;
+      return rises && part.apart(a, b) > SAME
+        ? [inDegrees(Math.atan2(Math.abs(b.r - a.r), (high.z - low.z) * ahead))]
+        : [];
+    });
+  });
+  return Math.max(0, ...walls);
+}
+
 /** Least radius of the hollows of a chain, mm; Infinity without one. */
 const leastHollow = (elements: readonly Segment[], site: Site): number =>
   Math.min(Infinity, ...elements.flatMap((s) => (s.kind === "arc" && isHollow(s, site) ? [part.radiusOf(s)] : [])));
@@ -69,12 +89,26 @@ function isHollow(s: Extract<Segment, { kind: "arc" }>, site: Site): boolean {
   return site === "inside" ? s.centre.r < middle.r : s.centre.r > middle.r;
 }
 
+/** The pocket of the outside in which all of a border lies; null where it lies in none. */
+function pocketAround(border: readonly number[], { outside }: PlannedPart): Pocket | null {
+  const [first, last] = [border[0] ?? -1, border.at(-1) ?? -1];
+  // The wall behind a pocket may lean over it.
+  return pocketsOf(outside, "r").find((p) => p.first <= first && last <= p.last + 1) ?? null;
+}
+
+/** The space of a pocket. */
+function pieceOf({ segments }: Pocket): Pick<OpenRegion, "rings" | "box"> {
+  const ring = part.flattenedChain(segments, CHORD);
+  return { rings: [ring], box: boxOf(ring) };
+}
+
 /** The smallest data of a tool that takes a region, from the shape of the region and of the elements around it. */
 export function missingFor(region: OpenRegion, { part: planned, blank }: PlanRequest): MissingTool {
   const { site, border } = sideOf(region, planned);
   const chain: Chain = site === "inside" ? planned.inside : planned.outside;
-  const elements = border.flatMap((i) => chain.segments[i] ?? []);
   const { box } = region;
+  const pocket = site === "outside" ? pocketAround(border, planned) : null;
+  const elements = [...(pocket?.segments ?? []), ...border.flatMap((i) => chain.segments[i] ?? [])];
   const hollow = leastHollow(elements, site);
   const nose = Number.isFinite(hollow) ? { mostNose: whole(hollow) } : {};
   const inside = site === "inside" ? boring(region, planned, blank) : {};
@@ -88,7 +122,7 @@ export function missingFor(region: OpenRegion, { part: planned, blank }: PlanReq
     const edge = around.map(({ r }) => r);
     const open = site === "inside" ? Math.min(box.low, ...edge) : Math.max(box.high, ...edge);
     const depth = site === "inside" ? box.high - open : open - box.low;
-    const width = narrowest(region);
+    const width = narrowest(pocket ? pieceOf(pocket) : region);
     return {
       form: "recessing",
       site,
@@ -98,13 +132,15 @@ export function missingFor(region: OpenRegion, { part: planned, blank }: PlanReq
       ...inside,
     };
   }
-  const isRight = ahead <= back;
+  const hand = ahead <= back ? "right" : "left";
   const descends = whole(Math.min(ahead, back), 1);
+  const edge = whole(steepest(elements, hand, site), 1);
   return {
     form: site === "inside" ? "boring" : "turning",
     site,
-    hand: isRight ? "right" : "left",
+    hand,
     ...(descends > 0 && descends <= WALL && { descends }),
+    ...(edge > UPRIGHT && { leastEdge: edge }),
     ...nose,
     ...inside,
   };

@@ -2,12 +2,17 @@ import { boxAround } from "../kernel/area/box.ts";
 import { difference, intersection } from "../kernel/area/clip.ts";
 import { at, type Ring } from "../kernel/geometry/point.ts";
 import { SAME } from "../kernel/tolerance.ts";
+import { rounded } from "../kernel/units.ts";
+import { parting } from "./actions/part-off.ts";
 import { missingFor, sideOf } from "./missing.ts";
-import { openRegions, type OpenRegion } from "./open-regions.ts";
+import { areaBeyond, LEAST_GOUGE } from "./apply-action.ts";
+import { LEAST_REGION, openRegions, type OpenRegion } from "./open-regions.ts";
 import { actionsIn, type PlanNode, type Searching } from "./plan-node.ts";
 import type { Action, ElementMark, PlanRequest } from "./types.ts";
-import type { Residue } from "./working-plan.ts";
+import type { MissingTool, Residue } from "./working-plan.ts";
 
+/** Width of a blade to part off, mm. */
+const NARROW_BLADE = 2;
 /** Jaws keep a tool this far away, mm. */
 const BESIDE = 2;
 
@@ -22,11 +27,15 @@ function jawsOf({ clamping }: PlanRequest): number | null {
   return fronts.length > 0 ? Math.max(...fronts) : null;
 }
 
+/** Whether a region lies behind the rear face. */
+const isBehind = ({ box }: OpenRegion, { part }: PlanRequest) => box.right <= boxAround(part.rings).left + SAME;
+
 /** Why a region is left where no tool is to blame; null otherwise. */
-function placeReason({ box }: OpenRegion, request: PlanRequest): "rear" | "clamping" | null {
+function placeReason(region: OpenRegion, request: PlanRequest): "rear" | "clamping" | null {
+  const { box } = region;
   const jaws = jawsOf(request);
-  const { left } = boxAround(request.part.rings);
-  if (box.right <= left + SAME) return "rear";
+  // The rest of a bar is for the blade.
+  if (isBehind(region, request)) return request.partsOff ? null : "rear";
   if (jaws !== null && box.right <= jaws + BESIDE) return "clamping";
   return null;
 }
@@ -72,10 +81,23 @@ function threadsLeft({ done }: PlanNode, request: PlanRequest): readonly Residue
     }));
 }
 
-/** Why a region is left that no place and no choice protects. */
-function triedReason(isOpen: boolean, { tries, most }: Searching): "bound" | "fault" | "tool" {
+/**
+ * Why a region is left that no place and no choice protects: a tool that would take it without damage to the part stops
+ * with a fault, or there is none. Yields before every try.
+ */
+function* triedReason(
+  { rings }: OpenRegion,
+  ways: readonly Action[],
+  end: PlanNode,
+  { tries, most }: Searching,
+): Generator<PlanNode, "bound" | "fault" | "tool"> {
   if (tries.count >= most) return "bound";
-  return isOpen ? "fault" : "tool";
+  for (const way of ways) {
+    yield end;
+    const { stock, gouge, faults } = tries.of(way, end);
+    if (faults.length > 0 && gouge < LEAST_GOUGE && areaBeyond(rings, stock) > LEAST_REGION) return "fault";
+  }
+  return "tool";
 }
 
 /** Farther than any stock, mm. */
@@ -90,6 +112,13 @@ function regionsLeft(end: PlanNode, { part }: PlanRequest): readonly OpenRegion[
   );
 }
 
+/** The tool that a region needs; behind the rear face that is a blade to part off. */
+function missingOf(region: OpenRegion, { stock }: PlanNode, request: PlanRequest): MissingTool {
+  if (!isBehind(region, request)) return missingFor(region, request);
+  const { depth } = parting(stock, boxAround(request.part.rings).left, NARROW_BLADE);
+  return { form: "recessing", site: "outside", leastDepth: rounded(depth) };
+}
+
 /** What the end of a search leaves, with the reason and the tool that is missing. */
 export function* residueOf(end: PlanNode, s: Searching): Generator<PlanNode, readonly Residue[]> {
   const { request } = s;
@@ -99,15 +128,16 @@ export function* residueOf(end: PlanNode, s: Searching): Generator<PlanNode, rea
     const { site, border } = sideOf(region, request.part);
     const chain = site === "inside" ? request.part.inside : request.part.outside;
     const rows = [...new Set(border.flatMap((i) => chain.marks[i]?.row ?? []))];
-    const isOpen = failed.some((a) => meets(a, region));
+    const ways = failed.filter((a) => meets(a, region));
     const why =
-      placeReason(region, request) ?? ((yield* isExcluded(region, end, s)) ? "excluded" : triedReason(isOpen, s));
+      placeReason(region, request) ??
+      ((yield* isExcluded(region, end, s)) ? "excluded" : yield* triedReason(region, ways, end, s));
     left.push({
       region,
       site,
       rows,
       why,
-      missing: why === "tool" || why === "fault" ? missingFor(region, request) : null,
+      missing: why === "tool" || why === "fault" ? missingOf(region, end, request) : null,
     });
   }
   return [...left, ...threadsLeft(end, request)];

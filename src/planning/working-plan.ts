@@ -31,6 +31,8 @@ export type StepReason =
   | { readonly kind: "rule"; readonly rule: TradeRule }
   /** Takes what an earlier step (its index) left. */
   | { readonly kind: "rest"; readonly step: number }
+  /** Parts off a part on which material (mm² of the half plane) or threads are left that no tool can make. */
+  | { readonly kind: "unfinished"; readonly area: number; readonly threads: readonly string[] }
   /** Chosen, changed or locked by the operator. */
   | { readonly kind: "byHand" };
 
@@ -65,6 +67,8 @@ export interface MissingTool {
   readonly hand?: "right" | "left";
   /** Least angle that the insert keeps clear of the flank it descends along, measured from the axis. */
   readonly descends?: number;
+  /** Least angle of its main edge from the axis (T-ANGLE), where a face leans over its own foot. */
+  readonly leastEdge?: number;
   readonly mostNose?: number;
   readonly mostWidth?: number;
   readonly leastDepth?: number;

@@ -59,6 +59,13 @@ export function reasonWords(words: PlanWords, reason: StepReason): string {
       return because.rules[reason.rule];
     case "rest":
       return because.rest(reason.step + 1);
+    case "unfinished":
+      return because.unfinished(
+        [
+          ...(reason.area > 0 ? [areaWords(words, reason.area)] : []),
+          ...reason.threads.map((name) => words.t.left.thread(name)),
+        ].join(", "),
+      );
     case "byHand":
       return because.byHand;
   }
@@ -94,6 +101,7 @@ export function missingWords({ t, language }: PlanWords, tool: MissingTool): str
     tool.hand && left[tool.hand],
     tool.thread !== undefined && left.forThread(tool.thread),
     tool.descends !== undefined && left.descends(angle(tool.descends)),
+    tool.leastEdge !== undefined && left.leastEdge(angle(tool.leastEdge)),
     tool.mostNose !== undefined && left.mostNose(length(tool.mostNose)),
     tool.mostWidth !== undefined && left.mostWidth(length(tool.mostWidth)),
     tool.leastDepth !== undefined && left.leastDepth(length(tool.leastDepth)),

@@ -157,6 +157,7 @@ export const plan = {
     takesMore: (area, other) => `zerspant ${area} mehr als ${other}`,
     sameTool: "kein Werkzeugwechsel",
     rest: (step) => `entfernt das Restmaterial von Bearbeitung ${step}`,
+    unfinished: (what) => `vor dem Abstechen nicht gefertigt: ${what}`,
     byHand: "von Ihnen festgelegt",
     rules: {
       roughBeforeFinish: "Schruppen vor Schlichten",
@@ -198,6 +199,7 @@ export const plan = {
     right: "rechts",
     left: "links",
     descends: (angle) => `frei an einer Flanke von ${angle}`,
+    leastEdge: (angle) => `Einstellwinkel mindestens ${angle}`,
     mostNose: (size) => `Schneidenradius bis ${size}`,
     mostWidth: (size) => `Breite bis ${size}`,
     leastDepth: (size) => `Stechtiefe mindestens ${size}`,

@@ -158,6 +158,7 @@ export const plan = {
     takesMore: (area: string, other: string) => `removes ${area} more than ${other}`,
     sameTool: "no tool change",
     rest: (step: number) => `removes what operation ${step} left`,
+    unfinished: (what: string) => `not made before parting off: ${what}`,
     byHand: "set by you",
     rules: {
       roughBeforeFinish: "roughing before finishing",
@@ -194,6 +195,7 @@ export const plan = {
     right: "right hand",
     left: "left hand",
     descends: (angle: string) => `clears a flank of ${angle}`,
+    leastEdge: (angle: string) => `setting angle at least ${angle}`,
     mostNose: (size: string) => `nose radius up to ${size}`,
     mostWidth: (size: string) => `width up to ${size}`,
     leastDepth: (size: string) => `reach at least ${size}`,

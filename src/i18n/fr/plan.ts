@@ -158,6 +158,7 @@ export const plan = {
     takesMore: (area, other) => `enlève ${area} de plus que ${other}`,
     sameTool: "sans changement d’outil",
     rest: (step) => `enlève le reste de l’opération ${step}`,
+    unfinished: (what) => `non usiné avant le tronçonnage : ${what}`,
     byHand: "choisi par vous",
     rules: {
       roughBeforeFinish: "ébauche avant finition",
@@ -199,6 +200,7 @@ export const plan = {
     right: "à droite",
     left: "à gauche",
     descends: (angle) => `dégagé sur un flanc de ${angle}`,
+    leastEdge: (angle) => `angle d’inclinaison d’au moins ${angle}`,
     mostNose: (size) => `rayon de bec jusqu’à ${size}`,
     mostWidth: (size) => `largeur jusqu’à ${size}`,
     leastDepth: (size) => `profondeur d’au moins ${size}`,

@@ -156,6 +156,7 @@ export const plan = {
     takesMore: (area, other) => `比${other}多切除 ${area}`,
     sameTool: "无需换刀",
     rest: (step) => `去除工序 ${step} 的残余材料`,
+    unfinished: (what) => `切断前未完成：${what}`,
     byHand: "由您指定",
     rules: {
       roughBeforeFinish: "先粗后精",
@@ -192,6 +193,7 @@ export const plan = {
     right: "右手",
     left: "左手",
     descends: (angle) => `可避让 ${angle} 的侧面`,
+    leastEdge: (angle) => `主偏角至少 ${angle}`,
     mostNose: (size) => `刀尖半径不大于 ${size}`,
     mostWidth: (size) => `宽度不大于 ${size}`,
     leastDepth: (size) => `切深至少 ${size}`,

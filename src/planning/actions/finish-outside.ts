@@ -31,7 +31,7 @@ export const finishOutside: ActionSource = {
     return notDone(
       [
         ...finishings(workUpTo(work, last), state.stock, request),
-        ...single.flatMap((piece) => sectionWorks(piece, "finishOutside", "finish", { stock: state.stock, request })),
+        ...single.flatMap((piece) => sectionWorks(piece, "finishOutside", "finish", { work, stock: state.stock, request })),
       ],
       state,
     );
@@ -51,6 +51,7 @@ function finishings(work: OutsideWork, stock: readonly Ring[], request: PlanRequ
       const fits = tools.flatMap((tool) => {
         const chain = turnedChain(
           work,
+          tool,
           (segments) => fitted({ cycle, cut, job: jobOf({ segments, marks: [] }) }, tool, request)?.plan ?? null,
         );
         return (chain.segments.length > 0 && fitted({ cycle, cut, job: jobOf(chain) }, tool, request)) || [];

@@ -130,6 +130,8 @@ export interface OutsideWork {
   readonly rough: readonly Piece[];
   /** Grooves and valleys of the chain. */
   readonly pockets: readonly Pocket[];
+  /** Oversize that stays for finishing, mm: above the mouth of a pocket, too. */
+  readonly over: number;
 }
 
 /** The work of the stocks of a request, which every source asks for. */
@@ -157,20 +159,30 @@ function workIn(stock: readonly Ring[], request: PlanRequest): OutsideWork {
     pockets: [...pocketsOf(chain, "r"), ...pocketsOf(chain, "z")],
     pieces: piecesOf(opened(inFrontOf(left, rearOfPart(request)), SLIVER), chain, SLIVER),
     rough: piecesOf(opened(difference(left, grown), THIN), chain, over + SLIVER),
+    over,
   };
 }
 
 /** The innermost pocket that a piece lies in; null for none. */
-export function pocketOf(piece: Pick<Piece, "borders" | "box">, pockets: readonly Pocket[]): Pocket | null {
+export function pocketOf(
+  piece: Pick<Piece, "borders" | "box">,
+  { pockets, over }: Pick<OutsideWork, "pockets" | "over">,
+): Pocket | null {
   const [from, to] = piece.borders;
-  const around = pockets.find((p) => (p.first <= from && to <= p.last) || isWithin(piece.box, p));
-  return around ? (pocketOf(piece, around.inner) ?? around) : null;
+  const around = pockets.find((p) => (p.first <= from && to <= p.last) || isWithin(piece.box, p, over));
+  return around ? (pocketOf(piece, { pockets: around.inner, over }) ?? around) : null;
 }
 
-/** Whether a box lies in that of a pocket: what is left for finishing keeps it away from the walls. */
-function isWithin({ left, right, low, high }: Box, { segments }: Pocket): boolean {
+/** Whether a box lies in that of a pocket, up to `over` mm above its mouth: oversize may stand there, and on its walls. */
+function isWithin({ left, right, low, high }: Box, { segments, axis }: Pocket, over: number): boolean {
   const around = boxOf(part.flattenedChain(segments, CHORD));
-  return left > around.left && right < around.right + SAME && low > around.low - SAME && high < around.high + SAME;
+  const [ahead, above] = axis === "z" ? [over, 0] : [0, over];
+  return (
+    left > around.left - SAME &&
+    right < around.right + ahead + SAME &&
+    low > around.low - SAME &&
+    high < around.high + above + SAME
+  );
 }
 
 const piecesOf = (area: readonly Ring[], chain: Chain, near: number): readonly Piece[] =>
@@ -233,7 +245,7 @@ const meets = (a: Box, b: Box, by: number): boolean =>
 
 /** The chain from its front to the end of the section of a piece, with what lies along it. */
 export function workUpTo(
-  { chain, pieces, rough, pockets }: OutsideWork,
+  { chain, pieces, rough, pockets, over }: OutsideWork,
   { section, span: [, last] }: Piece,
 ): OutsideWork {
   const end = section.segments.at(-1);
@@ -245,5 +257,6 @@ export function workUpTo(
     pieces,
     rough,
     pockets: pockets.filter((pocket) => pocket.last <= last),
+    over,
   };
 }

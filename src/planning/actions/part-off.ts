@@ -1,6 +1,5 @@
-import { boxAround } from "../../kernel/area/box.ts";
-import { at } from "../../kernel/geometry/point.ts";
-import type { Segment } from "../../kernel/geometry/point.ts";
+import { boxAround, inBox } from "../../kernel/area/box.ts";
+import { at, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import { cuttingWidth } from "../../kernel/cutter/insert.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { radius, toDiameter } from "../../kernel/units.ts";
@@ -25,6 +24,16 @@ function rearChamfer(last: Segment | undefined): number {
   return dz > SAME && Math.abs(dz - dr) < SAME ? dz : 0;
 }
 
+/** Where a blade of a width parts off, with what it cuts through: outer radius and wall, mm. */
+export function parting(stock: readonly Ring[], rear: number, width: number) {
+  const left = rear - width;
+  const high = highest(stock, left - BESIDE, rear + BESIDE);
+  const surface: StockSurface = { site: "outside", from: at(rear, high), to: at(left, high) };
+  // A bore that goes farther than the blade leaves a wall.
+  const here = inBox(stock, { left, right: rear, low: 0, high });
+  return { surface, here, left, high, depth: wallOf(here, surface) };
+}
+
 /** Parts the part off from the bar when it is rough turned, with the chamfer at its rear edge or without. */
 export const partOff: ActionSource = {
   kind: "partOff",
@@ -39,10 +48,7 @@ export const partOff: ActionSource = {
     const [cycle] = catalogue;
     const actions = toolsOf(request).flatMap((tool) =>
       works.flatMap((work): readonly Action[] => {
-        const left = rear - cuttingWidth(tool);
-        const high = highest(stock, left - BESIDE, rear + BESIDE);
-        const surface: StockSurface = { site: "outside", from: at(rear, high), to: at(left, high) };
-        const depth = wallOf(stock, surface);
+        const { surface, here, left, high, depth } = parting(stock, rear, cuttingWidth(tool));
         if (!cycle || !canDo(work, tool, { isInside: false, depth })) return [];
         const largest = toDiameter(radius(high));
         const main = valuesOf(
@@ -50,7 +56,13 @@ export const partOff: ActionSource = {
           { operation: "both", work: "partOff", smallest: toDiameter(radius(high - depth)), largest, stock, depth },
           request,
         );
-        const { start, cut } = handCut(work, { stock, surface, tool, sizes: { size, z: rear }, feed: main.feed.value });
+        const { start, cut } = handCut(work, {
+          stock: here,
+          surface,
+          tool,
+          sizes: { size, z: rear },
+          feed: main.feed.value,
+        });
         const base = { ...exampleJob(cycle), tool: tool.T, start, blank: cylinderAround(stock) };
         const { job, values } = withCuttingValues(base, { params: {} }, { main });
         return [
