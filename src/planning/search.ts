@@ -13,7 +13,7 @@ import {
   type Searching,
   volumeIn,
 } from "./plan-node.ts";
-import type { Expected } from "./tries.ts";
+import { finishes, type Expected } from "./tries.ts";
 import { ROUGHING, type Action } from "./types.ts";
 
 /** An action in a state, with the cost so far and that of a tool change, s. */
@@ -65,10 +65,17 @@ class Level {
     const early = base + trade.before(action, waiting);
     if (!known) {
       const most = volumeIn(node, action);
-      return early + tries.leastFor(node.volume - most) + tries.leastFor(most) / QUICKER;
+      return early + this.leastBehind(candidate, most) + tries.leastFor(most) / QUICKER;
     }
     const late = isCorner(known) ? 0 : trade.after(action, doneIn(node));
-    return early + late + known.seconds + tries.leastFor(node.volume - known.volume) + this.restFor(candidate, known);
+    return early + late + known.seconds + this.leastBehind(candidate, known.volume) + this.restFor(candidate, known);
+  }
+
+  /** The least time for what is left when a candidate has taken a volume, s: only finishing takes the oversize. */
+  private leastBehind({ node, action }: Candidate, taken: number): number {
+    const left = Math.max(0, node.volume - taken);
+    const skin = finishes(action) ? Math.max(0, node.skin - taken) : Math.min(node.skin, left);
+    return this.s.tries.leastFor(left - skin) + this.s.tries.leastFor(skin, true);
   }
 
   /** Whether an action is still to be done before a next one; a part that is off is in no chuck, even for corners. */
