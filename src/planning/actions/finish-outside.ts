@@ -23,15 +23,18 @@ export const finishOutside: ActionSource = {
   kind: "finishOutside",
   actions(state, request) {
     const work = outsideWork(state, request);
-    if (work.rough.some(({ opensAhead }) => opensAhead)) return [];
     const last = work.pieces.toSorted((a, b) => b.span[1] - a.span[1])[0];
     if (!last) return [];
     const rest = work.pieces.length > 1 || state.done.some(({ action }) => action.kind === "finishOutside");
-    const single = rest ? work.pieces.slice(0, MOST_PIECES) : [];
+    const single = rest ? work.pieces.filter((piece) => piece !== last).slice(0, MOST_PIECES) : [];
     return notDone(
       [
         ...finishings(workUpTo(work, last), state.stock, request),
-        ...single.flatMap((piece) => sectionWorks(piece, "finishOutside", "finish", { stock: state.stock, request })),
+        ...single.flatMap((piece) =>
+          piece.opensAhead
+            ? finishings(workUpTo(work, piece), state.stock, request)
+            : sectionWorks(piece, "finishOutside", "finish", { stock: state.stock, request }),
+        ),
       ],
       state,
     );

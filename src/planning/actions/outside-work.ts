@@ -155,8 +155,8 @@ function workIn(stock: readonly Ring[], request: PlanRequest): OutsideWork {
   return {
     chain,
     pockets: [...pocketsOf(chain, "r"), ...pocketsOf(chain, "z")],
-    pieces: piecesOf(opened(inFrontOf(left, rearOfPart(request)), SLIVER), chain, SLIVER),
-    rough: piecesOf(opened(difference(left, grown), THIN), chain, over + SLIVER),
+    pieces: piecesOf(opened(inFrontOf(left, rearOfPart(request)), SLIVER), chain, [SLIVER, 0]),
+    rough: piecesOf(opened(difference(left, grown), THIN), chain, [over + SLIVER, THIN]),
   };
 }
 
@@ -173,12 +173,12 @@ function isWithin({ left, right, low, high }: Box, { segments }: Pocket): boolea
   return left > around.left && right < around.right + SAME && low > around.low - SAME && high < around.high + SAME;
 }
 
-const piecesOf = (area: readonly Ring[], chain: Chain, near: number): readonly Piece[] =>
+const piecesOf = (area: readonly Ring[], chain: Chain, beside: readonly [near: number, thin: number]): readonly Piece[] =>
   regionsOf(area, LEAST_REGION)
     .map(({ outline, holes, area: size }) => ({ rings: [outline, ...holes], box: boxOf(outline), area: size }))
     .toSorted((a, b) => b.area - a.area)
     .flatMap((region): readonly Piece[] => {
-      const found = sectionAt(chain, region, near);
+      const found = sectionAt(chain, region, beside);
       return found ? [{ ...region, ...found }] : [];
     });
 
@@ -189,12 +189,12 @@ const BESIDE = 1;
 
 /**
  * The section of a chain that bounds a region at most `near` mm away. It goes on to both sides until the part is as
- * high as the region, so that a cycle knows what stands beside it.
+ * high as the region but for what is `thin`, so that a cycle knows what stands beside it.
  */
 function sectionAt(
   { segments, marks }: Chain,
   { rings, box }: OpenRegion,
-  near: number,
+  [near, thin]: readonly [number, number],
 ): Pick<Piece, "section" | "opensAhead" | "borders" | "span"> | null {
   const wide = offset(rings, near + 2 * SLIVER);
   const isNear = (p: Pt) => wide.filter((ring) => isInside(ring, p)).length % 2 === 1;
@@ -207,7 +207,7 @@ function sectionAt(
   const touched = [hit[0] ?? -1, hit.at(-1) ?? -1] as const;
   let [first, last] = touched;
   if (first < 0) return null;
-  const level = box.high - near - 2 * SLIVER;
+  const level = box.high - near - thin - 2 * SLIVER;
   while (first > 0 && (segments[first]?.from.r ?? 0) < level) first -= 1;
   while (last < segments.length - 1 && (segments[last]?.to.r ?? 0) < level) last += 1;
   const section = segments.slice(first, last + 1);
