@@ -26,6 +26,8 @@ const BESIDE_JAWS = 1;
 const BEHIND_REAR = 2;
 /** Thinner material is left to finishing, mm. */
 const THIN = 1;
+/** Stock over the mouth of a groove that is taken with the groove, mm: the oversize and what a nose leaves in a corner. */
+const OVER_MOUTH = 2;
 /** Farther than any stock, mm. */
 const FAR = 10_000;
 
@@ -167,10 +169,16 @@ export function pocketOf(piece: Pick<Piece, "borders" | "box">, pockets: readonl
   return around ? (pocketOf(piece, around.inner) ?? around) : null;
 }
 
-/** Whether a box lies in that of a pocket: what is left for finishing keeps it away from the walls. */
-function isWithin({ left, right, low, high }: Box, { segments }: Pocket): boolean {
+/**
+ * Whether a box lies in that of a pocket: what is left for finishing keeps it away from the walls, and stands over the
+ * mouth.
+ */
+function isWithin({ left, right, low, high }: Box, { segments, axis }: Pocket): boolean {
   const around = boxOf(part.flattenedChain(segments, CHORD));
-  return left > around.left && right < around.right + SAME && low > around.low - SAME && high < around.high + SAME;
+  const [ahead, above] = axis === "r" ? [SAME, OVER_MOUTH] : [OVER_MOUTH, SAME];
+  return (
+    left > around.left - SAME && right < around.right + ahead && low > around.low - SAME && high < around.high + above
+  );
 }
 
 const piecesOf = (area: readonly Ring[], chain: Chain, beside: readonly [near: number, thin: number]): readonly Piece[] =>
