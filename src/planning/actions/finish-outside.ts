@@ -8,7 +8,7 @@ import { actionOf, fitted, notDone, ranked, toolsOf } from "./candidates.ts";
 import { contourJob } from "./contour-job.ts";
 import { finestOf } from "./finest.ts";
 import { sectionWorks } from "./rest-rough.ts";
-import { outsideWork, workUpTo, type OutsideWork } from "./outside-work.ts";
+import { outsideWork, workUpTo, type OutsideWork, type Piece } from "./outside-work.ts";
 import { cutOf, turnedChain, turningCycles, typesFirst } from "./turned-contour.ts";
 
 /** Tools to finish with. */
@@ -25,8 +25,9 @@ export const finishOutside: ActionSource = {
     const work = outsideWork(state, request);
     const last = work.pieces.toSorted((a, b) => b.span[1] - a.span[1])[0];
     if (!last) return [];
-    const rest = work.pieces.length > 1 || state.done.some(({ action }) => action.kind === "finishOutside");
-    const single = rest ? work.pieces.filter((piece) => piece !== last).slice(0, MOST_PIECES) : [];
+    const isRest = state.done.some(({ action }) => action.kind === "finishOutside");
+    const isAlone = (piece: Piece) => isRest || (!piece.opensAhead && work.pieces.length > 1);
+    const single = work.pieces.filter((piece) => piece !== last || !piece.opensAhead).filter(isAlone).slice(0, MOST_PIECES);
     return notDone(
       [
         ...finishings(workUpTo(work, last), state.stock, request),
