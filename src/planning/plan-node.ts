@@ -131,7 +131,11 @@ export function nodeBehind(before: PlanNode, tried: TriedAction, { request, trad
       threads: new Set([...before.threads, ...action.threads]),
       before,
       tried,
-      cost: before.cost + seconds + (isCorner(tried) ? 0 : trade.after(action, doneIn(before))),
+      cost:
+        before.cost +
+        seconds +
+        trade.wear(action, tried.seconds) +
+        (isCorner(tried) ? 0 : trade.after(action, doneIn(before))),
       seconds: before.seconds + seconds,
     },
     request,

@@ -65,10 +65,12 @@ class Level {
     const early = base + trade.before(action, waiting);
     if (!known) {
       const most = volumeIn(node, action);
-      return early + this.leastBehind(candidate, most) + tries.leastFor(most) / QUICKER;
+      const seconds = tries.leastFor(most) / QUICKER;
+      return early + seconds + trade.wear(action, seconds) + this.leastBehind(candidate, most);
     }
     const late = isCorner(known) ? 0 : trade.after(action, doneIn(node));
-    return early + late + known.seconds + this.leastBehind(candidate, known.volume) + this.restFor(candidate, known);
+    const own = known.seconds + trade.wear(action, known.seconds);
+    return early + late + own + this.leastBehind(candidate, known.volume) + this.restFor(candidate, known);
   }
 
   /** The least time for what is left when a candidate has taken a volume, s: only finishing takes the oversize. */

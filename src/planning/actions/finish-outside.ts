@@ -27,7 +27,10 @@ export const finishOutside: ActionSource = {
     if (!last) return [];
     const isRest = state.done.some(({ action }) => action.kind === "finishOutside");
     const isAlone = (piece: Piece) => isRest || (!piece.opensAhead && work.pieces.length > 1);
-    const single = work.pieces.filter((piece) => piece !== last || !piece.opensAhead).filter(isAlone).slice(0, MOST_PIECES);
+    const single = work.pieces
+      .filter((piece) => piece !== last || !piece.opensAhead)
+      .filter(isAlone)
+      .slice(0, MOST_PIECES);
     return notDone(
       [
         ...finishings(workUpTo(work, last), state.stock, request),

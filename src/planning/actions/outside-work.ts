@@ -181,7 +181,11 @@ function isWithin({ left, right, low, high }: Box, { segments, axis }: Pocket): 
   );
 }
 
-const piecesOf = (area: readonly Ring[], chain: Chain, beside: readonly [near: number, thin: number]): readonly Piece[] =>
+const piecesOf = (
+  area: readonly Ring[],
+  chain: Chain,
+  beside: readonly [near: number, thin: number],
+): readonly Piece[] =>
   regionsOf(area, LEAST_REGION)
     .map(({ outline, holes, area: size }) => ({ rings: [outline, ...holes], box: boxOf(outline), area: size }))
     .toSorted((a, b) => b.area - a.area)

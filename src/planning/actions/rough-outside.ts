@@ -9,6 +9,9 @@ import { outsideWork, workUpTo, type OutsideWork, type Piece } from "./outside-w
 import { bridgedOver } from "./pockets.ts";
 import { cutOf, turnedChain, turningCycles, withoutFront } from "./turned-contour.ts";
 
+/** Inserts that rough; the price of the weaker ones is for the search. */
+const TYPES: readonly Tool["TYPE"][] = ["ROUGH", "FINISH"];
+
 /** Roughs the outside from the front: along the axis over its grooves or into them, and across it. */
 export const roughOutside: ActionSource = {
   kind: "roughOutside",
@@ -20,10 +23,8 @@ export const roughOutside: ActionSource = {
         open.flatMap((piece) => roughings(workUpTo(work, piece), piece, { stock: state.stock, tools, request })),
         state,
       );
-    // Finishing inserts rough only what no strong one can.
     const all = toolsOf(request);
-    const strong = withTools(all.filter(({ TYPE }) => TYPE === "ROUGH"));
-    return strong.length > 0 ? strong : withTools(all.filter(({ TYPE }) => TYPE === "FINISH"));
+    return TYPES.flatMap((type) => withTools(all.filter(({ TYPE }) => TYPE === type)));
   },
 };
 
