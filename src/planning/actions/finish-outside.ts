@@ -37,7 +37,7 @@ export const finishOutside: ActionSource = {
         ...single.flatMap((piece) =>
           piece.opensAhead
             ? finishings(workUpTo(work, piece), state.stock, request)
-            : sectionWorks(piece, "finishOutside", "finish", { stock: state.stock, request }),
+            : sectionWorks(piece, "finishOutside", "finish", { work, stock: state.stock, request }),
         ),
       ],
       state,
@@ -58,6 +58,7 @@ function finishings(work: OutsideWork, stock: readonly Ring[], request: PlanRequ
       const fits = tools.flatMap((tool) => {
         const chain = turnedChain(
           work,
+          tool,
           (segments) => fitted({ cycle, cut, job: jobOf({ segments, marks: [] }) }, tool, request)?.plan ?? null,
         );
         return (chain.segments.length > 0 && fitted({ cycle, cut, job: jobOf(chain) }, tool, request)) || [];

@@ -26,8 +26,6 @@ const BESIDE_JAWS = 1;
 const BEHIND_REAR = 2;
 /** Thinner material is left to finishing, mm. */
 const THIN = 1;
-/** Stock over the mouth of a groove that is taken with the groove, mm: the oversize and what a nose leaves in a corner. */
-const OVER_MOUTH = 2;
 /** Farther than any stock, mm. */
 const FAR = 10_000;
 
@@ -132,6 +130,8 @@ export interface OutsideWork {
   readonly rough: readonly Piece[];
   /** Grooves and valleys of the chain. */
   readonly pockets: readonly Pocket[];
+  /** Oversize that stays for finishing, mm: above the mouth of a pocket, too. */
+  readonly over: number;
 }
 
 /** The work of the stocks of a request, which every source asks for. */
@@ -159,25 +159,33 @@ function workIn(stock: readonly Ring[], request: PlanRequest): OutsideWork {
     pockets: [...pocketsOf(chain, "r"), ...pocketsOf(chain, "z")],
     pieces: piecesOf(opened(inFrontOf(left, rearOfPart(request)), SLIVER), chain, [SLIVER, 0]),
     rough: piecesOf(opened(difference(left, grown), THIN), chain, [over + SLIVER, THIN]),
+    over,
   };
 }
 
 /** The innermost pocket that a piece lies in; null for none. */
-export function pocketOf(piece: Pick<Piece, "borders" | "box">, pockets: readonly Pocket[]): Pocket | null {
+export function pocketOf(
+  piece: Pick<Piece, "borders" | "box">,
+  { pockets, over }: Pick<OutsideWork, "pockets" | "over">,
+): Pocket | null {
   const [from, to] = piece.borders;
-  const around = pockets.find((p) => (p.first <= from && to <= p.last) || isWithin(piece.box, p));
-  return around ? (pocketOf(piece, around.inner) ?? around) : null;
+  const around = pockets.find((p) => (p.first <= from && to <= p.last) || isWithin(piece.box, p, over));
+  return around ? (pocketOf(piece, { pockets: around.inner, over }) ?? around) : null;
 }
 
 /**
- * Whether a box lies in that of a pocket: what is left for finishing keeps it away from the walls, and stands over the
- * mouth.
+ * Whether a box lies in that of a pocket, up to `over` mm above its mouth, and a little more in the corner of a nose:
+ * oversize may stand there, and on its walls.
  */
-function isWithin({ left, right, low, high }: Box, { segments, axis }: Pocket): boolean {
+function isWithin({ left, right, low, high }: Box, { segments, axis }: Pocket, over: number): boolean {
   const around = boxOf(part.flattenedChain(segments, CHORD));
-  const [ahead, above] = axis === "r" ? [SAME, OVER_MOUTH] : [OVER_MOUTH, SAME];
+  const most = over + THIN;
+  const [ahead, above] = axis === "z" ? [most, 0] : [0, most];
   return (
-    left > around.left - SAME && right < around.right + ahead && low > around.low - SAME && high < around.high + above
+    left > around.left - SAME &&
+    right < around.right + ahead + SAME &&
+    low > around.low - SAME &&
+    high < around.high + above + SAME
   );
 }
 
@@ -245,7 +253,7 @@ const meets = (a: Box, b: Box, by: number): boolean =>
 
 /** The chain from its front to the end of the section of a piece, with what lies along it. */
 export function workUpTo(
-  { chain, pieces, rough, pockets }: OutsideWork,
+  { chain, pieces, rough, pockets, over }: OutsideWork,
   { section, span: [, last] }: Piece,
 ): OutsideWork {
   const end = section.segments.at(-1);
@@ -257,5 +265,6 @@ export function workUpTo(
     pieces,
     rough,
     pockets: pockets.filter((pocket) => pocket.last <= last),
+    over,
   };
 }

@@ -24,7 +24,7 @@ export const recess: ActionSource = {
     const found = new Map<Pocket, Recess>();
     const look = (pieces: readonly Piece[], operation: Recess["operation"]) => {
       for (const piece of pieces) {
-        const pocket = pocketOf(piece, work.pockets);
+        const pocket = pocketOf(piece, work);
         if (pocket && !found.has(pocket)) found.set(pocket, { pocket, operation });
       }
     };

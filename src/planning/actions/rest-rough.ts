@@ -4,8 +4,8 @@ import { withValue } from "../../program/job/requested-job.ts";
 import type { Action, ActionKind, ActionSource, PlanRequest } from "../types.ts";
 import { bestWays, notDone, toolsOf, type Candidate } from "./candidates.ts";
 import { contourJob, type Way } from "./contour-job.ts";
-import { outsideWork, type Piece } from "./outside-work.ts";
-import { cutOf, turningCycles, typesFirst } from "./turned-contour.ts";
+import { outsideWork, pocketOf, type OutsideWork, type Piece } from "./outside-work.ts";
+import { cutOf, suits, turningCycles, typesFirst } from "./turned-contour.ts";
 import { finestOf } from "./finest.ts";
 
 /** Pieces to work on, and ways to work on each. */
@@ -17,25 +17,33 @@ const WAYS: readonly Way[] = ["ahead", "back"];
 export const restRough: ActionSource = {
   kind: "restRough",
   actions(state, request) {
-    const { rough } = outsideWork(state, request);
+    const work = outsideWork(state, request);
     return notDone(
-      rough
+      work.rough
         .filter(({ opensAhead }) => !opensAhead)
         .slice(0, MOST_PIECES)
-        .flatMap((piece) => sectionWorks(piece, "restRough", "rough", { stock: state.stock, request })),
+        .flatMap((piece) => sectionWorks(piece, "restRough", "rough", { work, stock: state.stock, request })),
       state,
     );
   },
 };
 
-/** Turns the section of a piece, from its front and from its rear. */
+interface Around {
+  readonly work: OutsideWork;
+  readonly stock: readonly Ring[];
+  readonly request: PlanRequest;
+}
+
+/** Turns the section of a piece, from its front and from its rear, with tools that reach most of its groove. */
 export function sectionWorks(
-  { section, box }: Piece,
+  piece: Piece,
   kind: ActionKind,
   operation: "rough" | "finish",
-  { stock, request }: { readonly stock: readonly Ring[]; readonly request: PlanRequest },
+  { work, stock, request }: Around,
 ): readonly Action[] {
+  const { section, box } = piece;
   const { segments } = section;
+  const pocket = pocketOf(piece, work);
   const tools = toolsOf(request).filter(({ TYPE }) => TYPE === "ROUGH" || TYPE === "FINISH" || TYPE === "BUTTON");
   const roughness = finestOf(section);
   const candidates = turningCycles(segments, request)
@@ -49,6 +57,7 @@ export function sectionWorks(
         cut: cutOf(cycle, operation, { box, stock, ...(roughness !== undefined && { roughness }) }),
         box,
         variant: way,
+        ...(pocket && { accepts: (plan, tool) => suits(plan, tool, pocket) }),
       })),
     );
   return bestWays(candidates, tools, MOST_WAYS, request, operation === "finish" ? finishing : undefined);
