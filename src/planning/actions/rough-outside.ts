@@ -47,15 +47,17 @@ function roughings(work: OutsideWork, piece: Piece, { stock, tools, request }: A
     const candidate = { kind: "roughOutside", site: "outside", cycle, cut, box } as const;
     const jobOf = ({ segments }: Chain, plunging: number) =>
       withValue(contourJob(cycle, { segments, way: "ahead", stock }), "Q487", plunging);
-    const over = actionsOf({ ...candidate, job: jobOf(across ? whole : plain, 0) }, tools, MOST, request);
-    if (across || work.pockets.length === 0) return over;
+    const outline = across ? whole : plain;
+    const over = actionsOf({ ...candidate, job: jobOf(outline, 0) }, tools, MOST, request);
+    if (!work.pockets.some(({ axis }) => (axis === "z") === across)) return over;
     const into = tools.flatMap((tool) => {
       const chain = turnedChain(
         work,
         tool,
         (segments) => fitted({ cycle, cut, job: jobOf({ segments, marks: [] }, 1) }, tool, request)?.plan ?? null,
+        across,
       );
-      if (chain.segments.length === plain.segments.length) return [];
+      if (chain.segments.length === outline.segments.length) return [];
       return fitted({ cycle, cut, job: jobOf(chain, 1) }, tool, request) ?? [];
     });
     const made = ranked(into, () => 0)
