@@ -36,11 +36,13 @@ const inFrontOf = (area: readonly Ring[], left: number): Ring[] =>
 const rearOfPart = ({ part: { outside } }: PlanRequest): number =>
   boxOf(part.flattenedChain(outside.segments, CHORD)).left;
 
-/** The finished part under a chain, without its bore. */
-function solidOf({ segments }: Chain): Ring {
+/** The finished part under a chain up to the rearmost cut, without its bore. */
+function solidOf({ segments }: Chain, rear: number): Ring {
   const points = part.flattenedChain(segments, CHORD);
   const [first, last] = [points[0], points.at(-1)];
-  return first && last ? [at(last.z, 0), at(first.z, 0), ...points].reverse() : [];
+  if (!first || !last) return [];
+  const end = Math.min(last.z, rear);
+  return [at(end, 0), at(first.z, 0), ...points, at(end, last.r)].reverse();
 }
 
 /** Z of the rearmost cut outside: behind the rear face of the part, in front of jaws and stated limits. */
@@ -95,7 +97,8 @@ function reachable({ outside }: PlannedPart, rear: number, stock: readonly Ring[
     marks.push({ row: "" });
   };
   const end = segments.at(-1)?.to;
-  if (end) {
+  // A face up to the surface of the stock ends there: its hollow may be deeper.
+  if (end && highest(stock, rear - SAME, end.z) > end.r + SAME) {
     add(at(rear, end.r));
     add(at(rear, Math.max(end.r, highest(stock, rear - SAME, rear))));
   }
@@ -150,7 +153,7 @@ function workIn(stock: readonly Ring[], request: PlanRequest): OutsideWork {
   const { allowance } = request.rules;
   const rear = rearOf(request, stock);
   const chain = reachable(request.part, rear, stock);
-  const solid = solidOf(chain);
+  const solid = solidOf(chain, rear);
   const left = inFrontOf(difference(stock, [solid]), rear);
   const over = Math.max(perSide(diameter(allowance.diameter)), allowance.z);
   const grown = offset([solid], over);
@@ -251,15 +254,17 @@ function sectionAt(
 const meets = (a: Box, b: Box, by: number): boolean =>
   a.left <= b.right + by && b.left <= a.right + by && a.low <= b.high + by && b.low <= a.high + by;
 
-/** The chain from its front to the end of the section of a piece, with what lies along it. */
+/** The chain from its front to the end of the section of a piece, and of its hollow, with what lies along it. */
 export function workUpTo(
   { chain, pieces, rough, pockets, over }: OutsideWork,
-  { section, span: [, last] }: Piece,
+  { section, span: [, end] }: Piece,
 ): OutsideWork {
-  const end = section.segments.at(-1);
+  const hollow = pockets.find((pocket) => pocket.axis === "z" && pocket.first <= end && pocket.last > end);
+  const last = hollow?.last ?? end;
+  const cut = hollow ? chain.segments[last] : section.segments.at(-1);
   return {
     chain: {
-      segments: [...chain.segments.slice(0, last), ...(end ? [end] : [])],
+      segments: [...chain.segments.slice(0, last), ...(cut ? [cut] : [])],
       marks: chain.marks.slice(0, last + 1),
     },
     pieces,
