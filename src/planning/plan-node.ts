@@ -1,13 +1,14 @@
 import { areaOf } from "../kernel/area/area.ts";
 import { inBox } from "../kernel/area/box.ts";
-import { difference, opened } from "../kernel/area/clip.ts";
+import { difference, offset, opened } from "../kernel/area/clip.ts";
 import type { Ring } from "../kernel/geometry/point.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
+import { diameter, perSide } from "../kernel/units.ts";
 import { LEAST_REGION } from "./open-regions.ts";
 import { turnedVolume } from "./stock-key.ts";
 import type { Trade } from "./trade-rules.ts";
 import type { Tries } from "./tries.ts";
-import type { Action, ActionSource, PlanRequest, PlanState, TriedAction } from "./types.ts";
+import type { Action, ActionSource, PlannedPart, PlanRequest, PlanState, TriedAction } from "./types.ts";
 
 /** A state of the search with the way to it. */
 export interface PlanNode extends PlanState {
@@ -20,6 +21,8 @@ export interface PlanNode extends PlanState {
   /** Material outside the finished part: mm² of the half plane, and mm³. */
   readonly left: number;
   readonly volume: number;
+  /** The share of the volume within the oversize for finishing, mm³. */
+  readonly skin: number;
   readonly open: readonly Ring[];
 }
 
@@ -94,9 +97,20 @@ export const changeBefore = ({ tool }: Action, before: Action | null, request: P
 /** The actions that led to a state. */
 export const doneIn = ({ done }: PlanState): readonly Action[] => done.map(({ action }) => action);
 
-function withLeft(state: Omit<PlanNode, "left" | "volume" | "open">, { part }: PlanRequest): PlanNode {
-  const open = opened(difference(state.stock, part.rings), SLIVER);
-  return { ...state, open, left: areaOf(open), volume: turnedVolume(open) };
+/** Finished parts with their oversize, made once. */
+const grown = new WeakMap<PlannedPart, readonly Ring[]>();
+
+function withOversize({ part, rules: { allowance } }: PlanRequest): readonly Ring[] {
+  const made = grown.get(part) ?? offset(part.rings, Math.max(perSide(diameter(allowance.diameter)), allowance.z));
+  grown.set(part, made);
+  return made;
+}
+
+function withLeft(state: Omit<PlanNode, "left" | "volume" | "skin" | "open">, request: PlanRequest): PlanNode {
+  const open = opened(difference(state.stock, request.part.rings), SLIVER);
+  const volume = turnedVolume(open);
+  const skin = volume - turnedVolume(difference(open, withOversize(request)));
+  return { ...state, open, left: areaOf(open), volume, skin };
 }
 
 /** The state before the first action. */
@@ -117,7 +131,11 @@ export function nodeBehind(before: PlanNode, tried: TriedAction, { request, trad
       threads: new Set([...before.threads, ...action.threads]),
       before,
       tried,
-      cost: before.cost + seconds + (isCorner(tried) ? 0 : trade.after(action, doneIn(before))),
+      cost:
+        before.cost +
+        seconds +
+        trade.wear(action, tried.seconds) +
+        (isCorner(tried) ? 0 : trade.after(action, doneIn(before))),
       seconds: before.seconds + seconds,
     },
     request,

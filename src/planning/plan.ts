@@ -4,6 +4,7 @@ import { actionSources } from "./actions/index.ts";
 import { explained } from "./explain.ts";
 import { actionsIn, compareEnds, firstNode, nodeBehind, nodesOf, type PlanNode, type Searching } from "./plan-node.ts";
 import { residueOf } from "./residue.ts";
+import { retooled } from "./retooled.ts";
 import { beam, pruned } from "./search.ts";
 import { secondClamping } from "./second-clamping.ts";
 import { Trade } from "./trade-rules.ts";
@@ -65,7 +66,8 @@ export function* planning(
   let best: PlanNode | null = null;
   for (const width of WIDTHS) {
     const found = yield* reported(beam(from, width, s), s, () => best);
-    const end = yield* reported(pruned(found, s), s, () => best);
+    const least = yield* reported(pruned(found, s), s, () => best);
+    const end = yield* reported(retooled(least, s), s, () => best);
     if (!best || compareEnds(end, best) < 0) best = end;
   }
   const end = best ?? from;

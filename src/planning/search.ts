@@ -13,7 +13,7 @@ import {
   type Searching,
   volumeIn,
 } from "./plan-node.ts";
-import type { Expected } from "./tries.ts";
+import { finishes, type Expected } from "./tries.ts";
 import { ROUGHING, type Action } from "./types.ts";
 
 /** An action in a state, with the cost so far and that of a tool change, s. */
@@ -65,10 +65,19 @@ class Level {
     const early = base + trade.before(action, waiting);
     if (!known) {
       const most = volumeIn(node, action);
-      return early + tries.leastFor(node.volume - most) + tries.leastFor(most) / QUICKER;
+      const seconds = tries.leastFor(most) / QUICKER;
+      return early + seconds + trade.wear(action, seconds) + this.leastBehind(candidate, most);
     }
     const late = isCorner(known) ? 0 : trade.after(action, doneIn(node));
-    return early + late + known.seconds + tries.leastFor(node.volume - known.volume) + this.restFor(candidate, known);
+    const own = known.seconds + trade.wear(action, known.seconds);
+    return early + late + own + this.leastBehind(candidate, known.volume) + this.restFor(candidate, known);
+  }
+
+  /** The least time for what is left when a candidate has taken a volume, s: only finishing takes the oversize. */
+  private leastBehind({ node, action }: Candidate, taken: number): number {
+    const left = Math.max(0, node.volume - taken);
+    const skin = finishes(action) ? Math.max(0, node.skin - taken) : Math.min(node.skin, left);
+    return this.s.tries.leastFor(left - skin) + this.s.tries.leastFor(skin, true);
   }
 
   /** Whether an action is still to be done before a next one; a part that is off is in no chuck, even for corners. */
@@ -195,7 +204,7 @@ const isLike = (a: Action, b: Action): boolean =>
   a.kind === b.kind && a.cycle === b.cycle && a.tool.T === b.tool.T && isInPlace(a, b);
 
 /** The state behind actions one after the other, without those that do not work there. */
-function* followed(from: PlanNode, actions: readonly Action[], s: Searching): Generator<PlanNode, PlanNode> {
+export function* followed(from: PlanNode, actions: readonly Action[], s: Searching): Generator<PlanNode, PlanNode> {
   let node = from;
   for (const wanted of actions) {
     const open = actionsIn(node, s);

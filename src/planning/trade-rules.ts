@@ -76,6 +76,10 @@ const TRADE_RULES: readonly Rule[] = [
   { rule: null, first: ({ kind }) => kind !== "partOff", then: isOf("partOff"), cost: () => NEVER },
 ];
 
+/** What a second of roughing with a finishing insert costs besides, s: its nose wears in place of a strong one. */
+const PER_WEAK_SECOND = 1;
+const isWeak = (action: Action): boolean => isOf(...CHIPS)(action) && action.tool.TYPE === "FINISH";
+
 /** The sides of the rules on which an action stands, as bits in the order of the rules. */
 interface Sides {
   readonly first: number;
@@ -87,6 +91,11 @@ export class Trade {
   private readonly known = new WeakMap<Action, Sides>();
 
   constructor(private readonly request: PlanRequest) {}
+
+  /** What a cut of a length costs besides its time, s: roughing is for strong inserts. */
+  wear(action: Action, seconds: number): number {
+    return isWeak(action) ? PER_WEAK_SECOND * seconds : 0;
+  }
 
   /** What it costs to do an action after others, s. */
   after(action: Action, done: readonly Action[]): number {

@@ -1,6 +1,9 @@
 import { applyAction } from "./apply-action.ts";
 import { localKey, stockKey, turnedVolume } from "./stock-key.ts";
-import type { Action, PlanRequest, PlanState, TriedAction } from "./types.ts";
+import { ROUGHING, type Action, type PlanRequest, type PlanState, type TriedAction } from "./types.ts";
+
+/** Whether an action takes the oversize that roughing leaves. */
+export const finishes = ({ kind }: Pick<Action, "kind">): boolean => !ROUGHING.has(kind) && kind !== "partOff";
 
 /** What an action did where the stock in its place was the same. */
 export interface Expected {
@@ -17,6 +20,8 @@ export class Tries {
   count = 0;
   /** Most material that any action took in a second, mm³/s. */
   rate = 0;
+  /** The same of finishing cuts. */
+  private finishingRate = 0;
   private readonly results = new Map<string, TriedAction>();
   private readonly expected = new Map<string, Expected>();
   private readonly names = new WeakMap<Action, string>();
@@ -37,7 +42,10 @@ export class Tries {
     this.results.set(question, tried);
     this.expected.set(this.placeOf(action, stock), { works, seconds, cut, volume });
     // Parting off takes the rest of the bar at once.
-    if (works && seconds > 0 && action.kind !== "partOff") this.rate = Math.max(this.rate, volume / seconds);
+    if (works && seconds > 0 && action.kind !== "partOff") {
+      this.rate = Math.max(this.rate, volume / seconds);
+      if (finishes(action)) this.finishingRate = Math.max(this.finishingRate, volume / seconds);
+    }
     return tried;
   }
 
@@ -46,9 +54,10 @@ export class Tries {
     return this.expected.get(this.placeOf(action, stock)) ?? null;
   }
 
-  /** Least time for a volume, s. */
-  leastFor(volume: number): number {
-    return this.rate > 0 ? Math.max(0, volume) / this.rate : 0;
+  /** Least time for a volume, s; `isSkin`: of what only finishing takes. */
+  leastFor(volume: number, isSkin = false): number {
+    const rate = (isSkin && this.finishingRate) || this.rate;
+    return rate > 0 ? Math.max(0, volume) / rate : 0;
   }
 
   /** A stock as a text. */

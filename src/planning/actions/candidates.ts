@@ -67,6 +67,10 @@ export function ranked<T extends ToolFit>(fits: readonly T[], better: Better): r
   );
 }
 
+/** Those first whose contour has the most elements: it goes into more of the grooves. */
+export const deepest = <T extends { readonly goesInto: number }>(fits: readonly T[]): readonly T[] =>
+  fits.toSorted((a, b) => b.goesInto - a.goesInto);
+
 /** The actions of a candidate with the tools that suit it best. */
 export function actionsOf(
   candidate: Candidate,

@@ -4,12 +4,12 @@ import { part, type Ring } from "../../kernel/geometry/point.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
 import { withValue } from "../../program/job/requested-job.ts";
 import type { Action, ActionSource, Chain, PlanRequest } from "../types.ts";
-import { actionOf, fitted, notDone, ranked, toolsOf } from "./candidates.ts";
+import { actionOf, fitted, notDone, ranked, toolsOf, deepest } from "./candidates.ts";
 import { contourJob } from "./contour-job.ts";
 import { finestOf } from "./finest.ts";
 import { sectionWorks } from "./rest-rough.ts";
-import { outsideWork, workUpTo, type OutsideWork } from "./outside-work.ts";
-import { cutOf, turnedChain, turningCycles, typesFirst } from "./turned-contour.ts";
+import { outsideWork, workUpTo, type OutsideWork, type Piece } from "./outside-work.ts";
+import { cutOf, turnedChain, turningCycles, typesFirst, withoutFront } from "./turned-contour.ts";
 
 /** Tools to finish with. */
 const MOST = 3;
@@ -23,15 +23,22 @@ export const finishOutside: ActionSource = {
   kind: "finishOutside",
   actions(state, request) {
     const work = outsideWork(state, request);
-    if (work.rough.some(({ opensAhead }) => opensAhead)) return [];
     const last = work.pieces.toSorted((a, b) => b.span[1] - a.span[1])[0];
     if (!last) return [];
-    const rest = work.pieces.length > 1 || state.done.some(({ action }) => action.kind === "finishOutside");
-    const single = rest ? work.pieces.slice(0, MOST_PIECES) : [];
+    const isRest = state.done.some(({ action }) => action.kind === "finishOutside");
+    const isAlone = (piece: Piece) => isRest || (!piece.opensAhead && work.pieces.length > 1);
+    const single = work.pieces
+      .filter((piece) => piece !== last || !piece.opensAhead)
+      .filter(isAlone)
+      .slice(0, MOST_PIECES);
     return notDone(
       [
         ...finishings(workUpTo(work, last), state.stock, request),
-        ...single.flatMap((piece) => sectionWorks(piece, "finishOutside", "finish", { work, stock: state.stock, request })),
+        ...single.flatMap((piece) =>
+          piece.opensAhead
+            ? finishings(workUpTo(work, piece), state.stock, request)
+            : sectionWorks(piece, "finishOutside", "finish", { work, stock: state.stock, request }),
+        ),
       ],
       state,
     );
@@ -42,21 +49,26 @@ function finishings(work: OutsideWork, stock: readonly Ring[], request: PlanRequ
   const tools = toolsOf(request).filter(({ TYPE }) => TYPE === "FINISH" || TYPE === "ROUGH");
   const box = boxAround([part.flattenedChain(work.chain.segments, CHORD)]);
   const roughness = finestOf(work.chain);
+  const hasHollow = work.pockets.some(({ axis }) => axis === "z");
   return turningCycles(work.chain.segments, request)
-    .filter((cycle) => !worksAcross(cycle))
+    .filter((cycle) => hasHollow || !worksAcross(cycle))
     .flatMap((cycle) => {
       const cut = cutOf(cycle, "finish", { box, stock, ...(roughness !== undefined && { roughness }) });
       const candidate = { kind: "finishOutside", site: "outside", cycle, box } as const;
       const jobOf = ({ segments }: Chain) => withValue(contourJob(cycle, { segments, way: "ahead", stock }), "Q487", 1);
       const fits = tools.flatMap((tool) => {
-        const chain = turnedChain(
-          work,
-          tool,
-          (segments) => fitted({ cycle, cut, job: jobOf({ segments, marks: [] }) }, tool, request)?.plan ?? null,
+        const chain = withoutFront(
+          turnedChain(
+            work,
+            tool,
+            (segments) => fitted({ cycle, cut, job: jobOf({ segments, marks: [] }) }, tool, request)?.plan ?? null,
+            worksAcross(cycle),
+          ),
         );
-        return (chain.segments.length > 0 && fitted({ cycle, cut, job: jobOf(chain) }, tool, request)) || [];
+        const fit = chain.segments.length > 0 && fitted({ cycle, cut, job: jobOf(chain) }, tool, request);
+        return fit ? { ...fit, goesInto: chain.segments.length } : [];
       });
-      return ranked(fits, better)
+      return deepest(ranked(fits, better))
         .slice(0, MOST)
         .map(({ tool, job, values }) => actionOf(candidate, tool, job, values));
     });

@@ -36,11 +36,13 @@ const inFrontOf = (area: readonly Ring[], left: number): Ring[] =>
 const rearOfPart = ({ part: { outside } }: PlanRequest): number =>
   boxOf(part.flattenedChain(outside.segments, CHORD)).left;
 
-/** The finished part under a chain, without its bore. */
-function solidOf({ segments }: Chain): Ring {
+/** The finished part under a chain up to the rearmost cut, without its bore. */
+function solidOf({ segments }: Chain, rear: number): Ring {
   const points = part.flattenedChain(segments, CHORD);
   const [first, last] = [points[0], points.at(-1)];
-  return first && last ? [at(last.z, 0), at(first.z, 0), ...points].reverse() : [];
+  if (!first || !last) return [];
+  const end = Math.min(last.z, rear);
+  return [at(end, 0), at(first.z, 0), ...points, at(end, last.r)].reverse();
 }
 
 /** Z of the rearmost cut outside: behind the rear face of the part, in front of jaws and stated limits. */
@@ -95,7 +97,8 @@ function reachable({ outside }: PlannedPart, rear: number, stock: readonly Ring[
     marks.push({ row: "" });
   };
   const end = segments.at(-1)?.to;
-  if (end) {
+  // A face up to the surface of the stock ends there: its hollow may be deeper.
+  if (end && highest(stock, rear - SAME, end.z) > end.r + SAME) {
     add(at(rear, end.r));
     add(at(rear, Math.max(end.r, highest(stock, rear - SAME, rear))));
   }
@@ -150,15 +153,15 @@ function workIn(stock: readonly Ring[], request: PlanRequest): OutsideWork {
   const { allowance } = request.rules;
   const rear = rearOf(request, stock);
   const chain = reachable(request.part, rear, stock);
-  const solid = solidOf(chain);
+  const solid = solidOf(chain, rear);
   const left = inFrontOf(difference(stock, [solid]), rear);
   const over = Math.max(perSide(diameter(allowance.diameter)), allowance.z);
   const grown = offset([solid], over);
   return {
     chain,
     pockets: [...pocketsOf(chain, "r"), ...pocketsOf(chain, "z")],
-    pieces: piecesOf(opened(inFrontOf(left, rearOfPart(request)), SLIVER), chain, SLIVER),
-    rough: piecesOf(opened(difference(left, grown), THIN), chain, over + SLIVER),
+    pieces: piecesOf(opened(inFrontOf(left, rearOfPart(request)), SLIVER), chain, [SLIVER, 0]),
+    rough: piecesOf(opened(difference(left, grown), THIN), chain, [over + SLIVER, THIN]),
     over,
   };
 }
@@ -173,10 +176,14 @@ export function pocketOf(
   return around ? (pocketOf(piece, { pockets: around.inner, over }) ?? around) : null;
 }
 
-/** Whether a box lies in that of a pocket, up to `over` mm above its mouth: oversize may stand there, and on its walls. */
+/**
+ * Whether a box lies in that of a pocket, up to `over` mm above its mouth, and a little more in the corner of a nose:
+ * oversize may stand there, and on its walls.
+ */
 function isWithin({ left, right, low, high }: Box, { segments, axis }: Pocket, over: number): boolean {
   const around = boxOf(part.flattenedChain(segments, CHORD));
-  const [ahead, above] = axis === "z" ? [over, 0] : [0, over];
+  const most = over + THIN;
+  const [ahead, above] = axis === "z" ? [most, 0] : [0, most];
   return (
     left > around.left - SAME &&
     right < around.right + ahead + SAME &&
@@ -185,12 +192,16 @@ function isWithin({ left, right, low, high }: Box, { segments, axis }: Pocket, o
   );
 }
 
-const piecesOf = (area: readonly Ring[], chain: Chain, near: number): readonly Piece[] =>
+const piecesOf = (
+  area: readonly Ring[],
+  chain: Chain,
+  beside: readonly [near: number, thin: number],
+): readonly Piece[] =>
   regionsOf(area, LEAST_REGION)
     .map(({ outline, holes, area: size }) => ({ rings: [outline, ...holes], box: boxOf(outline), area: size }))
     .toSorted((a, b) => b.area - a.area)
     .flatMap((region): readonly Piece[] => {
-      const found = sectionAt(chain, region, near);
+      const found = sectionAt(chain, region, beside);
       return found ? [{ ...region, ...found }] : [];
     });
 
@@ -201,12 +212,12 @@ const BESIDE = 1;
 
 /**
  * The section of a chain that bounds a region at most `near` mm away. It goes on to both sides until the part is as
- * high as the region, so that a cycle knows what stands beside it.
+ * high as the region but for what is `thin`, so that a cycle knows what stands beside it.
  */
 function sectionAt(
   { segments, marks }: Chain,
   { rings, box }: OpenRegion,
-  near: number,
+  [near, thin]: readonly [number, number],
 ): Pick<Piece, "section" | "opensAhead" | "borders" | "span"> | null {
   const wide = offset(rings, near + 2 * SLIVER);
   const isNear = (p: Pt) => wide.filter((ring) => isInside(ring, p)).length % 2 === 1;
@@ -219,7 +230,7 @@ function sectionAt(
   const touched = [hit[0] ?? -1, hit.at(-1) ?? -1] as const;
   let [first, last] = touched;
   if (first < 0) return null;
-  const level = box.high - near - 2 * SLIVER;
+  const level = box.high - near - thin - 2 * SLIVER;
   while (first > 0 && (segments[first]?.from.r ?? 0) < level) first -= 1;
   while (last < segments.length - 1 && (segments[last]?.to.r ?? 0) < level) last += 1;
   const section = segments.slice(first, last + 1);
@@ -243,15 +254,17 @@ function sectionAt(
 const meets = (a: Box, b: Box, by: number): boolean =>
   a.left <= b.right + by && b.left <= a.right + by && a.low <= b.high + by && b.low <= a.high + by;
 
-/** The chain from its front to the end of the section of a piece, with what lies along it. */
+/** The chain from its front to the end of the section of a piece, and of its hollow, with what lies along it. */
 export function workUpTo(
   { chain, pieces, rough, pockets, over }: OutsideWork,
-  { section, span: [, last] }: Piece,
+  { section, span: [, end] }: Piece,
 ): OutsideWork {
-  const end = section.segments.at(-1);
+  const hollow = pockets.find((pocket) => pocket.axis === "z" && pocket.first <= end && pocket.last > end);
+  const last = hollow?.last ?? end;
+  const cut = hollow ? chain.segments[last] : section.segments.at(-1);
   return {
     chain: {
-      segments: [...chain.segments.slice(0, last), ...(end ? [end] : [])],
+      segments: [...chain.segments.slice(0, last), ...(cut ? [cut] : [])],
       marks: chain.marks.slice(0, last + 1),
     },
     pieces,

@@ -3,11 +3,14 @@ import type { Tool } from "../../kernel/plan/tool.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
 import { withValue } from "../../program/job/requested-job.ts";
 import type { Action, ActionSource, Chain, PlanRequest } from "../types.ts";
-import { actionOf, actionsOf, fitted, notDone, ranked, toolsOf } from "./candidates.ts";
+import { actionOf, actionsOf, fitted, notDone, ranked, toolsOf, deepest } from "./candidates.ts";
 import { contourJob } from "./contour-job.ts";
 import { outsideWork, workUpTo, type OutsideWork, type Piece } from "./outside-work.ts";
 import { bridgedOver } from "./pockets.ts";
 import { cutOf, turnedChain, turningCycles, withoutFront } from "./turned-contour.ts";
+
+/** Inserts that rough; the price of the weaker ones is for the search. */
+const TYPES: readonly Tool["TYPE"][] = ["ROUGH", "FINISH"];
 
 /** Roughs the outside from the front: along the axis over its grooves or into them, and across it. */
 export const roughOutside: ActionSource = {
@@ -20,10 +23,8 @@ export const roughOutside: ActionSource = {
         open.flatMap((piece) => roughings(workUpTo(work, piece), piece, { stock: state.stock, tools, request })),
         state,
       );
-    // Finishing inserts rough only what no strong one can.
     const all = toolsOf(request);
-    const strong = withTools(all.filter(({ TYPE }) => TYPE === "ROUGH"));
-    return strong.length > 0 ? strong : withTools(all.filter(({ TYPE }) => TYPE === "FINISH"));
+    return TYPES.flatMap((type) => withTools(all.filter(({ TYPE }) => TYPE === type)));
   },
 };
 
@@ -46,18 +47,21 @@ function roughings(work: OutsideWork, piece: Piece, { stock, tools, request }: A
     const candidate = { kind: "roughOutside", site: "outside", cycle, cut, box } as const;
     const jobOf = ({ segments }: Chain, plunging: number) =>
       withValue(contourJob(cycle, { segments, way: "ahead", stock }), "Q487", plunging);
-    const over = actionsOf({ ...candidate, job: jobOf(across ? whole : plain, 0) }, tools, MOST, request);
-    if (across || work.pockets.length === 0) return over;
+    const outline = across ? whole : plain;
+    const over = actionsOf({ ...candidate, job: jobOf(outline, 0) }, tools, MOST, request);
+    if (!work.pockets.some(({ axis }) => (axis === "z") === across)) return over;
     const into = tools.flatMap((tool) => {
       const chain = turnedChain(
         work,
         tool,
         (segments) => fitted({ cycle, cut, job: jobOf({ segments, marks: [] }, 1) }, tool, request)?.plan ?? null,
+        across,
       );
-      if (chain.segments.length === plain.segments.length) return [];
-      return fitted({ cycle, cut, job: jobOf(chain, 1) }, tool, request) ?? [];
+      if (chain.segments.length === outline.segments.length) return [];
+      const fit = fitted({ cycle, cut, job: jobOf(chain, 1) }, tool, request);
+      return fit ? { ...fit, goesInto: chain.segments.length } : [];
     });
-    const made = ranked(into, () => 0)
+    const made = deepest(ranked(into, () => 0))
       .slice(0, MOST)
       .map(({ tool, job, values }) => actionOf({ ...candidate, variant: "in" }, tool, job, values));
     // Going over its grooves first is no gain for a tool that goes into them.

@@ -40,13 +40,14 @@ export function turningCycles(
 }
 
 /** Area between the mouth of a pocket and a path that is `shift` mm behind its points, mm². */
-function areaUnder({ segments, level }: Pocket, path: readonly Segment[], shift = 0): number {
-  const [front, rear] = [segments[0]?.from.z ?? 0, segments.at(-1)?.to.z ?? 0];
-  const within = (z: number) => Math.min(front, Math.max(rear, z + shift));
+function areaUnder({ segments, level, axis }: Pocket, path: readonly Segment[], shift = 0): number {
+  const along = axis === "r" ? "z" : "r";
+  const ends = [segments[0]?.from[along] ?? 0, segments.at(-1)?.to[along] ?? 0];
+  const within = (at: number) => Math.min(Math.max(...ends), Math.max(Math.min(...ends), at + shift));
   const points = part.flattenedChain(path, CHORD);
   return points.slice(1).reduce((sum, to, i) => {
     const from = points[i] ?? to;
-    return sum + Math.abs(within(to.z) - within(from.z)) * Math.max(0, level - (from.r + to.r) / 2);
+    return sum + Math.abs(within(to[along]) - within(from[along])) * Math.max(0, level - (from[axis] + to[axis]) / 2);
   }, 0);
 }
 
@@ -55,8 +56,9 @@ const LEAST_REACHED = 0.6;
 
 /** Whether a tool reaches enough of a pocket to be sent into it: a narrow groove is left to blades. */
 export function suits({ reach }: Plan, tool: Tool, pocket: Pocket): boolean {
-  const { u } = tipOffset(tool);
-  const reached = reach.reduce((sum, { path }) => sum + areaUnder(pocket, [path], -u), 0);
+  const { u, v } = tipOffset(tool);
+  const shift = pocket.axis === "r" ? -u : -v;
+  const reached = reach.reduce((sum, { path }) => sum + areaUnder(pocket, [path], shift), 0);
   return reached > LEAST_REACHED * areaUnder(pocket, pocket.segments);
 }
 
@@ -65,24 +67,28 @@ const unsuited = (plan: Plan, tool: Tool, pockets: readonly Pocket[]): readonly 
   pockets.flatMap((pocket) => (suits(plan, tool, pocket) ? unsuited(plan, tool, pocket.inner) : [pocket]));
 
 /**
- * The chain as a tool turns it: without the grooves in its faces, those with nothing left in them, and those that it
- * does not reach.
+ * The chain as a tool turns it: without grooves across its way, those with nothing left in them, and those that it does
+ * not reach. A cycle along the axis goes into the cylinders, one across it into the faces.
  */
 export function turnedChain(
   { chain, pockets, pieces }: OutsideWork,
   tool: Tool,
   planWith: (segments: readonly Segment[]) => Plan | null,
+  isAcross = false,
 ): Chain {
-  const radial = pockets.filter(({ axis }) => axis === "r");
-  const done = radial.filter(({ first, last }) => !pieces.some(({ borders: [a, b] }) => a < last && b > first));
-  const plain = withoutFront(bridgedOver(chain, [...pockets.filter(({ axis }) => axis === "z"), ...done]));
-  const open = radial.filter((pocket) => !done.includes(pocket));
+  const own = pockets.filter(({ axis }) => (axis === "z") === isAcross);
+  const others = pockets.filter((pocket) => !own.includes(pocket));
+  const bridged = (over: readonly Pocket[]) => {
+    const made = bridgedOver(chain, [...others, ...over]);
+    return isAcross ? made : withoutFront(made);
+  };
+  const done = own.filter(({ first, last }) => !pieces.some(({ borders: [a, b] }) => a < last && b > first));
+  const plain = bridged(done);
+  const open = own.filter((pocket) => !done.includes(pocket));
   if (open.length === 0) return plain;
   const plan = planWith(plain.segments);
   const skipped = plan ? unsuited(plan, tool, open) : open;
-  return skipped.length === 0
-    ? plain
-    : withoutFront(bridgedOver(chain, [...pockets.filter(({ axis }) => axis === "z"), ...done, ...skipped]));
+  return skipped.length === 0 ? plain : bridged([...done, ...skipped]);
 }
 
 /** What the values of a cut of a section depend on. */

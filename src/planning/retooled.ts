@@ -1,0 +1,60 @@
+import { actionsIn, compareEnds, isInPlace, nodeBehind, nodesOf, type PlanNode, type Searching } from "./plan-node.ts";
+import { followed } from "./search.ts";
+import type { Action } from "./types.ts";
+
+/** Steps one after the other with one tool: the indices of the first and of the one behind the last. */
+function runsOf(nodes: readonly PlanNode[]): readonly (readonly [from: number, to: number])[] {
+  const toolOf = (i: number) => nodes[i]?.tried?.action.tool.T;
+  const starts = nodes.flatMap((_, i) => (i === 0 || toolOf(i) !== toolOf(i - 1) ? [i] : []));
+  return starts.map((from, i) => [from, starts[i + 1] ?? nodes.length]);
+}
+
+const isSameWork = (a: Action, b: Action): boolean => a.kind === b.kind && a.site === b.site && isInPlace(a, b);
+
+/** The state behind the same work with another tool: of several ways the one that takes most. Null where it has none. */
+function* withTool(
+  from: PlanNode,
+  run: readonly Action[],
+  T: number,
+  s: Searching,
+): Generator<PlanNode, PlanNode | null> {
+  let node = from;
+  for (const wanted of run) {
+    let best: PlanNode | null = null;
+    for (const action of actionsIn(node, s).filter((a) => a.tool.T === T && isSameWork(a, wanted))) {
+      yield node;
+      const tried = s.tries.of(action, node);
+      if (!tried.works) continue;
+      const behind = nodeBehind(node, tried, s);
+      if (!best || compareEnds(behind, best) < 0) best = behind;
+    }
+    if (!best) return null;
+    node = best;
+  }
+  return node;
+}
+
+/**
+ * A plan in which the work that one tool does at a stretch is done by another one where the whole is better for it: a
+ * beam keeps few states with the tool that only a later step needs. Yields before every try.
+ */
+export function* retooled(end: PlanNode, s: Searching): Generator<PlanNode, PlanNode> {
+  let best = end;
+  for (let i = runsOf(nodesOf(best)).length - 1; i >= 0; i -= 1) {
+    const nodes = nodesOf(best);
+    const [from, to] = runsOf(nodes)[i] ?? [0, 0];
+    const [start, first] = [nodes[from]?.before, nodes[from]?.tried?.action];
+    if (!start || !first) continue;
+    const actions = nodes.flatMap(({ tried }) => tried?.action ?? []);
+    const tools = new Set(
+      actionsIn(start, s).flatMap((a) => (a.tool.T !== first.tool.T && isSameWork(a, first) ? [a.tool.T] : [])),
+    );
+    for (const T of tools) {
+      if (s.tries.count >= s.most) return best;
+      const node = yield* withTool(start, actions.slice(from, to), T, s);
+      const other = node && (yield* followed(node, actions.slice(to), s));
+      if (other && compareEnds(other, best) < 0) best = other;
+    }
+  }
+  return best;
+}
