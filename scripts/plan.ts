@@ -17,9 +17,8 @@ import { readDrawing } from "../src/program/drawing/formats.ts";
 import type { BlankDraft } from "../src/program/job/job.ts";
 import { readMachine } from "../src/program/machine/machine-file.ts";
 import type { MachineData } from "../src/program/machine/machine-data.ts";
-import { over, type ShopTools } from "../src/program/tools/read-tools.ts";
-import { shippedTools } from "../src/program/tools/shipped-tools.ts";
-import { shippedMills } from "../src/program/tools/standard-drills.ts";
+import { builtInTools } from "../src/program/iso-codes/usual-tools.ts";
+import { over } from "../src/program/tools/read-tools.ts";
 import { planLines } from "./plan-words.ts";
 import { readShopTools, toolFormatNames } from "./shop-tools.ts";
 
@@ -173,12 +172,14 @@ function bytes(path: string): Uint8Array {
 const say = (line: string) => process.stderr.write(`${line}\n`);
 const textOf = (data: Uint8Array) => new TextDecoder().decode(data);
 
-function toolsOf({ tools: path, toolsUnit }: Command): ShopTools {
-  if (path === null) return { tools: shippedTools, mills: shippedMills, refused: new Map() };
+/** The tools of the shop, and the numbers of usual ones that its own files lack. */
+function toolsOf({ tools: path, toolsUnit }: Command): typeof builtInTools {
+  if (path === null) return builtInTools;
   const read = readShopTools(basename(path), bytes(path), toolsUnit);
   if ("problem" in read) throw new WrongUse(`tools file ${path}: ${read.problem}`);
   for (const note of read.notes) say(`tools file ${path}: ${note}`);
-  return over({ tools: shippedTools, mills: shippedMills }, read.tools);
+  const own = new Set([...read.tools.tools, ...(read.tools.mills ?? [])].map(({ T }) => T));
+  return { table: over(builtInTools.table, read.tools), usual: builtInTools.usual.filter((T) => !own.has(T)) };
 }
 
 function machineOf({ machine: path }: Command): MachineData | null {
@@ -219,11 +220,13 @@ function plan(asked: Command, file: FinishedPart): WorkingPlan | null {
     say(`${problem.severity}: ${problem.code} ${"values" in problem ? JSON.stringify(problem.values) : problem.row}`);
   if (!part) return null;
   const machine = machineOf(asked);
+  const { table, usual } = toolsOf(asked);
   const search = planning({
     part,
     blank,
     clamping,
-    shop: { ...toolsOf(asked), rapid: RAPID, ...(machine && { machine }) },
+    usualTools: usual,
+    shop: { ...table, rapid: RAPID, ...(machine && { machine }) },
     material: given.material,
     rules: { ...USUAL_RULES, ...given.rules },
     partsOff: given.partsOff,

@@ -9,6 +9,7 @@ import {
   isInPlace,
   nodeBehind,
   nodesOf,
+  priceOf,
   type PlanNode,
   type Searching,
   volumeIn,
@@ -44,7 +45,7 @@ class Level {
         .map((action) => ({
           node,
           action,
-          base: node.cost + changeBefore(action, last, s.request),
+          base: node.cost + changeBefore(action, last, s.request) + priceOf(action, doneIn(node), s.request),
         }));
     });
   }
@@ -84,7 +85,8 @@ class Level {
       if (!areRivals(action, rival)) return [];
       const known = this.s.tries.expectedOf(rival, node);
       if (!known?.works || known.cut < cut + LEAST_REGION) return [];
-      return [known.seconds + changeBefore(rival, action, this.s.request)];
+      const price = priceOf(rival, [...doneIn(node), action], this.s.request);
+      return [known.seconds + changeBefore(rival, action, this.s.request) + price];
     });
     return better.length > 0 ? Math.min(...better) : 0;
   }

@@ -61,6 +61,7 @@ export const plan = {
     title: "Regeln der Werkstatt",
     about: "Ein Plan, der eine Regel verletzt, zählt um so viel langsamer.",
     toolChange: "Werkzeugwechsel",
+    usualTool: "Werkzeug, das in der Tabelle fehlt",
     finishBeforeRough: "Schlichten vor Ende des Schruppens",
     insideBeforeOutside: "Innen vor außen",
     thinBeforeLong: "Dünner Querschnitt früh",

@@ -61,6 +61,7 @@ export const plan = {
     title: "Rules of the shop",
     about: "A plan that breaks a rule counts as this much slower.",
     toolChange: "Tool change",
+    usualTool: "Tool that the table lacks",
     finishBeforeRough: "Finishing before roughing is done",
     insideBeforeOutside: "Bore before outside",
     thinBeforeLong: "Thin section early",

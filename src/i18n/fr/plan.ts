@@ -61,6 +61,7 @@ export const plan = {
     title: "Règles de l’atelier",
     about: "Une gamme qui enfreint une règle compte comme plus lente d’autant.",
     toolChange: "Changement d’outil",
+    usualTool: "Outil absent de la table",
     finishBeforeRough: "Finition avant la fin de l’ébauche",
     insideBeforeOutside: "Alésage avant extérieur",
     thinBeforeLong: "Section mince trop tôt",

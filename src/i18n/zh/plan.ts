@@ -61,6 +61,7 @@ export const plan = {
     title: "车间规则",
     about: "违反规则的方案按慢这么多计算。",
     toolChange: "换刀",
+    usualTool: "刀具表中没有的刀具",
     finishBeforeRough: "粗加工未完成就精加工",
     insideBeforeOutside: "先内后外",
     thinBeforeLong: "过早加工细薄部位",

@@ -1,9 +1,9 @@
 import type { Cycle } from "../../cycles/define.ts";
 import type { ShapeRequest } from "../../cycles/shape-request.ts";
+import { isInside } from "../../kernel/area/clip.ts";
 import { holderOutlines } from "../../kernel/cutter/holder.ts";
 import { tipDirection } from "../../kernel/cutter/insert.ts";
-import { part as geometry, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
-import type { Box } from "../../kernel/geometry/segments.ts";
+import { at, part as geometry, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import type { Plan } from "../../kernel/plan/plan.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { readThread } from "../../kernel/thread/threads.ts";
@@ -19,7 +19,7 @@ import type { Action, ActionKind, ElementMark, PlannedPart, PlanRequest } from "
 import { barDiameter } from "../values/cutting-values.ts";
 import type { HeldBar } from "../values/stability.ts";
 import { boredTo, clearRadius, solidFrom } from "./bore.ts";
-import { actionOf, fitted, ranked, toolsOf, type Better } from "./candidates.ts";
+import { actionOf, fitsOf, fitted, toolsOf, type Better } from "./candidates.ts";
 import type { CutRequest } from "./values-of-job.ts";
 
 /** Clearance of the tip in front of the material, and beside the wall of the bore, mm. */
@@ -207,15 +207,20 @@ export function heldBar(tool: Tool, depth: number): HeldBar | null {
   return across === null ? null : { overhang: depth + HELD_BEHIND, diameter: across };
 }
 
-/** A cut reaches this share of the height of its region. */
-const REACHES = 0.25;
+/** A cut goes at least so deep into the material, mm. */
+const INTO = 0.02;
+/** Points of a move at which that is measured, as shares of it. */
+const MEASURED = [0.25, 0.5, 0.75, 1] as const;
 
-/** Whether a path cuts into a region, and not only along it. */
-function cutsInto({ moves }: Plan, { left, right, low, high }: Box): boolean {
-  const least = low + REACHES * (high - low);
+/** Whether a path cuts into the material of a region, and not only along it. */
+function cutsInto({ moves }: Plan, { rings }: Pick<OpenRegion, "rings">): boolean {
   return moves.some(({ kind, to }, i) => {
     const from = moves[i - 1]?.to ?? to;
-    return kind !== "rapid" && to.r > least - SAME && Math.min(from.z, to.z) < right && Math.max(from.z, to.z) > left;
+    const isIn = (k: number) => {
+      const p = at(from.z + k * (to.z - from.z), from.r + k * (to.r - from.r) - INTO);
+      return rings.filter((ring) => isInside(ring, p)).length % 2 === 1;
+    };
+    return kind !== "rapid" && MEASURED.some(isIn);
   });
 }
 
@@ -242,7 +247,7 @@ export function plungings(segments: readonly Segment[]): readonly (boolean | und
 export interface BoreWork {
   readonly kind: ActionKind;
   readonly wanted: ShapeRequest;
-  readonly region: Pick<OpenRegion, "box">;
+  readonly region: Pick<OpenRegion, "box" | "rings">;
   readonly way: BoreWay;
   readonly cut: Omit<CutRequest, "stock" | "bar" | "smallest" | "largest">;
   /** Whether it goes into a contour that widens behind a neck; absent where there is none. */
@@ -253,28 +258,27 @@ export interface BoreWork {
 
 /** The actions of a cycle with the bars that enter and cut, those that reach most first. */
 export function barActions(
-  { kind, wanted, region: { box }, way, cut, plunges, most }: BoreWork,
+  { kind, wanted, region, way, cut, plunges, most }: BoreWork,
   cycle: Cycle,
   tools: readonly Tool[],
   stock: readonly Ring[],
   request: PlanRequest,
   better: Better = () => 0,
 ): readonly Action[] {
+  const { box } = region;
   const depth = frontOf(stock) - box.left;
   const [smallest, largest] = [toDiameter(radius(way.clear)), toDiameter(radius(box.high))];
-  const fits = tools.flatMap((tool) => {
+  const fitOfBar = (tool: Tool) => {
     const r = startFor(tool, way);
-    if (r === null) return [];
+    if (r === null) return null;
     const own = jobInside(cycle, wanted, stock, { z: way.z, r });
     const job = plunges === undefined || !cycle.params[PLUNGING] ? own : withValue(own, PLUNGING, plunges ? 1 : 0);
     const asked = { ...cut, stock, smallest, largest, bar: heldBar(tool, depth) };
     const fit = fitted({ cycle, job, cut: asked }, tool, request);
-    return fit && cutsInto(fit.plan, box) && staysClear(fit.plan, tool, stock) ? [fit] : [];
+    return fit && cutsInto(fit.plan, region) && staysClear(fit.plan, tool, stock) ? fit : null;
+  };
+  return fitsOf(tools, most, request, fitOfBar, better).map(({ tool, job, values }) => {
+    const variant = `X${job.start.x} Z${job.start.z}${plunges === false ? " over" : ""}`;
+    return actionOf({ kind, site: "inside", cycle, box, variant }, tool, job, values);
   });
-  return ranked(fits, better)
-    .slice(0, most)
-    .map(({ tool, job, values }) => {
-      const variant = `X${job.start.x} Z${job.start.z}${plunges === false ? " over" : ""}`;
-      return actionOf({ kind, site: "inside", cycle, box, variant }, tool, job, values);
-    });
 }
