@@ -3,7 +3,7 @@ import type { ShapeRequest } from "../../cycles/shape-request.ts";
 import { isInside } from "../../kernel/area/clip.ts";
 import { holderOutlines } from "../../kernel/cutter/holder.ts";
 import { tipDirection } from "../../kernel/cutter/insert.ts";
-import { at, part as geometry, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
+import { at, part as geometry, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import type { Plan } from "../../kernel/plan/plan.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { readThread } from "../../kernel/thread/threads.ts";
@@ -24,8 +24,10 @@ import type { CutRequest } from "./values-of-job.ts";
 
 /** Clearance of the tip in front of the material, and beside the wall of the bore, mm. */
 const [AHEAD, BESIDE] = [2, 0.2];
-/** Steps of the radius at which the cone that a drill has left is measured, mm; a flat bottom rises less. */
-const [CONE_AT, FLAT] = [0.5, 0.2];
+/** Steps of the radius at which the cone that a drill has left is measured, and the first one, mm. */
+const [CONE_AT, ON_CONE] = [0.5, 0.01];
+/** Its rise along Z for 1 mm of the radius: a flat bottom rises less, the wall of a stepped bore more. */
+const [FLAT, STEEP] = [0.2, 2];
 /** Distance that a cut goes beyond the rear end of a bore, mm, so that its nose radius leaves nothing. */
 const BEYOND = 1;
 /** Roughing goes farther, mm: the edge of a finishing insert leans over its tip. */
@@ -100,15 +102,35 @@ export interface BoreWay {
   readonly low: number;
 }
 
-/** Where the cone at the bottom of a bore begins: the Z that a bar may reach; −Infinity without a cone. */
-function coneFront(stock: readonly Ring[], bottom: number, clear: number): number {
-  if (bottom === -Infinity) return bottom;
-  const slope = (solidFrom(stock, CONE_AT) - bottom) / CONE_AT;
-  if (slope < FLAT) return -Infinity;
-  let r = CONE_AT;
-  const isCone = (at: number) => Math.abs(solidFrom(stock, at) - bottom - slope * at) < BESIDE;
+/**
+ * Where the cone that a drill has left begins, at the bottom of a bore or at the rear end of one that it has not run
+ * through: the Z that a bar may reach. `narrow`: the radius there; −Infinity without a cone.
+ */
+function coneFront(stock: readonly Ring[], narrow: number, clear: number): number {
+  const bottom = solidFrom(stock, narrow + ON_CONE);
+  if (bottom === -Infinity || narrow + CONE_AT > clear) return -Infinity;
+  const slope = (solidFrom(stock, narrow + CONE_AT) - bottom) / (CONE_AT - ON_CONE);
+  if (slope < FLAT || slope > STEEP) return -Infinity;
+  let r = narrow + CONE_AT;
+  const isCone = (at: number) => Math.abs(solidFrom(stock, at) - bottom - slope * (at - narrow - ON_CONE)) < BESIDE;
   while (r < clear && isCone(r + CONE_AT)) r += CONE_AT;
-  return bottom + slope * r + BESIDE;
+  return bottom + slope * (r - narrow) + BESIDE;
+}
+
+/**
+ * Off the wall at 45° where a cut ends in front of stock that is left: there the nose radius would stand in it. Only where
+ * the part gets no narrower behind.
+ */
+function runOut(contour: readonly Segment[], stock: readonly Ring[], inside: readonly Segment[]): readonly Segment[] {
+  const last = contour.at(-1)?.to;
+  if (!last || last.r < BESIDE) return [];
+  const hole = clearRadius(stock, last.z - BESIDE, last.z);
+  const height = last.r - hole + BESIDE;
+  const end = last.z - height;
+  const isFree = hole === Infinity || hole >= last.r || solidFrom(stock, hole - BESIDE) > end;
+  const points = geometry.flattenedChain(inside, CHORD);
+  if (isFree || points.some(({ z, r }) => z > end && z < last.z && r < last.r - (last.z - z) - SAME)) return [];
+  return [geometry.line(last, geometry.point(end, last.r - height))];
 }
 
 /** A section of the contour, and the way to it. */
@@ -143,20 +165,26 @@ export function sectionInBore(
   const isDeep = isBehind && (isWall || begin.z < front - AHEAD);
   const z = atFront(isDeep && !isWall ? Math.max(begin.z, box.right) : box.right);
   // The cone that a drill has left is taken by passes of its own, from its front.
-  const cone = isDeep ? -Infinity : coneFront(stock, bottom, clear);
-  const along = clearRadius(stock, Math.max(box.left, cone), front);
+  // Through a bore it goes as far as the contour does.
+  const left = bottom === -Infinity ? Math.min(box.left, whole.at(-1)?.to.z ?? box.left) : box.left;
+  const narrow = bottom === -Infinity ? clearRadius(stock, left, front) : 0;
+  const cone = isDeep ? -Infinity : coneFront(stock, narrow, clear);
+  const along = clearRadius(stock, Math.max(left, cone), front);
   // Behind the part it goes no farther than the bore does.
   const end = part.inside.segments.at(-1)?.to.z ?? 0;
   const open = solidFrom(stock, along - BESIDE);
   const rear = open <= end + SAME ? Math.max(cone, Math.min(end, open)) : cone;
-  const segments = upToZ(isDeep && isWall ? beside : whole, rear);
+  const cut = upToZ(isDeep && isWall ? beside : whole, rear);
+  const segments = oversize > 0 ? cut : [...cut, ...runOut(cut, stock, part.inside.segments)];
   const low = Math.min(along, isDeep ? box.low : Infinity) - BESIDE;
   return segments.length > 0 ? { segments, marks, way: { z, clear, low }, isDeep } : null;
 }
 
-/** The least radius at which the tip of a bar may be in a bore, so that its body is clear of the opposite wall. */
-const leastTip = (tool: Tool, bore: number): number =>
-  -Math.min(0, ...holderOutlines(tool).flatMap((ring) => ring.map(({ r }) => r))) - bore;
+/** How far an outline of a holder stands out towards the axis from the tip, mm. */
+const standsOut = (ring: Ring): number => -Math.min(0, ...ring.map(({ r }) => r));
+
+/** The least radius at which the tip of a bar may be in a bore, so that its shank is clear of the opposite wall. */
+const leastTip = (tool: Tool, bore: number): number => standsOut(holderOutlines(tool).at(-1) ?? []) - bore;
 
 /** The same with a clearance. */
 export const startLimit = (tool: Tool, bore: number): number => leastTip(tool, bore) + BESIDE;
@@ -227,11 +255,24 @@ function cutsInto({ moves }: Plan, { rings }: Pick<OpenRegion, "rings">): boolea
 /** A bore is wider by so much when its wall is cut, mm. */
 const WIDER = 0.5;
 
-/** Whether the body of a bar stays clear of the opposite wall where its tip is nearest to the axis. */
+/** Steps of Z at which the bore is measured, mm. */
+const MEASURED_EACH = 0.5;
+
+/** Whether the body of a bar stays clear of the opposite wall all along its path. */
 function staysClear({ moves }: Plan, tool: Tool, stock: readonly Ring[]): boolean {
-  const nearest = moves.reduce<Pt | null>((best, { to }) => (best && best.r <= to.r ? best : to), null);
-  if (!nearest) return true;
-  return nearest.r >= leastTip(tool, clearRadius(stock, nearest.z + WIDER, frontOf(stock)) + WIDER);
+  const front = frontOf(stock);
+  const nearest = new Map<number, number>();
+  for (const { kind, to } of moves) {
+    const step = Math.round(to.z / MEASURED_EACH);
+    if (kind !== "rapid" && to.z < front) nearest.set(step, Math.min(to.r, nearest.get(step) ?? Infinity));
+  }
+  return holderOutlines(tool).every((ring) => {
+    const behind = Math.min(...ring.map(({ z }) => z));
+    return [...nearest].every(([step, r]) => {
+      const z = step * MEASURED_EACH + behind + WIDER;
+      return z >= front || r + clearRadius(stock, z, front) + WIDER >= standsOut(ring);
+    });
+  });
 }
 
 /** Whether a cycle plunges into valleys. */

@@ -48,7 +48,7 @@ const shank = ({ d, f, length, leastBore }: Bar, from: number, head: readonly (r
  */
 const SOLID: readonly (Bar & { readonly reach: number })[] = [
   { d: 7, f: 3.7, leastBore: 8, reach: 40, length: 40 },
-  { d: 5.2, f: 2.9, leastBore: 6, reach: 28, length: 28 },
+  { d: 5.2, f: 2.9, leastBore: 6, reach: 35, length: 35 },
   { d: 3.6, f: 2, leastBore: 4.2, reach: 18, length: 18 },
 ];
 /** Diameter of the sleeve of a solid bar, the length of it that matters, and how far the neck begins behind its edge, mm. */
