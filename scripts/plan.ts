@@ -19,7 +19,7 @@ import { readMachine } from "../src/program/machine/machine-file.ts";
 import type { MachineData } from "../src/program/machine/machine-data.ts";
 import { builtInTools } from "../src/program/iso-codes/usual-tools.ts";
 import { over } from "../src/program/tools/read-tools.ts";
-import { planLines } from "./plan-words.ts";
+import { planLines, planTextsOf } from "./plan-words.ts";
 import { readShopTools, toolFormatNames } from "./shop-tools.ts";
 
 /** A command line that cannot be carried out; its message is the one line on standard error. */
@@ -55,7 +55,7 @@ are on standard error.
   --without-tool N         plans without this tool; may be repeated
   --without-cycle N        plans without this cycle; may be repeated
   --clamping 1|2           the clamping whose program is printed, 1 if not said; both are planned
-  --language en|de|fr|zh   language of the program, en if not said
+  --language en|de|fr|zh   language of the program and of the plan, en if not said
   --help, --version        this text; the version
 
 Exit status: 0 the program is verified and nothing is left, 1 it is not or something is left, 2 the command could not run.
@@ -254,12 +254,11 @@ export async function main(args: readonly string[], called = "npm run --silent p
       const part = await partOf(asked);
       const made = part && plan(asked, part);
       if (!made) return 1;
-      const titles = planTitles("en");
-      const nameOf = (title: string) => `${title.slice(0, 1)}${title.slice(1).toLowerCase()}`;
+      const texts = planTextsOf(asked.language);
       const clampings = [made, ...(made.second ? [made.second] : [])];
       clampings.forEach((one, i) => {
-        if (clampings.length > 1) say(`clamping ${i + 1}:`);
-        planLines(one, ({ kind }) => nameOf(titles[kind])).forEach(say);
+        if (clampings.length > 1) say(`${i === 0 ? texts.t.result.first : texts.t.result.second}:`);
+        planLines(one, texts).forEach(say);
       });
       const printed = asked.clamping === "1" ? made : made.second;
       if (!printed) throw new WrongUse("there is no second clamping");

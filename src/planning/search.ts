@@ -41,7 +41,7 @@ class Level {
       this.ofNode.set(node, actions);
       const last = node.tried?.action ?? null;
       return actions
-        .filter((action) => !this.isOtherOrder(node, action))
+        .filter((action) => !this.isOtherOrder(node, action) && !this.isSmallerDrill(node, action))
         .map((action) => ({
           node,
           action,
@@ -89,6 +89,23 @@ class Level {
       return [known.seconds + changeBefore(rival, action, this.s.request) + price];
     });
     return better.length > 0 ? Math.min(...better) : 0;
+  }
+
+  /** A drill takes nothing that a larger one, of the operator's table where the smaller one is, takes as deep. */
+  private isSmallerDrill(node: PlanNode, { kind, tool, place }: Action): boolean {
+    const { tries, request } = this.s;
+    const isUsual = (T: number) => request.usualTools?.includes(T) ?? false;
+    return (
+      kind === "drill" &&
+      (this.ofNode.get(node) ?? []).some(
+        (larger) =>
+          larger.kind === kind &&
+          larger.place.high > place.high &&
+          larger.place.rear <= place.rear &&
+          (isUsual(tool.T) || !isUsual(larger.tool.T)) &&
+          tries.expectedOf(larger, node)?.works !== false,
+      )
+    );
   }
 
   /** Two actions of one tool and kind in places apart lead to the same in either order: from the front is enough. */

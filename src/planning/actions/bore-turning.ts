@@ -104,11 +104,15 @@ export interface BoreWay {
 
 /**
  * Where the cone that a drill has left begins, at the bottom of a bore or at the rear end of one that it has not run
- * through: the Z that a bar may reach. `narrow`: the radius there; −Infinity without a cone.
+ * through: the Z that a bar may reach; −Infinity without a cone. `z` and `r`: where the bore is narrowest.
  */
-function coneFront(stock: readonly Ring[], narrow: number, clear: number): number {
+function coneFront(
+  stock: readonly Ring[],
+  { z, r: narrow }: { readonly z: number; readonly r: number },
+  clear: number,
+): number {
   const bottom = solidFrom(stock, narrow + ON_CONE);
-  if (bottom === -Infinity || narrow + CONE_AT > clear) return -Infinity;
+  if (bottom === -Infinity || bottom > z + CONE_AT || narrow + CONE_AT > clear) return -Infinity;
   const slope = (solidFrom(stock, narrow + CONE_AT) - bottom) / (CONE_AT - ON_CONE);
   if (slope < FLAT || slope > STEEP) return -Infinity;
   let r = narrow + CONE_AT;
@@ -167,7 +171,7 @@ export function sectionInBore(
   // The cone that a drill has left is taken by passes of its own, from its front.
   // Through a bore it goes as far as the contour does.
   const left = bottom === -Infinity ? Math.min(box.left, whole.at(-1)?.to.z ?? box.left) : box.left;
-  const narrow = bottom === -Infinity ? clearRadius(stock, left, front) : 0;
+  const narrow = bottom === -Infinity ? { z: left, r: clearRadius(stock, left, front) } : { z: bottom, r: 0 };
   const cone = isDeep ? -Infinity : coneFront(stock, narrow, clear);
   const along = clearRadius(stock, Math.max(left, cone), front);
   // Behind the part it goes no farther than the bore does.
