@@ -17,10 +17,9 @@ import { readDrawing } from "../src/program/drawing/formats.ts";
 import type { BlankDraft } from "../src/program/job/job.ts";
 import { readMachine } from "../src/program/machine/machine-file.ts";
 import type { MachineData } from "../src/program/machine/machine-data.ts";
-import { over, type ShopTools } from "../src/program/tools/read-tools.ts";
-import { shippedTools } from "../src/program/tools/shipped-tools.ts";
-import { shippedMills } from "../src/program/tools/standard-drills.ts";
-import { planLines } from "./plan-words.ts";
+import { builtInTools } from "../src/program/iso-codes/usual-tools.ts";
+import { over } from "../src/program/tools/read-tools.ts";
+import { planLines, planTextsOf } from "./plan-words.ts";
 import { readShopTools, toolFormatNames } from "./shop-tools.ts";
 
 /** A command line that cannot be carried out; its message is the one line on standard error. */
@@ -56,7 +55,7 @@ are on standard error.
   --without-tool N         plans without this tool; may be repeated
   --without-cycle N        plans without this cycle; may be repeated
   --clamping 1|2           the clamping whose program is printed, 1 if not said; both are planned
-  --language en|de|fr|zh   language of the program, en if not said
+  --language en|de|fr|zh   language of the program and of the plan, en if not said
   --help, --version        this text; the version
 
 Exit status: 0 the program is verified and nothing is left, 1 it is not or something is left, 2 the command could not run.
@@ -173,12 +172,14 @@ function bytes(path: string): Uint8Array {
 const say = (line: string) => process.stderr.write(`${line}\n`);
 const textOf = (data: Uint8Array) => new TextDecoder().decode(data);
 
-function toolsOf({ tools: path, toolsUnit }: Command): ShopTools {
-  if (path === null) return { tools: shippedTools, mills: shippedMills, refused: new Map() };
+/** The tools of the shop, and the numbers of usual ones that its own files lack. */
+function toolsOf({ tools: path, toolsUnit }: Command): typeof builtInTools {
+  if (path === null) return builtInTools;
   const read = readShopTools(basename(path), bytes(path), toolsUnit);
   if ("problem" in read) throw new WrongUse(`tools file ${path}: ${read.problem}`);
   for (const note of read.notes) say(`tools file ${path}: ${note}`);
-  return over({ tools: shippedTools, mills: shippedMills }, read.tools);
+  const own = new Set([...read.tools.tools, ...(read.tools.mills ?? [])].map(({ T }) => T));
+  return { table: over(builtInTools.table, read.tools), usual: builtInTools.usual.filter((T) => !own.has(T)) };
 }
 
 function machineOf({ machine: path }: Command): MachineData | null {
@@ -219,11 +220,13 @@ function plan(asked: Command, file: FinishedPart): WorkingPlan | null {
     say(`${problem.severity}: ${problem.code} ${"values" in problem ? JSON.stringify(problem.values) : problem.row}`);
   if (!part) return null;
   const machine = machineOf(asked);
+  const { table, usual } = toolsOf(asked);
   const search = planning({
     part,
     blank,
     clamping,
-    shop: { ...toolsOf(asked), rapid: RAPID, ...(machine && { machine }) },
+    usualTools: usual,
+    shop: { ...table, rapid: RAPID, ...(machine && { machine }) },
     material: given.material,
     rules: { ...USUAL_RULES, ...given.rules },
     partsOff: given.partsOff,
@@ -251,12 +254,11 @@ export async function main(args: readonly string[], called = "npm run --silent p
       const part = await partOf(asked);
       const made = part && plan(asked, part);
       if (!made) return 1;
-      const titles = planTitles("en");
-      const nameOf = (title: string) => `${title.slice(0, 1)}${title.slice(1).toLowerCase()}`;
+      const texts = planTextsOf(asked.language);
       const clampings = [made, ...(made.second ? [made.second] : [])];
       clampings.forEach((one, i) => {
-        if (clampings.length > 1) say(`clamping ${i + 1}:`);
-        planLines(one, ({ kind }) => nameOf(titles[kind])).forEach(say);
+        if (clampings.length > 1) say(`${i === 0 ? texts.t.result.first : texts.t.result.second}:`);
+        planLines(one, texts).forEach(say);
       });
       const printed = asked.clamping === "1" ? made : made.second;
       if (!printed) throw new WrongUse("there is no second clamping");

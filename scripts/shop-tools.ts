@@ -5,9 +5,8 @@ import type { ForeignTool } from "../src/program/tool-files/foreign-tool.ts";
 import { jsonOf } from "../src/program/tool-files/foreign-file.ts";
 import { TOOL_FILE_ENDINGS } from "../src/program/tool-files/formats.ts";
 import { numbered, readToolFiles, type ForeignTools } from "../src/program/tool-files/read-tool-files.ts";
+import { builtInTools } from "../src/program/iso-codes/usual-tools.ts";
 import { readTools, type ShopTools } from "../src/program/tools/read-tools.ts";
-import { shippedTools } from "../src/program/tools/shipped-tools.ts";
-import { shippedMills } from "../src/program/tools/standard-drills.ts";
 import type { CellName } from "../src/program/tools/tool-columns.ts";
 import { readEntry } from "../src/program/tools/tool-entry.ts";
 import { isLength, proposedAssignment, toolsOfSheet } from "../src/program/tool-sheets/assignment.ts";
@@ -55,7 +54,7 @@ const notesOf = ({ tools, refused, assumedUnit }: ForeignTools): readonly string
 ];
 
 /** Numbers of the built-in tools and drills: a tool without a number gets another one. */
-const SHIPPED = [...shippedTools, ...shippedMills].map(({ T }): number => T);
+const SHIPPED = [...builtInTools.table.tools, ...(builtInTools.table.mills ?? [])].map(({ T }): number => T);
 
 /** Columns that a sheet needs to be one of tools: what each tool is. */
 const SAYS_KIND: ReadonlySet<string> = new Set(["TYPE", "CODE"]);

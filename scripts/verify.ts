@@ -14,13 +14,12 @@ import { LAYOUTS } from "../src/nc/style.ts";
 import { isoNames } from "../src/program/job/iso-names.ts";
 import type { MachineData } from "../src/program/machine/machine-data.ts";
 import { readMachine } from "../src/program/machine/machine-file.ts";
+import { builtInTools } from "../src/program/iso-codes/usual-tools.ts";
 import type { Control } from "../src/program/tools/plane-types.ts";
 import { fileKey, type ProgramFile, type ProgramFiles } from "../src/program/state/program-files.ts";
 import type { LengthUnit } from "../src/kernel/units.ts";
 import { over, type ShopTools } from "../src/program/tools/read-tools.ts";
 import { run } from "../src/program/run/run.ts";
-import { shippedTools } from "../src/program/tools/shipped-tools.ts";
-import { shippedMills } from "../src/program/tools/standard-drills.ts";
 import { hasErrors, report, type Report } from "../src/report/report.ts";
 import { summary } from "../src/report/summary.ts";
 import { simulate } from "../src/sim/simulate.ts";
@@ -171,11 +170,11 @@ function decoded(data: Buffer): Decoded {
 
 /** Tools of the shop over the built-in ones; what is doubtful about them goes to standard error. */
 function toolsOf(path: string | null, unit: LengthUnit): ShopTools {
-  if (path === null) return { tools: shippedTools, mills: shippedMills, refused: new Map() };
+  if (path === null) return builtInTools.table;
   const read = readShopTools(basename(path), bytes(path), unit);
   if ("problem" in read) throw new Refusal(`tools file ${path}: ${read.problem}`);
   for (const note of read.notes) process.stderr.write(`verify: tools file ${path}: ${note}\n`);
-  return over({ tools: shippedTools, mills: shippedMills }, read.tools);
+  return over(builtInTools.table, read.tools);
 }
 
 function machineIn(path: string | null): MachineData | null {

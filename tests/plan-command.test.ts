@@ -58,10 +58,10 @@ test("the program is on standard output, the plan with its reasons on standard e
   expect(parse(out).blocks.flatMap((b) => b.issues)).toEqual([]);
   expect(out).toMatch(/^0 BEGIN PGM PIN MM\n1 BLK FORM CYLINDER Z D30 L60 DIST\+1\n/);
   expect(out.match(/\* - .*/g)).toEqual(["* - PLANEN", "* - AUSSEN SCHRUPPEN", "* - AUSSEN SCHLICHTEN"]);
-  expect(err).toMatch(/^ 1\. Face: cycle \d+ with T\d+ /);
-  expect(err).toContain("roughing before finishing");
-  expect(err).toMatch(/\n {6}or cycle \d+ with T\d+: /);
-  expect(err).toMatch(/\d tools, \d tool changes: proved\n$/);
+  expect(err).toMatch(/^ 1\. Plandrehen: Zyklus \d+, T\d+ /);
+  expect(err).toContain("Schruppen vor Schlichten");
+  expect(err).toMatch(/\n {6}Nächstbeste Wege: Zyklus \d+, T\d+ .*: /);
+  expect(err).toMatch(/Werkzeuge: \d, Werkzeugwechsel: \d; Geprüft, alles erreichbare Material zerspant\n$/);
 });
 
 test("a drawing gives the part, options its blank", async () => {
@@ -87,7 +87,7 @@ test("the other side has a program of its own", async () => {
   out = "";
   expect(await main([axle, "--clamping", "2"])).toBe(0);
   expect(begins()).toEqual(["BEGIN PGM AXLE_2"]);
-  expect(err).toContain("clamping 2:\n 1. ");
+  expect(err).toContain("Second clamping:\n 1. ");
 });
 
 test("a bore is drilled with the built-in drills; a side without a step is no clamping", async () => {
@@ -103,7 +103,7 @@ test("a bore is drilled with the built-in drills; a side without a step is no cl
     }),
   );
   expect(await main([ring])).toBe(0);
-  expect(err).toMatch(/\d\. Drill: cycle 200 with T38 DRILL-D26[^]*\d\. Finish bore: [^]*\d\. Part off: /);
+  expect(err).toMatch(/\d\. Drill: cycle 200, T38 DRILL-D26[^]*\d\. Finish bore: [^]*\d\. Part off: /);
   expect(await main([ring, "--clamping", "2"])).toBe(2);
   expect(err).toMatch(/plan: there is no second clamping\n$/);
 });
@@ -111,7 +111,7 @@ test("a bore is drilled with the built-in drills; a side without a step is no cl
 test("what is left names its tool, and the status is 1", async () => {
   const turning = [1, 2, 3, 4, 5, 6, 7, 8, 11, 14, 15, 16, 17].flatMap((T) => ["--without-tool", String(T)]);
   expect(await main([pin(), ...turning])).toBe(1);
-  expect(err).toMatch(/left: .* mm² outside, Z.*: a tool or cycle that makes it is excluded/);
+  expect(err).toMatch(/Not made: .* mm² outside, Z.*: a tool or cycle that makes it is excluded/);
 });
 
 test.each([

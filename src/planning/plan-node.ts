@@ -94,6 +94,10 @@ const changeTime = ({ shop: { machine }, rules }: PlanRequest): number => machin
 export const changeBefore = ({ tool }: Action, before: Action | null, request: PlanRequest): number =>
   before?.tool.T === tool.T ? 0 : changeTime(request);
 
+/** Price of the tool of an action that the operator's table lacks, where no action before has it, s. */
+export const priceOf = ({ tool }: Action, done: readonly Action[], { rules, usualTools = [] }: PlanRequest): number =>
+  usualTools.includes(tool.T) && done.every((d) => d.tool.T !== tool.T) ? rules.usualTool : 0;
+
 /** The actions that led to a state. */
 export const doneIn = ({ done }: PlanState): readonly Action[] => done.map(({ action }) => action);
 
@@ -124,6 +128,7 @@ export const firstNode = ({ request }: Searching): PlanNode =>
 export function nodeBehind(before: PlanNode, tried: TriedAction, { request, trade }: Searching): PlanNode {
   const { action, stock } = tried;
   const seconds = tried.seconds + changeBefore(action, before.tried?.action ?? null, request);
+  const done = doneIn(before);
   return withLeft(
     {
       stock,
@@ -135,7 +140,8 @@ export function nodeBehind(before: PlanNode, tried: TriedAction, { request, trad
         before.cost +
         seconds +
         trade.wear(action, tried.seconds) +
-        (isCorner(tried) ? 0 : trade.after(action, doneIn(before))),
+        priceOf(action, done, request) +
+        (isCorner(tried) ? 0 : trade.after(action, done)),
       seconds: before.seconds + seconds,
     },
     request,

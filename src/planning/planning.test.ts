@@ -25,6 +25,7 @@ const request: PlanRequest = {
   material: "C45",
   rules: {
     toolChange: 5,
+    usualTool: 0,
     finishBeforeRough: 60,
     insideBeforeOutside: 5,
     thinBeforeLong: 20,

@@ -9,6 +9,7 @@ import {
   isInPlace,
   nodeBehind,
   nodesOf,
+  priceOf,
   type PlanNode,
   type Searching,
   volumeIn,
@@ -40,11 +41,11 @@ class Level {
       this.ofNode.set(node, actions);
       const last = node.tried?.action ?? null;
       return actions
-        .filter((action) => !this.isOtherOrder(node, action))
+        .filter((action) => !this.isOtherOrder(node, action) && !this.isSmallerDrill(node, action))
         .map((action) => ({
           node,
           action,
-          base: node.cost + changeBefore(action, last, s.request),
+          base: node.cost + changeBefore(action, last, s.request) + priceOf(action, doneIn(node), s.request),
         }));
     });
   }
@@ -93,9 +94,27 @@ class Level {
       if (!areRivals(action, rival)) return [];
       const known = this.s.tries.expectedOf(rival, node);
       if (!known?.works || known.cut < cut + LEAST_REGION) return [];
-      return [known.seconds + changeBefore(rival, action, this.s.request)];
+      const price = priceOf(rival, [...doneIn(node), action], this.s.request);
+      return [known.seconds + changeBefore(rival, action, this.s.request) + price];
     });
     return better.length > 0 ? Math.min(...better) : 0;
+  }
+
+  /** A drill takes nothing that a larger one, of the operator's table where the smaller one is, takes as deep. */
+  private isSmallerDrill(node: PlanNode, { kind, tool, place }: Action): boolean {
+    const { tries, request } = this.s;
+    const isUsual = (T: number) => request.usualTools?.includes(T) ?? false;
+    return (
+      kind === "drill" &&
+      (this.ofNode.get(node) ?? []).some(
+        (larger) =>
+          larger.kind === kind &&
+          larger.place.high > place.high &&
+          larger.place.rear <= place.rear &&
+          (isUsual(tool.T) || !isUsual(larger.tool.T)) &&
+          tries.expectedOf(larger, node)?.works !== false,
+      )
+    );
   }
 
   /** Two actions of one tool and kind in places apart lead to the same in either order: from the front is enough. */

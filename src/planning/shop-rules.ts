@@ -6,6 +6,7 @@ import type { ShopRules } from "./types.ts";
  */
 export const USUAL_RULES: ShopRules = {
   toolChange: 10,
+  usualTool: 30,
   finishBeforeRough: 60,
   insideBeforeOutside: 30,
   thinBeforeLong: 30,

@@ -47,6 +47,8 @@ export interface PlannedPart {
 export interface ShopRules {
   /** Time of a tool change where the machine states none, s. */
   readonly toolChange: number;
+  /** Price of a tool that the table lacks, once for each, s. */
+  readonly usualTool: number;
   /** Penalties: a finished surface before roughing has ended, inside before outside, a thin section early, s. */
   readonly finishBeforeRough: number;
   readonly insideBeforeOutside: number;
@@ -71,6 +73,8 @@ export interface PlanRequest {
   /** Cycles and tools that the operator has excluded, by number. */
   readonly withoutCycles: readonly number[];
   readonly withoutTools: readonly number[];
+  /** Tools of the shop that the operator's own table lacks, by number; absent: none. */
+  readonly usualTools?: readonly number[];
   readonly labels: Labels;
   /** The program that the operations are added to; absent: an empty one with a cylinder around the blank. */
   readonly begun?: Program;

@@ -25,6 +25,8 @@ export type StepReason =
   | { readonly kind: "equal"; readonly cycle: number | null; readonly tool: number }
   /** Takes more material than the quickest other way, mm² of the half plane. */
   | { readonly kind: "takesMore"; readonly area: number; readonly cycle: number | null; readonly tool: number }
+  /** The next way needs a tool that the operator's table lacks. */
+  | { readonly kind: "ownTool"; readonly cycle: number | null; readonly tool: number }
   /** The tool is in the spindle already. */
   | { readonly kind: "sameTool"; readonly tool: number }
   /** A rule of the trade put it before or behind others. */
@@ -65,6 +67,8 @@ export interface MissingTool {
   readonly site: Site;
   /** Which way it cuts: towards the chuck or away from it. */
   readonly hand?: "right" | "left";
+  /** Angle of the steepest flank that the main edge cuts up to, measured from the axis: the least setting angle. */
+  readonly rises?: number;
   /** Least angle that the insert keeps clear of the flank it descends along, measured from the axis. */
   readonly descends?: number;
   /** Least angle of its main edge from the axis (T-ANGLE), where a face leans over its own foot. */
@@ -72,6 +76,8 @@ export interface MissingTool {
   readonly mostNose?: number;
   readonly mostWidth?: number;
   readonly leastDepth?: number;
+  /** A groove in a face: diameters between which the first plunge lies. */
+  readonly across?: readonly [least: number, most: number];
   /** Greatest diameter of a bar or a drill, least reach into the bore. */
   readonly mostDiameter?: number;
   readonly leastReach?: number;

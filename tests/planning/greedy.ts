@@ -25,6 +25,7 @@ export const requestFor = (
   material: "c45",
   rules: {
     toolChange: 5,
+    usualTool: 0,
     finishBeforeRough: 60,
     insideBeforeOutside: 5,
     thinBeforeLong: 20,

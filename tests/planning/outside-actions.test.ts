@@ -73,6 +73,7 @@ const requestOf = (given: Pick<PlanRequest, "part" | "blank"> & Partial<PlanRequ
   material: "c45",
   rules: {
     toolChange: 5,
+    usualTool: 0,
     finishBeforeRough: 60,
     insideBeforeOutside: 5,
     thinBeforeLong: 20,

@@ -18,14 +18,7 @@ import { Trade } from "../../src/planning/trade-rules.ts";
 import { Tries } from "../../src/planning/tries.ts";
 import { ACTION_KINDS, type PlanRequest } from "../../src/planning/types.ts";
 import type { PlanChanges, WorkingPlan } from "../../src/planning/working-plan.ts";
-import { standardDrills } from "../../src/program/tools/standard-drills.ts";
-import { readList, shippedList } from "../../src/program/tools/tool-list.ts";
-
-/** The built-in tools and the usual drills. */
-const { table } = readList([
-  ...shippedList,
-  ...standardDrills(shippedList).map((cells, i) => ({ id: `drill${i}`, cells })),
-]);
+import { builtInTools } from "../../src/program/iso-codes/usual-tools.ts";
 
 /** What a part is planned from; null where the part is none. */
 export function requestOf(file: FinishedPart): PlanRequest | null {
@@ -35,7 +28,8 @@ export function requestOf(file: FinishedPart): PlanRequest | null {
       part,
       blank,
       clamping,
-      shop: { ...table, rapid: 10_000 },
+      shop: { ...builtInTools.table, rapid: 10_000 },
+      usualTools: builtInTools.usual,
       material: file.material,
       rules: { ...USUAL_RULES, ...file.rules },
       partsOff: file.partsOff,

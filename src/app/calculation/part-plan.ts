@@ -20,6 +20,8 @@ export interface PlanOrder {
   readonly part: FinishedPart;
   readonly withoutTools: readonly number[];
   readonly withoutCycles: readonly number[];
+  /** Tools of `shop` that the operator's table lacks. */
+  readonly usualTools: readonly number[];
   readonly ncLanguage: NcLanguage;
   readonly shop: Pick<Request, "table" | "rapid" | "control" | "machine">;
   readonly changes: PlanChanges;
@@ -57,6 +59,7 @@ export async function planOfPart(order: PlanOrder, tell: (progress: PlanProgress
       partsOff: order.part.partsOff,
       withoutCycles: order.withoutCycles,
       withoutTools: order.withoutTools,
+      usualTools: order.usualTools,
       labels: ncLabels(order.ncLanguage),
       titles: planTitles(order.ncLanguage),
     },

@@ -36,6 +36,7 @@ const mark = z.object({
 });
 const rules = z.object({
   toolChange: number,
+  usualTool: number,
   finishBeforeRough: number,
   insideBeforeOutside: number,
   thinBeforeLong: number,

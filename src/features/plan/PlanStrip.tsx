@@ -7,7 +7,7 @@ import type { StoredPart } from "../../app/records/part-store.ts";
 import { usePlanPlace } from "./plan-place.ts";
 import { startPlan, planAgain, stopSearch, usePlans, type MadePlan } from "./plan-store.ts";
 import { planOfClamping } from "./PlanTab.tsx";
-import { addCalledDrills } from "./usual-drills.ts";
+import { addCalledTools } from "./usual-tools.ts";
 import { changeSeconds, timeWords, verdictWords, type PlanWords } from "./plan-words.ts";
 
 interface Props {
@@ -22,7 +22,7 @@ interface Props {
 function openPlan(plan: WorkingPlan, { part }: StoredPart): void {
   toFirstPrompt();
   openText(plan.text);
-  addCalledDrills(plan.tools);
+  addCalledTools(plan.tools);
   if (part.material !== "") setMaterial(part.material);
 }
 

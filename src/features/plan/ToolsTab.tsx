@@ -14,7 +14,7 @@ interface Props {
   readonly onPart: (part: FinishedPart, place: string | null) => void;
 }
 
-const COSTS = ["toolChange", "finishBeforeRough", "insideBeforeOutside", "thinBeforeLong"] as const;
+const COSTS = ["toolChange", "usualTool", "finishBeforeRough", "insideBeforeOutside", "thinBeforeLong"] as const;
 const AXES = ["diameter", "z"] as const;
 
 /** Which tools and cycles a plan may use, and the rules of the shop. */

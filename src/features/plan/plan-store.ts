@@ -1,5 +1,6 @@
 import { create } from "zustand";
 import { ncLanguageOf } from "../../i18n/languages.ts";
+import { withUsualTools } from "../../program/iso-codes/usual-tools.ts";
 import type { MachineData } from "../../program/machine/machine-data.ts";
 import type { Action } from "../../planning/types.ts";
 import type { PlanChanges, PlanProgress, PlanStep, WorkingPlan } from "../../planning/working-plan.ts";
@@ -11,7 +12,6 @@ import { askForPlan, stopPlan } from "../../app/calculation/planner.ts";
 import { USUAL_RAPID } from "../../app/calculation/request.ts";
 import { useTools } from "../../app/document/tool-store.ts";
 import { machineTextOf, shopOf } from "../../app/document/work-tools.ts";
-import { withUsualDrills } from "./usual-drills.ts";
 import { editPart, partRecord, rememberPlan, type StoredPart } from "../../app/records/part-store.ts";
 
 /** What a plan was made from: it is outdated when one of these has changed. */
@@ -72,15 +72,16 @@ export async function startPlan(changes: PlanChanges = {}): Promise<void> {
   set({ running });
   const { language } = useSettings.getState();
   const machine: MachineData | null = await loadMachine(basis.machine);
-  const { table, control } = shopOf({});
-  const mills = withUsualDrills(useTools.getState().list);
+  const { control } = shopOf({});
+  const { table, usual } = withUsualTools(useTools.getState().list);
   const answer = await askForPlan(
     {
       part,
       withoutTools,
       withoutCycles,
       ncLanguage: ncLanguageOf(language),
-      shop: { table: { ...table, ...(mills && { mills }) }, control, rapid: USUAL_RAPID, machine },
+      usualTools: usual,
+      shop: { table, control, rapid: USUAL_RAPID, machine },
       changes: { ...changes, ...(locked.length > 0 && { locked }) },
     },
     (progress) => get().running?.id === id && set({ running: { id, progress } }),

@@ -6,6 +6,14 @@ import type { MissingTool, StepReason, WorkingPlan } from "../../planning/workin
 import type { PlanTexts } from "../../i18n/en/plan.ts";
 import type { Texts } from "../../i18n/index.ts";
 import type { Language } from "../../i18n/languages.ts";
+import {
+  missingToolText,
+  planReasonText,
+  planVerdict,
+  regionPlaceText,
+  type PlanVerdict,
+  type PlanWriter,
+} from "../../i18n/plan-text.ts";
 import { partProblemText, type PartProblemTexts } from "../../i18n/part-problem.ts";
 import { writer } from "../../i18n/write.ts";
 import { issueText } from "../../app/calculation/issue-text.ts";
@@ -33,43 +41,18 @@ export function cycleWords({ t, work }: PlanWords, cycle: number | null): string
 /** Designation of a thread, without the place that its name in a plan has behind it. */
 export const threadName = (id: string): string => id.replace(/ -?[\d.]+$/, "");
 
-/** A way in a few words: its cycle and its tool. */
-const wayWords = ({ t }: PlanWords, cycle: number | null, tool: number): string =>
-  `${cycle === null ? t.steps.pathBlocks : t.steps.cycle(String(cycle))}, ${t.steps.tool(String(tool), "")}`;
+/** The same words for the sentences that the command has, too. */
+const writerOf = (words: PlanWords): PlanWriter => ({
+  t: words.t,
+  language: words.language,
+  time: (seconds) => timeWords(words, seconds),
+});
+
 export const actionWords = (words: PlanWords, { cycle, tool }: Action): string =>
   `${cycleWords(words, cycle)}, ${words.t.steps.tool(String(tool.T), tool.NAME ?? "")}`;
 
 /** Why a step is what it is, in words. */
-export function reasonWords(words: PlanWords, reason: StepReason): string {
-  const { because } = words.t;
-  switch (reason.kind) {
-    case "onlyTool":
-      return because.onlyTool;
-    case "onlyCycle":
-      return reason.cycle === null ? because.onlyPath : because.onlyCycle;
-    case "faster":
-      return because.faster(timeWords(words, reason.seconds), wayWords(words, reason.cycle, reason.tool));
-    case "equal":
-      return because.equal(wayWords(words, reason.cycle, reason.tool));
-    case "takesMore":
-      return because.takesMore(areaWords(words, reason.area), wayWords(words, reason.cycle, reason.tool));
-    case "sameTool":
-      return because.sameTool;
-    case "rule":
-      return because.rules[reason.rule];
-    case "rest":
-      return because.rest(reason.step + 1);
-    case "unfinished":
-      return because.unfinished(
-        [
-          ...(reason.area > 0 ? [areaWords(words, reason.area)] : []),
-          ...reason.threads.map((name) => words.t.left.thread(name)),
-        ].join(", "),
-      );
-    case "byHand":
-      return because.byHand;
-  }
-}
+export const reasonWords = (words: PlanWords, reason: StepReason): string => planReasonText(writerOf(words), reason);
 
 const isFormula = (key: string): key is ValueFormula => Object.hasOwn(VALUE_FORMULAS, key);
 
@@ -92,48 +75,14 @@ export function valueWords(
 }
 
 /** The smallest data of a missing tool, in words. */
-export function missingWords({ t, language }: PlanWords, tool: MissingTool): string {
-  const { left } = t,
-    { length, angle } = writer(language);
-  const said = [
-    left.forms[tool.form],
-    left.where[tool.site],
-    tool.hand && left[tool.hand],
-    tool.thread !== undefined && left.forThread(tool.thread),
-    tool.descends !== undefined && left.descends(angle(tool.descends)),
-    tool.leastEdge !== undefined && left.leastEdge(angle(tool.leastEdge)),
-    tool.mostNose !== undefined && left.mostNose(length(tool.mostNose)),
-    tool.mostWidth !== undefined && left.mostWidth(length(tool.mostWidth)),
-    tool.leastDepth !== undefined && left.leastDepth(length(tool.leastDepth)),
-    tool.mostDiameter !== undefined && left.mostDiameter(length(tool.mostDiameter)),
-    tool.leastReach !== undefined && left.leastReach(length(tool.leastReach)),
-  ];
-  return said.filter(Boolean).join(", ");
-}
+export const missingWords = (words: PlanWords, tool: MissingTool): string => missingToolText(writerOf(words), tool);
 
 /** Time of tool changes in a plan, s. The time of its program has them only where the machine data state one. */
 export const changeSeconds = ({ steps }: WorkingPlan): number =>
   steps.reduce((sum, { seconds, tried }) => sum + seconds - tried.seconds, 0);
 
 /** What a plan achieves, in a few words: the verdict is that of its whole program. */
-export function verdictWords(
-  words: PlanWords,
-  plan: WorkingPlan,
-): { readonly text: string; readonly isGood: boolean; readonly isProved: boolean } {
-  const { result } = words.t;
-  const isProved = plan.judged.verdict === "proved" && plan.gouge <= 0.01;
-  const bad = (text: string) => ({ text, isGood: false, isProved });
-  if (plan.judged.verdict === "faults") return bad(result.faults);
-  if (plan.gouge > 0.01) return bad(result.damage(areaWords(words, plan.gouge)));
-  if (plan.steps.length === 0) return bad(words.t.run.none);
-  if (plan.judged.verdict === "incomplete") return bad(result.unchecked);
-  const open = plan.residue.filter(({ why }) => why !== "rear" && why !== "clamping");
-  const threads = open.filter(({ region }) => region === null).length,
-    area = open.reduce((sum, { region }) => sum + (region?.area ?? 0), 0);
-  if (threads > 0) return bad(result.notMade(threads));
-  if (area > 0) return bad(result.left(areaWords(words, area)));
-  return { text: plan.residue.length > 0 ? result.rest : result.complete, isGood: plan.isComplete, isProved };
-}
+export const verdictWords = (words: PlanWords, plan: WorkingPlan): PlanVerdict => planVerdict(writerOf(words), plan);
 
 /** A problem of a part in words; `numberOf`: the number of a row in its table. */
 export function problemWords(
@@ -145,8 +94,5 @@ export function problemWords(
   return partProblemText(language, numbered, problems, (issue) => issueText(work, language, issue, null));
 }
 
-/** The place of a region, as Z of its ends and its diameters. */
-export const regionPlace = (
-  { t, language }: PlanWords,
-  box: { readonly left: number; readonly right: number },
-): string => t.left.at(writer(language).signed(box.right), writer(language).signed(box.left));
+/** The place of a region, as Z of its ends. */
+export const regionPlace = regionPlaceText;

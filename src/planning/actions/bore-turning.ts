@@ -1,9 +1,9 @@
 import type { Cycle } from "../../cycles/define.ts";
 import type { ShapeRequest } from "../../cycles/shape-request.ts";
+import { isInside } from "../../kernel/area/clip.ts";
 import { holderOutlines } from "../../kernel/cutter/holder.ts";
 import { tipDirection } from "../../kernel/cutter/insert.ts";
-import { part as geometry, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
-import type { Box } from "../../kernel/geometry/segments.ts";
+import { at, part as geometry, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import type { Plan } from "../../kernel/plan/plan.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { readThread } from "../../kernel/thread/threads.ts";
@@ -19,13 +19,15 @@ import type { Action, ActionKind, ElementMark, PlannedPart, PlanRequest } from "
 import { barDiameter } from "../values/cutting-values.ts";
 import type { HeldBar } from "../values/stability.ts";
 import { boredTo, clearRadius, solidFrom } from "./bore.ts";
-import { actionOf, fitted, ranked, toolsOf, type Better } from "./candidates.ts";
+import { actionOf, fitsOf, fitted, toolsOf, type Better } from "./candidates.ts";
 import type { CutRequest } from "./values-of-job.ts";
 
 /** Clearance of the tip in front of the material, and beside the wall of the bore, mm. */
 const [AHEAD, BESIDE] = [2, 0.2];
-/** Steps of the radius at which the cone that a drill has left is measured, mm; a flat bottom rises less. */
-const [CONE_AT, FLAT] = [0.5, 0.2];
+/** Steps of the radius at which the cone that a drill has left is measured, and the first one, mm. */
+const [CONE_AT, ON_CONE] = [0.5, 0.01];
+/** Its rise along Z for 1 mm of the radius: a flat bottom rises less, the wall of a stepped bore more. */
+const [FLAT, STEEP] = [0.2, 2];
 /** Distance that a cut goes beyond the rear end of a bore, mm, so that its nose radius leaves nothing. */
 const BEYOND = 1;
 /** Roughing goes farther, mm: the edge of a finishing insert leans over its tip. */
@@ -100,15 +102,39 @@ export interface BoreWay {
   readonly low: number;
 }
 
-/** Where the cone at the bottom of a bore begins: the Z that a bar may reach; −Infinity without a cone. */
-function coneFront(stock: readonly Ring[], bottom: number, clear: number): number {
-  if (bottom === -Infinity) return bottom;
-  const slope = (solidFrom(stock, CONE_AT) - bottom) / CONE_AT;
-  if (slope < FLAT) return -Infinity;
-  let r = CONE_AT;
-  const isCone = (at: number) => Math.abs(solidFrom(stock, at) - bottom - slope * at) < BESIDE;
+/**
+ * Where the cone that a drill has left begins, at the bottom of a bore or at the rear end of one that it has not run
+ * through: the Z that a bar may reach; −Infinity without a cone. `z` and `r`: where the bore is narrowest.
+ */
+function coneFront(
+  stock: readonly Ring[],
+  { z, r: narrow }: { readonly z: number; readonly r: number },
+  clear: number,
+): number {
+  const bottom = solidFrom(stock, narrow + ON_CONE);
+  if (bottom === -Infinity || bottom > z + CONE_AT || narrow + CONE_AT > clear) return -Infinity;
+  const slope = (solidFrom(stock, narrow + CONE_AT) - bottom) / (CONE_AT - ON_CONE);
+  if (slope < FLAT || slope > STEEP) return -Infinity;
+  let r = narrow + CONE_AT;
+  const isCone = (at: number) => Math.abs(solidFrom(stock, at) - bottom - slope * (at - narrow - ON_CONE)) < BESIDE;
   while (r < clear && isCone(r + CONE_AT)) r += CONE_AT;
-  return bottom + slope * r + BESIDE;
+  return bottom + slope * (r - narrow) + BESIDE;
+}
+
+/**
+ * Off the wall at 45° where a cut ends in front of stock that is left: there the nose radius would stand in it. Only where
+ * the part gets no narrower behind.
+ */
+function runOut(contour: readonly Segment[], stock: readonly Ring[], inside: readonly Segment[]): readonly Segment[] {
+  const last = contour.at(-1)?.to;
+  if (!last || last.r < BESIDE) return [];
+  const hole = clearRadius(stock, last.z - BESIDE, last.z);
+  const height = last.r - hole + BESIDE;
+  const end = last.z - height;
+  const isFree = hole === Infinity || hole >= last.r || solidFrom(stock, hole - BESIDE) > end;
+  const points = geometry.flattenedChain(inside, CHORD);
+  if (isFree || points.some(({ z, r }) => z > end && z < last.z && r < last.r - (last.z - z) - SAME)) return [];
+  return [geometry.line(last, geometry.point(end, last.r - height))];
 }
 
 /** A section of the contour, and the way to it. */
@@ -143,20 +169,26 @@ export function sectionInBore(
   const isDeep = isBehind && (isWall || begin.z < front - AHEAD);
   const z = atFront(isDeep && !isWall ? Math.max(begin.z, box.right) : box.right);
   // The cone that a drill has left is taken by passes of its own, from its front.
-  const cone = isDeep ? -Infinity : coneFront(stock, bottom, clear);
-  const along = clearRadius(stock, Math.max(box.left, cone), front);
+  // Through a bore it goes as far as the contour does.
+  const left = bottom === -Infinity ? Math.min(box.left, whole.at(-1)?.to.z ?? box.left) : box.left;
+  const narrow = bottom === -Infinity ? { z: left, r: clearRadius(stock, left, front) } : { z: bottom, r: 0 };
+  const cone = isDeep ? -Infinity : coneFront(stock, narrow, clear);
+  const along = clearRadius(stock, Math.max(left, cone), front);
   // Behind the part it goes no farther than the bore does.
   const end = part.inside.segments.at(-1)?.to.z ?? 0;
   const open = solidFrom(stock, along - BESIDE);
   const rear = open <= end + SAME ? Math.max(cone, Math.min(end, open)) : cone;
-  const segments = upToZ(isDeep && isWall ? beside : whole, rear);
+  const cut = upToZ(isDeep && isWall ? beside : whole, rear);
+  const segments = oversize > 0 ? cut : [...cut, ...runOut(cut, stock, part.inside.segments)];
   const low = Math.min(along, isDeep ? box.low : Infinity) - BESIDE;
   return segments.length > 0 ? { segments, marks, way: { z, clear, low }, isDeep } : null;
 }
 
-/** The least radius at which the tip of a bar may be in a bore, so that its body is clear of the opposite wall. */
-const leastTip = (tool: Tool, bore: number): number =>
-  -Math.min(0, ...holderOutlines(tool).flatMap((ring) => ring.map(({ r }) => r))) - bore;
+/** How far an outline of a holder stands out towards the axis from the tip, mm. */
+const standsOut = (ring: Ring): number => -Math.min(0, ...ring.map(({ r }) => r));
+
+/** The least radius at which the tip of a bar may be in a bore, so that its shank is clear of the opposite wall. */
+const leastTip = (tool: Tool, bore: number): number => standsOut(holderOutlines(tool).at(-1) ?? []) - bore;
 
 /** The same with a clearance. */
 export const startLimit = (tool: Tool, bore: number): number => leastTip(tool, bore) + BESIDE;
@@ -207,26 +239,44 @@ export function heldBar(tool: Tool, depth: number): HeldBar | null {
   return across === null ? null : { overhang: depth + HELD_BEHIND, diameter: across };
 }
 
-/** A cut reaches this share of the height of its region. */
-const REACHES = 0.25;
+/** A cut goes at least so deep into the material, mm. */
+const INTO = 0.02;
+/** Points of a move at which that is measured, as shares of it. */
+const MEASURED = [0.25, 0.5, 0.75, 1] as const;
 
-/** Whether a path cuts into a region, and not only along it. */
-function cutsInto({ moves }: Plan, { left, right, low, high }: Box): boolean {
-  const least = low + REACHES * (high - low);
+/** Whether a path cuts into the material of a region, and not only along it. */
+function cutsInto({ moves }: Plan, { rings }: Pick<OpenRegion, "rings">): boolean {
   return moves.some(({ kind, to }, i) => {
     const from = moves[i - 1]?.to ?? to;
-    return kind !== "rapid" && to.r > least - SAME && Math.min(from.z, to.z) < right && Math.max(from.z, to.z) > left;
+    const isIn = (k: number) => {
+      const p = at(from.z + k * (to.z - from.z), from.r + k * (to.r - from.r) - INTO);
+      return rings.filter((ring) => isInside(ring, p)).length % 2 === 1;
+    };
+    return kind !== "rapid" && MEASURED.some(isIn);
   });
 }
 
 /** A bore is wider by so much when its wall is cut, mm. */
 const WIDER = 0.5;
 
-/** Whether the body of a bar stays clear of the opposite wall where its tip is nearest to the axis. */
+/** Steps of Z at which the bore is measured, mm. */
+const MEASURED_EACH = 0.5;
+
+/** Whether the body of a bar stays clear of the opposite wall all along its path. */
 function staysClear({ moves }: Plan, tool: Tool, stock: readonly Ring[]): boolean {
-  const nearest = moves.reduce<Pt | null>((best, { to }) => (best && best.r <= to.r ? best : to), null);
-  if (!nearest) return true;
-  return nearest.r >= leastTip(tool, clearRadius(stock, nearest.z + WIDER, frontOf(stock)) + WIDER);
+  const front = frontOf(stock);
+  const nearest = new Map<number, number>();
+  for (const { kind, to } of moves) {
+    const step = Math.round(to.z / MEASURED_EACH);
+    if (kind !== "rapid" && to.z < front) nearest.set(step, Math.min(to.r, nearest.get(step) ?? Infinity));
+  }
+  return holderOutlines(tool).every((ring) => {
+    const behind = Math.min(...ring.map(({ z }) => z));
+    return [...nearest].every(([step, r]) => {
+      const z = step * MEASURED_EACH + behind + WIDER;
+      return z >= front || r + clearRadius(stock, z, front) + WIDER >= standsOut(ring);
+    });
+  });
 }
 
 /** Whether a cycle plunges into valleys. */
@@ -242,7 +292,7 @@ export function plungings(segments: readonly Segment[]): readonly (boolean | und
 export interface BoreWork {
   readonly kind: ActionKind;
   readonly wanted: ShapeRequest;
-  readonly region: Pick<OpenRegion, "box">;
+  readonly region: Pick<OpenRegion, "box" | "rings">;
   readonly way: BoreWay;
   readonly cut: Omit<CutRequest, "stock" | "bar" | "smallest" | "largest">;
   /** Whether it goes into a contour that widens behind a neck; absent where there is none. */
@@ -253,28 +303,27 @@ export interface BoreWork {
 
 /** The actions of a cycle with the bars that enter and cut, those that reach most first. */
 export function barActions(
-  { kind, wanted, region: { box }, way, cut, plunges, most }: BoreWork,
+  { kind, wanted, region, way, cut, plunges, most }: BoreWork,
   cycle: Cycle,
   tools: readonly Tool[],
   stock: readonly Ring[],
   request: PlanRequest,
   better: Better = () => 0,
 ): readonly Action[] {
+  const { box } = region;
   const depth = frontOf(stock) - box.left;
   const [smallest, largest] = [toDiameter(radius(way.clear)), toDiameter(radius(box.high))];
-  const fits = tools.flatMap((tool) => {
+  const fitOfBar = (tool: Tool) => {
     const r = startFor(tool, way);
-    if (r === null) return [];
+    if (r === null) return null;
     const own = jobInside(cycle, wanted, stock, { z: way.z, r });
     const job = plunges === undefined || !cycle.params[PLUNGING] ? own : withValue(own, PLUNGING, plunges ? 1 : 0);
     const asked = { ...cut, stock, smallest, largest, bar: heldBar(tool, depth) };
     const fit = fitted({ cycle, job, cut: asked }, tool, request);
-    return fit && cutsInto(fit.plan, box) && staysClear(fit.plan, tool, stock) ? [fit] : [];
+    return fit && cutsInto(fit.plan, region) && staysClear(fit.plan, tool, stock) ? fit : null;
+  };
+  return fitsOf(tools, most, request, fitOfBar, better).map(({ tool, job, values }) => {
+    const variant = `X${job.start.x} Z${job.start.z}${plunges === false ? " over" : ""}`;
+    return actionOf({ kind, site: "inside", cycle, box, variant }, tool, job, values);
   });
-  return ranked(fits, better)
-    .slice(0, most)
-    .map(({ tool, job, values }) => {
-      const variant = `X${job.start.x} Z${job.start.z}${plunges === false ? " over" : ""}`;
-      return actionOf({ kind, site: "inside", cycle, box, variant }, tool, job, values);
-    });
 }

@@ -70,6 +70,31 @@ export function ranked<T extends ToolFit>(fits: readonly T[], better: Better): r
 /** Those first whose contour has the most elements: it goes into more of the grooves. */
 export const deepest = <T extends { readonly goesInto: number }>(fits: readonly T[]): readonly T[] =>
   fits.toSorted((a, b) => b.goesInto - a.goesInto);
+/**
+ * What `fit` makes of tools, at most `most` of the best: the operator's own first, the usual ones that the table lacks only
+ * where none of these makes the whole contour. Usual tools are in the order in which the trade takes them.
+ */
+export function fitsOf<T extends ToolFit>(
+  tools: readonly Tool[],
+  most: number,
+  { usualTools = [] }: PlanRequest,
+  fit: (tool: Tool) => T | null,
+  better: Better = () => 0,
+): readonly T[] {
+  const isUsual = ({ T }: Tool) => usualTools.includes(T);
+  const own = ranked(
+    tools.filter((tool) => !isUsual(tool)).flatMap((tool) => fit(tool) ?? []),
+    better,
+  ).slice(0, most);
+  if (own[0]?.makesContour) return own;
+  const usual: T[] = [];
+  for (const tool of tools.filter(isUsual)) {
+    const made = fit(tool);
+    if (made) usual.push(made);
+    if (made?.makesContour && usual.filter(({ makesContour }) => makesContour).length >= most) break;
+  }
+  return [...own, ...ranked(usual, better).slice(0, most)];
+}
 
 /** The actions of a candidate with the tools that suit it best. */
 export function actionsOf(
@@ -79,10 +104,9 @@ export function actionsOf(
   request: PlanRequest,
   better: Better = () => 0,
 ): readonly Action[] {
-  const fits = tools.flatMap((tool) => fitted(candidate, tool, request) ?? []);
-  return ranked(fits, better)
-    .slice(0, most)
-    .map(({ tool, job, values }) => actionOf(candidate, tool, job, values));
+  return fitsOf(tools, most, request, (tool) => fitted(candidate, tool, request), better).map(({ tool, job, values }) =>
+    actionOf(candidate, tool, job, values),
+  );
 }
 
 /** Time of the path of a job, s. */
@@ -111,15 +135,19 @@ export function bestWays(
   request: PlanRequest,
   better: Better = () => 0,
 ): readonly Action[] {
-  return candidates
-    .flatMap((candidate) =>
-      tools.flatMap((tool) => {
+  const waysWith = (some: readonly Tool[]) =>
+    candidates.flatMap((candidate) =>
+      some.flatMap((tool) => {
         const fit = fitted(candidate, tool, request);
         if (!fit || candidate.accepts?.(fit.plan, tool) === false) return [];
         const cost = secondsOfPlan(fit, request) + PER_UNREACHED * fit.unreached;
         return [{ candidate, fit, cost: cost + (fit.makesContour ? 0 : request.rules.toolChange) }];
       }),
-    )
+    );
+  const isUsual = ({ T }: Tool) => request.usualTools?.includes(T) ?? false;
+  const own = waysWith(tools.filter((tool) => !isUsual(tool)));
+  const ways = own.some(({ fit }) => fit.makesContour) ? own : [...own, ...waysWith(tools.filter(isUsual))];
+  return ways
     .toSorted((a, b) => better(a.fit.tool, b.fit.tool) || a.cost - b.cost || a.fit.tool.T - b.fit.tool.T)
     .slice(0, most)
     .map(({ candidate, fit: { tool, job, values } }) => actionOf(candidate, tool, job, values));

@@ -66,7 +66,7 @@ export const finishInside: ActionSource = {
             const work = {
               kind: "finishInside",
               wanted,
-              region: { box },
+              region: { box, rings: all },
               way,
               cut,
               most: MOST_TOOLS,

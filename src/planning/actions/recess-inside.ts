@@ -65,7 +65,7 @@ function recessing(region: OpenRegion, stock: readonly Ring[], request: PlanRequ
     depth: box.high - clear,
     ...(roughness !== undefined && { roughness }),
   } as const;
-  const work = { kind: "recess", wanted, region: { box }, way, cut, most: MOST_TOOLS } as const;
+  const work = { kind: "recess", wanted, region: { box, rings: region.rings }, way, cut, most: MOST_TOOLS } as const;
   return cyclesFor(wanted)
     .filter((c) => c.group === "recessing" || c.group === "recessTurning")
     .filter((c) => !worksAcross(c) && !request.withoutCycles.includes(c.number))

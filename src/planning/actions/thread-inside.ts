@@ -2,6 +2,7 @@ import type { ShapeRequest } from "../../cycles/shape-request.ts";
 import { boxOf } from "../../kernel/area/box.ts";
 import { noseRadius } from "../../kernel/cutter/insert.ts";
 import { part as geometry, type Ring } from "../../kernel/geometry/point.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
 import type { Box } from "../../kernel/geometry/segments.ts";
 import type { NamedThread } from "../../kernel/thread/named-thread.ts";
 import { readThread } from "../../kernel/thread/threads.ts";
@@ -16,10 +17,12 @@ import { borderOf } from "../open-regions.ts";
 import type { Action, ActionSource, PlanRequest, PlanState } from "../types.ts";
 import { clearRadius, insideRegions, solidFrom } from "./bore.ts";
 import { barsOf, heldBar, jobInside, startFor, startLimit, type BoreWay } from "./bore-turning.ts";
-import { actionOf, fitted, notDone } from "./candidates.ts";
+import { actionOf, fitsOf, fitted, notDone } from "./candidates.ts";
 import { drillsOf, onAxis } from "./on-axis.ts";
 import { fillOf, RUN_OUT, threadId, threadsOf, type ThreadPlace } from "./thread.ts";
 
+/** Most bars that are proposed for a thread. */
+const MOST_TOOLS = 2;
 /** Run-up in front of a thread in pitches and at least in mm; clearance below its crest, mm. */
 const [RUN_UP, LEAST_RUN_UP, BESIDE] = [3, 3, 1];
 /** A bore is measured so far within its end, and a core so far below its wall, mm. */
@@ -107,13 +110,13 @@ function turned(open: OpenThread, stock: readonly Ring[], request: PlanRequest):
   const way: BoreWay = { z, clear, low: clear - BESIDE };
   return cyclesFor(wanted)
     .filter(({ number }) => !request.withoutCycles.includes(number))
-    .flatMap((cycle) =>
-      barsOf(request, (tool) => hasAngleOf(named, tool)).flatMap((tool): readonly Action[] => {
+    .flatMap((cycle) => {
+      const fitOfBar = (tool: Tool) => {
         const fill = fillOf(named, cycle, across, noseRadius(tool), "inside");
         const r = startFor(tool, way);
-        if (!fill || r === null) return [];
+        if (!fill || r === null) return null;
         const lifts = Math.min(LIFT, roundedDown(clear - startLimit(tool, clear)));
-        if (lifts < LEAST_LIFT) return [];
+        if (lifts < LEAST_LIFT) return null;
         const made = withValue(jobInside(cycle, wanted, stock, { z, r }), "Q460", lifts);
         const filled = Object.entries(fill.values).reduce((job, [q, value]) => withValue(job, q, value), made);
         const job = withValue(filled, "Q474", isRelieved ? 0 : rounded(runOut));
@@ -128,12 +131,15 @@ function turned(open: OpenThread, stock: readonly Ring[], request: PlanRequest):
           bar: heldBar(tool, front - box.left),
         } as const;
         const fit = fitted({ cycle, job, cut }, tool, request);
-        if (!fit) return [];
-        const action = actionOf({ kind: "thread", site: "inside", cycle, box }, tool, fit.job, fit.values);
         const room = { front: z, rear: end - runOut, high: radiusOf(fill.cut.root) + ROOT, low: box.low - ROOT };
-        return [{ ...action, place: room, threads: [id] }];
-      }),
-    );
+        return fit && { ...fit, room };
+      };
+      const bars = barsOf(request, (tool) => hasAngleOf(named, tool));
+      return fitsOf(bars, MOST_TOOLS, request, fitOfBar).map((fit): Action => {
+        const action = actionOf({ kind: "thread", site: "inside", cycle, box }, fit.tool, fit.job, fit.values);
+        return { ...action, place: fit.room, threads: [id] };
+      });
+    });
 }
 
 /** Threads in a bore: tapped, or cut with a bar. */

@@ -89,6 +89,7 @@ export const partSchema = z.strictObject({
   rules: z.optional(
     z.strictObject({
       toolChange: seconds,
+      usualTool: seconds,
       finishBeforeRough: seconds,
       insideBeforeOutside: seconds,
       thinBeforeLong: seconds,

@@ -1,9 +1,6 @@
 import { expect, test } from "vitest";
-import { radius, toDiameter } from "../../kernel/units.ts";
 import { drillOf } from "./drill-of.ts";
-import { over, readTools, type ShopTools } from "./read-tools.ts";
-import { shippedTools } from "./shipped-tools.ts";
-import { shippedMills, standardDrills } from "./standard-drills.ts";
+import { standardDrills } from "./standard-drills.ts";
 import { mergedTools, readList, shippedList } from "./tool-list.ts";
 
 test("every standard drill and tap is a callable tool, beside those of the table", () => {
@@ -31,25 +28,15 @@ test("taps have diameter and pitch of their thread, and a drill for its core", (
     ["TAP-M8", "4", "1.25"],
     ["TAP-M10", "5", "1.5"],
     ["TAP-M12", "6", "1.75"],
+    ["TAP-M3", "1.5", "0.5"],
+    ["TAP-M4", "2", "0.7"],
+    ["TAP-M5", "2.5", "0.8"],
+    ["TAP-M16", "8", "2"],
+    ["TAP-M20", "10", "2.5"],
   ]);
   const drills = rows.filter(({ TYPE }) => TYPE === "DRILL").map(({ R }) => Number(R));
   for (const [, R, PITCH] of taps) {
     const core = Number(R) - Number(PITCH) / 2;
     expect(drills.some((r) => Math.abs(r - core) <= 0.03)).toBe(true);
   }
-});
-
-test("a table of the shop replaces shipped drills by number, and the others stay", () => {
-  const own = readTools('{"tools":[{"T":31,"NAME":"MINE","R":3},{"T":37,"NAME":"BAR","TYPE":"ROUGH"}]}') as ShopTools;
-  const { mills = [] } = over({ tools: shippedTools, mills: shippedMills }, own);
-  expect(mills).toHaveLength(shippedMills.length - 1);
-  expect(mills.filter(({ T }) => T === 31 || T === 37).map(({ NAME }) => NAME)).toEqual(["MINE"]);
-});
-
-test("a shipped boring bar goes into the hole of the largest drill", () => {
-  const bar = shippedTools.find(({ NAME }) => NAME === "BORE-CCMT-80-R04")?.holder;
-  // From the tip to the far side of the bar.
-  const across = -(bar?.offsetX ?? NaN) + (bar?.width ?? NaN);
-  const largest = Math.max(...shippedMills.flatMap((row) => (row.TYPE === "DRILL" ? [row.R] : [])));
-  expect(toDiameter(radius(largest))).toBeGreaterThan(across + 1);
 });

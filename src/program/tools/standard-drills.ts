@@ -2,8 +2,7 @@ import { METRIC_SIZES } from "../../kernel/contour/metric-thread.ts";
 import { CENTRE_FORMS, type CentreForm } from "../../kernel/plan/tool.ts";
 import type { NamedThread } from "../../kernel/thread/named-thread.ts";
 import { tapRows } from "./tap-of-thread.ts";
-import type { Mill } from "./plane-types.ts";
-import { freeNumber, readList, shippedList, type ToolList } from "./tool-list.ts";
+import { freeNumber, type ToolList } from "./tool-list.ts";
 import type { ToolEntry } from "./tool-entry.ts";
 
 type Cells = ToolEntry["cells"];
@@ -11,11 +10,11 @@ type Cells = ToolEntry["cells"];
 /** Point angle of a usual drill, degrees. */
 const POINT = "118";
 /**
- * Drills by diameter with the flute length of DIN 338, above ⌀20 of DIN 345, recalled (tag K), mm; the smaller ones are the
- * core holes of the taps, and the largest makes room for the shipped boring bars.
+ * Drills by diameter with the flute length of DIN 338, above ⌀20 of DIN 345, recalled (tag K), mm: core holes of the taps,
+ * holes that the usual bars enter, and the largest for the shipped boring bars.
  */
 const drill = (NAME: string, R: string, LCUTS: string): Cells => ({ NAME, TYPE: "DRILL", R, "T-ANGLE": POINT, LCUTS });
-/** Taps of metric coarse threads. */
+/** Taps of metric coarse threads; the length of their thread is recalled of DIN 371 and DIN 376 (tag K), mm. */
 const tap = (nominal: number, LCUTS: string): Cells => ({
   NAME: `TAP-M${nominal}`,
   TYPE: "TAP",
@@ -65,6 +64,22 @@ const ROWS: readonly Cells[] = [
   ...CENTRE_FORMS.flatMap((form) =>
     CENTRES.map(([d1, body, bodyB, pilot]) => centre(form, d1, form === "B" ? bodyB : body, pilot)),
   ),
+  // Behind the others, so that these keep their numbers.
+  drill("DRILL-D2.5", "1.25", "30"),
+  drill("DRILL-D3.3", "1.65", "36"),
+  drill("DRILL-D4.2", "2.1", "43"),
+  drill("DRILL-D7.8", "3.9", "75"),
+  drill("DRILL-D9", "4.5", "81"),
+  drill("DRILL-D11", "5.5", "94"),
+  drill("DRILL-D14", "7", "108"),
+  drill("DRILL-D17.5", "8.75", "130"),
+  drill("DRILL-D18", "9", "130"),
+  drill("DRILL-D22", "11", "150"),
+  tap(3, "9"),
+  tap(4, "12"),
+  tap(5, "13"),
+  tap(16, "26"),
+  tap(20, "32"),
 ];
 /** Their numbers follow this one. */
 const BEHIND = 30;
@@ -78,7 +93,3 @@ export function standardDrills(list: ToolList, thread: NamedThread | null = null
     ...cells,
   }));
 }
-
-/** The standard drills, taps and centre drills with numbers behind those of the shipped tools. */
-export const shippedMills: readonly Mill[] =
-  readList(standardDrills(shippedList).map((cells, i) => ({ id: `m${i}`, cells }))).table.mills ?? [];
