@@ -7,7 +7,7 @@ import { LEAST_REGION } from "./open-regions.ts";
 import { turnedVolume } from "./stock-key.ts";
 import type { Trade } from "./trade-rules.ts";
 import type { Tries } from "./tries.ts";
-import type { Action, ActionSource, PlanRequest, PlanState, TriedAction } from "./types.ts";
+import type { Action, ActionKind, ActionSource, PlanRequest, PlanState, TriedAction } from "./types.ts";
 
 /** A state of the search with the way to it. */
 export interface PlanNode extends PlanState {
@@ -33,7 +33,7 @@ export interface Searching {
   readonly locked: readonly Action[];
   /** Bound of tries. */
   readonly most: number;
-  /** Actions of states, by the stock and what was done. */
+  /** What the sources propose in states, by the stock and what was done. */
   readonly known: Map<string, readonly Action[]>;
 }
 
@@ -57,31 +57,39 @@ export const areRivals = (a: Action, b: Action): boolean =>
   (FAMILY[a.kind] ?? a.kind) === (FAMILY[b.kind] ?? b.kind) &&
   (a.threads.length > 0 ? b.threads.some((t) => a.threads.includes(t)) : isInPlace(a, b));
 
-function actionsOf(state: PlanState, { request, sources, locked }: Searching): readonly Action[] {
-  const { withoutCycles, withoutTools } = request;
-  if (state.done.some(({ action }) => action.kind === "partOff")) return [];
-  const all = sources
-    .flatMap((source) => source.actions(state, request))
+/** What a source proposes in a state and is neither excluded nor done. */
+function proposedBy(source: ActionSource, state: PlanState, s: Searching): readonly Action[] {
+  const { request } = s;
+  const done = state.done.map(({ action }) => action.key).toSorted();
+  const question = `${s.sources.indexOf(source)} ${done.join()}\n${s.tries.keyOf(state.stock)}`;
+  const known = s.known.get(question);
+  if (known) return known;
+  const made = source
+    .actions(state, request)
     .filter(
       ({ cycle, tool, threads }) =>
-        (cycle === null || !withoutCycles.includes(cycle)) &&
-        !withoutTools.includes(tool.T) &&
+        (cycle === null || !request.withoutCycles.includes(cycle)) &&
+        !request.withoutTools.includes(tool.T) &&
         (threads.length === 0 || threads.some((t) => !state.threads.has(t))),
     );
+  s.known.set(question, made);
+  return made;
+}
+
+/**
+ * Actions that could be next in a state, those by hand in place of what they replace. `kind`: at least those of one
+ * kind.
+ */
+export function actionsIn(state: PlanState, s: Searching, kind?: ActionKind): readonly Action[] {
+  if (state.done.some(({ action }) => action.kind === "partOff")) return [];
+  const { sources, locked } = s;
+  const asked = kind && locked.length === 0 ? sources.filter((source) => source.kind === kind) : sources;
+  const all = asked.flatMap((source) => proposedBy(source, state, s));
   if (locked.length === 0) return all;
   const byKey = new Map(locked.map((l) => [l.key, l]));
   const own = all.map((a) => byKey.get(a.key) ?? a);
   const here = own.filter((a) => byKey.get(a.key) === a);
   return own.filter((a) => here.includes(a) || !here.some((l) => areRivals(l, a)));
-}
-
-/** Actions that could be next in a state, those by hand in place of what they replace. */
-export function actionsIn(state: PlanState, s: Searching): readonly Action[] {
-  const done = state.done.map(({ action }) => action.key).toSorted();
-  const question = `${done.join()}\n${s.tries.keyOf(state.stock)}`;
-  const known = s.known.get(question) ?? actionsOf(state, s);
-  s.known.set(question, known);
-  return known;
 }
 
 /** Time of a tool change on the machine, s. */

@@ -198,7 +198,7 @@ const isLike = (a: Action, b: Action): boolean =>
 function* followed(from: PlanNode, actions: readonly Action[], s: Searching): Generator<PlanNode, PlanNode> {
   let node = from;
   for (const wanted of actions) {
-    const open = actionsIn(node, s);
+    const open = actionsIn(node, s, wanted.kind);
     const action = open.find(({ key }) => key === wanted.key) ?? open.find((a) => isLike(a, wanted));
     if (!action) continue;
     yield node;
