@@ -77,7 +77,7 @@ function oneWay(s: Segment): readonly Segment[] {
  * The chain up to the rearmost cut, continued along Z where that lies behind it, with the shoulder of the stock that
  * stays there.
  */
-function reachable({ outside }: PlannedPart, rear: number, stock: readonly Ring[]): Chain {
+function reachable({ outside }: PlannedPart, rear: number, shoulder: number): Chain {
   const segments: Segment[] = [];
   const marks: ElementMark[] = [];
   const pieces = outside.segments.flatMap((s, i) => oneWay(s).map((piece) => [piece, outside.marks[i]] as const));
@@ -97,7 +97,7 @@ function reachable({ outside }: PlannedPart, rear: number, stock: readonly Ring[
   const end = segments.at(-1)?.to;
   if (end) {
     add(at(rear, end.r));
-    add(at(rear, Math.max(end.r, highest(stock, rear - SAME, rear))));
+    add(at(rear, Math.max(end.r, shoulder)));
   }
   return { segments, marks };
 }
@@ -132,31 +132,61 @@ export interface OutsideWork {
   readonly pockets: readonly Pocket[];
 }
 
-/** The work of the stocks of a request, which every source asks for. */
-const known = new WeakMap<PlanRequest, WeakMap<readonly Ring[], OutsideWork>>();
+/** What all stocks with the same rearmost cut have in common: the chain, its solid, and that with the oversize. */
+interface Reached {
+  readonly chain: Chain;
+  readonly solid: readonly Ring[];
+  readonly grown: readonly Ring[];
+  readonly pockets: readonly Pocket[];
+}
+
+/** What the sources of a request ask for again and again. */
+interface KnownWork {
+  readonly works: WeakMap<readonly Ring[], OutsideWork>;
+  readonly reached: Map<string, Reached>;
+}
+
+const known = new WeakMap<PlanRequest, KnownWork>();
 
 /** What is left to turn outside in a state. */
 export function outsideWork({ stock }: Pick<PlanState, "stock">, request: PlanRequest): OutsideWork {
-  const works = known.get(request) ?? new WeakMap<readonly Ring[], OutsideWork>();
-  known.set(request, works);
-  const work = works.get(stock) ?? workIn(stock, request);
-  works.set(stock, work);
+  const all = known.get(request) ?? { works: new WeakMap(), reached: new Map() };
+  known.set(request, all);
+  const work = all.works.get(stock) ?? workIn(stock, request, all);
+  all.works.set(stock, work);
   return work;
 }
 
-function workIn(stock: readonly Ring[], request: PlanRequest): OutsideWork {
-  const { allowance } = request.rules;
+/** Oversize for finishing, mm. */
+const oversizeOf = ({ rules: { allowance } }: PlanRequest): number =>
+  Math.max(perSide(diameter(allowance.diameter)), allowance.z);
+
+function reachedTo(rear: number, stock: readonly Ring[], request: PlanRequest, { reached }: KnownWork): Reached {
+  const shoulder = highest(stock, rear - SAME, rear);
+  const question = `${rear} ${shoulder}`;
+  const before = reached.get(question);
+  if (before) return before;
+  const chain = reachable(request.part, rear, shoulder);
+  const solid = [solidOf(chain)];
+  const made: Reached = {
+    chain,
+    solid,
+    grown: offset(solid, oversizeOf(request)),
+    pockets: [...pocketsOf(chain, "r"), ...pocketsOf(chain, "z")],
+  };
+  reached.set(question, made);
+  return made;
+}
+
+function workIn(stock: readonly Ring[], request: PlanRequest, all: KnownWork): OutsideWork {
   const rear = rearOf(request, stock);
-  const chain = reachable(request.part, rear, stock);
-  const solid = solidOf(chain);
-  const left = inFrontOf(difference(stock, [solid]), rear);
-  const over = Math.max(perSide(diameter(allowance.diameter)), allowance.z);
-  const grown = offset([solid], over);
+  const { chain, solid, grown, pockets } = reachedTo(rear, stock, request, all);
+  const left = inFrontOf(difference(stock, solid), rear);
   return {
     chain,
-    pockets: [...pocketsOf(chain, "r"), ...pocketsOf(chain, "z")],
+    pockets,
     pieces: piecesOf(opened(inFrontOf(left, rearOfPart(request)), SLIVER), chain, SLIVER),
-    rough: piecesOf(opened(difference(left, grown), THIN), chain, over + SLIVER),
+    rough: piecesOf(opened(difference(left, grown), THIN), chain, oversizeOf(request) + SLIVER),
   };
 }
 

@@ -55,24 +55,36 @@ function missed({ reach }: Plan, { segments }: Pocket): number {
 const unsuited = (plan: Plan, pockets: readonly Pocket[]): readonly Pocket[] =>
   pockets.flatMap((pocket) => (missed(plan, pocket) > MOST_MISSED ? [pocket] : unsuited(plan, pocket.inner)));
 
+/** The chain of a work over some of its pockets, the same object each time. */
+function bridgedIn(work: OutsideWork, pockets: readonly Pocket[]): Chain {
+  const known = bridgedWorks.get(work) ?? new Map<string, Chain>();
+  bridgedWorks.set(work, known);
+  const name = pockets.map(({ axis, first, last, level }) => [axis, first, last, level].join(" ")).join();
+  const chain = known.get(name) ?? withoutFront(bridgedOver(work.chain, pockets));
+  known.set(name, chain);
+  return chain;
+}
+
+const bridgedWorks = new WeakMap<OutsideWork, Map<string, Chain>>();
+
 /**
  * The chain as a tool turns it: without the grooves in its faces, those with nothing left in them, and those that it
  * does not reach.
  */
 export function turnedChain(
-  { chain, pockets, pieces }: OutsideWork,
+  work: OutsideWork,
   planWith: (segments: readonly Segment[]) => Plan | null,
 ): Chain {
+  const { pockets, pieces } = work;
   const radial = pockets.filter(({ axis }) => axis === "r");
   const done = radial.filter(({ first, last }) => !pieces.some(({ borders: [a, b] }) => a < last && b > first));
-  const plain = withoutFront(bridgedOver(chain, [...pockets.filter(({ axis }) => axis === "z"), ...done]));
+  const closed = [...pockets.filter(({ axis }) => axis === "z"), ...done];
+  const plain = bridgedIn(work, closed);
   const open = radial.filter((pocket) => !done.includes(pocket));
   if (open.length === 0) return plain;
   const plan = planWith(plain.segments);
   const skipped = plan ? unsuited(plan, open) : open;
-  return skipped.length === 0
-    ? plain
-    : withoutFront(bridgedOver(chain, [...pockets.filter(({ axis }) => axis === "z"), ...done, ...skipped]));
+  return skipped.length === 0 ? plain : bridgedIn(work, [...closed, ...skipped]);
 }
 
 /** What the values of a cut of a section depend on. */
