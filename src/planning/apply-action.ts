@@ -52,7 +52,10 @@ const placeOf = ({ place: { front, rear, high, low } }: Action): Ring => [
 ];
 
 /** Area of `a` outside `b` that is thicker than the error of chords, mm². */
-export const areaBeyond = (a: readonly Ring[], b: readonly Ring[]): number => areaOf(opened(difference(a, b), SLIVER));
+export function areaBeyond(a: readonly Ring[], b: readonly Ring[]): number {
+  const beyond = difference(a, b);
+  return areaOf(beyond) < LEAST_GOUGE ? 0 : areaOf(opened(beyond, SLIVER));
+}
 
 /**
  * The stock after a run. What was parted off is the part, and the rest of the bar no longer counts. The grooves of a

@@ -4,7 +4,7 @@ import { difference, opened } from "../kernel/area/clip.ts";
 import type { Ring } from "../kernel/geometry/point.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
 import { LEAST_REGION } from "./open-regions.ts";
-import { turnedVolume } from "./stock-key.ts";
+import { ofPieces, turnedVolume } from "./stock-key.ts";
 import type { Trade } from "./trade-rules.ts";
 import type { Tries } from "./tries.ts";
 import type { Action, ActionKind, ActionSource, PlanRequest, PlanState, TriedAction } from "./types.ts";
@@ -102,8 +102,9 @@ export const changeBefore = ({ tool }: Action, before: Action | null, request: P
 /** The actions that led to a state. */
 export const doneIn = ({ done }: PlanState): readonly Action[] => done.map(({ action }) => action);
 
-function withLeft(state: Omit<PlanNode, "left" | "volume" | "open">, { part }: PlanRequest): PlanNode {
-  const open = opened(difference(state.stock, part.rings), SLIVER);
+function withLeft(state: Omit<PlanNode, "left" | "volume" | "open">, request: PlanRequest): PlanNode {
+  const all = difference(state.stock, request.part.rings);
+  const open = ofPieces(all, 0, "open", (piece) => opened(piece, SLIVER), request);
   return { ...state, open, left: areaOf(open), volume: turnedVolume(open) };
 }
 

@@ -7,6 +7,7 @@ import { perSide, diameter } from "../../kernel/units.ts";
 import { regionsOf } from "../../sim/region.ts";
 import { LEAST_REGION, type OpenRegion } from "../open-regions.ts";
 import { pocketsOf, type Pocket } from "./pockets.ts";
+import { ofPieces } from "../stock-key.ts";
 import type { Chain, ElementMark, PlannedPart, PlanRequest, PlanState } from "../types.ts";
 
 /** A piece of material to remove, with the section of the chain that bounds it, from the front to the rear. */
@@ -185,8 +186,8 @@ function workIn(stock: readonly Ring[], request: PlanRequest, all: KnownWork): O
   return {
     chain,
     pockets,
-    pieces: piecesOf(opened(inFrontOf(left, rearOfPart(request)), SLIVER), chain, SLIVER),
-    rough: piecesOf(opened(difference(left, grown), THIN), chain, oversizeOf(request) + SLIVER),
+    pieces: piecesOf(inFrontOf(left, rearOfPart(request)), SLIVER, chain, SLIVER, request),
+    rough: piecesOf(difference(left, grown), THIN, chain, oversizeOf(request) + SLIVER, request),
   };
 }
 
@@ -203,14 +204,23 @@ function isWithin({ left, right, low, high }: Box, { segments }: Pocket): boolea
   return left > around.left && right < around.right + SAME && low > around.low - SAME && high < around.high + SAME;
 }
 
-const piecesOf = (area: readonly Ring[], chain: Chain, near: number): readonly Piece[] =>
-  regionsOf(area, LEAST_REGION)
-    .map(({ outline, holes, area: size }) => ({ rings: [outline, ...holes], box: boxOf(outline), area: size }))
-    .toSorted((a, b) => b.area - a.area)
-    .flatMap((region): readonly Piece[] => {
+/** The pieces of an area that are thicker than `thick` mm, the largest first. */
+function piecesOf(
+  area: readonly Ring[],
+  thick: number,
+  chain: Chain,
+  near: number,
+  request: PlanRequest,
+): readonly Piece[] {
+  const made = (piece: readonly Ring[]) =>
+    regionsOf(opened(piece, thick), LEAST_REGION).flatMap(({ outline, holes, area: size }): readonly Piece[] => {
+      const region = { rings: [outline, ...holes], box: boxOf(outline), area: size };
       const found = sectionAt(chain, region, near);
       return found ? [{ ...region, ...found }] : [];
     });
+  const name = `pieces ${thick} ${near} ${request.shop.memory?.labelOf(chain) ?? ""}`;
+  return ofPieces(area, LEAST_REGION, name, made, request).toSorted((a, b) => b.area - a.area);
+}
 
 /** Distance of the points at which an element is compared with a region, mm. */
 const STEP = 0.25;
