@@ -1,5 +1,4 @@
 import { areaOf } from "../kernel/area/area.ts";
-import { inBox } from "../kernel/area/box.ts";
 import { difference, opened } from "../kernel/area/clip.ts";
 import type { Ring } from "../kernel/geometry/point.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
@@ -138,10 +137,6 @@ const CORNER = 0.5;
 
 /** Whether a cut is so small that nothing has to wait for it. */
 export const isCorner = ({ cut }: { readonly cut: number }): boolean => cut < CORNER;
-
-/** Volume outside the finished part in the place of an action, mm³. */
-export const volumeIn = ({ open }: PlanNode, { place: { front, rear, high, low } }: Action): number =>
-  turnedVolume(inBox(open, { left: rear, right: front, low, high }));
 
 /** The states of a plan from its beginning, the first one left out. */
 export function nodesOf(end: PlanNode): readonly PlanNode[] {

@@ -11,7 +11,6 @@ import {
   nodesOf,
   type PlanNode,
   type Searching,
-  volumeIn,
 } from "./plan-node.ts";
 import type { Expected } from "./tries.ts";
 import { ROUGHING, type Action } from "./types.ts";
@@ -23,7 +22,7 @@ interface Candidate {
   readonly base: number;
 }
 
-/** An action that was not tried may be this many times as quick as the quickest so far. */
+/** An action without a known path may be this many times as quick as the quickest so far. */
 const QUICKER = 2;
 
 /** The candidates of one level of a search, and what is known of them. */
@@ -64,8 +63,8 @@ class Level {
     const waiting = (this.ofNode.get(node) ?? []).filter((a) => this.isWaiting(a, node, action));
     const early = base + trade.before(action, waiting);
     if (!known) {
-      const most = volumeIn(node, action);
-      return early + tries.leastFor(node.volume - most) + tries.leastFor(most) / QUICKER;
+      const { seconds, volume } = tries.boundOf(action, node);
+      return early + tries.leastFor(node.volume - volume) + Math.max(seconds, tries.leastFor(volume) / QUICKER);
     }
     const late = isCorner(known) ? 0 : trade.after(action, doneIn(node));
     return early + late + known.seconds + tries.leastFor(node.volume - known.volume) + this.restFor(candidate, known);
@@ -74,7 +73,19 @@ class Level {
   /** Whether an action is still to be done before a next one; a part that is off is in no chuck, even for corners. */
   private isWaiting(action: Action, node: PlanNode, next: Action): boolean {
     const known = this.s.tries.expectedOf(action, node);
-    return !known || (known.works && (next.kind === "partOff" || !isCorner(known)));
+    const cut = known ? known.cut : this.s.tries.boundOf(action, node).area;
+    return (!known || known.works) && (next.kind === "partOff" || !isCorner({ cut }));
+  }
+
+  /** Whether a candidate that was not tried surely takes nothing. */
+  isIdle({ action, node }: Candidate): boolean {
+    return this.s.tries.boundOf(action, node).area < LEAST_REGION;
+  }
+
+  /** Whether a rival that was not tried could take what a finishing cut leaves. */
+  takesMore({ action: rival, node }: Candidate, { action }: Candidate): boolean {
+    const { tries } = this.s;
+    return tries.boundOf(rival, node).area >= tries.boundOf(action, node).area + LEAST_REGION;
   }
 
   /** Time of the quickest rival that takes what a finishing cut leaves, s. */
@@ -106,7 +117,8 @@ class Level {
 function untried(level: Level, width: number): Candidate | null {
   const all = level.candidates.flatMap((candidate) => {
     const known = level.expected(candidate);
-    return known && !known.works ? [] : [{ candidate, known, value: level.value(candidate) }];
+    if (known ? !known.works : level.isIdle(candidate)) return [];
+    return [{ candidate, known, value: level.value(candidate) }];
   });
   all.sort((a, b) => a.value - b.value);
   for (const { candidate, known } of all.slice(0, width)) {
@@ -114,7 +126,10 @@ function untried(level: Level, width: number): Candidate | null {
     if (ROUGHING.has(candidate.action.kind)) continue;
     const rival = all.find(
       (other) =>
-        !other.known && other.candidate.node === candidate.node && areRivals(other.candidate.action, candidate.action),
+        !other.known &&
+        other.candidate.node === candidate.node &&
+        areRivals(other.candidate.action, candidate.action) &&
+        level.takesMore(other.candidate, candidate),
     );
     if (rival) return rival.candidate;
   }

@@ -2,6 +2,7 @@ import { difference } from "../kernel/area/clip.ts";
 import type { Ring } from "../kernel/geometry/point.ts";
 import { applyAction } from "./apply-action.ts";
 import { localKey, stockKey, turnedVolume } from "./stock-key.ts";
+import { boundOf, type Bound } from "./bound.ts";
 import type { Action, PlanRequest, PlanState, TriedAction } from "./types.ts";
 
 /** What an action did where the stock in its place was the same. */
@@ -27,20 +28,23 @@ interface Known extends Expected {
  */
 export class Tries {
   /** Simulated actions. */
-  count = 0;
+  count: number;
   /** Most material that any action took in a second, mm³/s. */
   rate = 0;
   private readonly results = new Map<string, TriedAction>();
   private readonly known = new Map<string, Known>();
+  private readonly bounds = new Map<string, Bound>();
   private readonly names = new WeakMap<Action, string>();
   private readonly places = new WeakMap<PlanState["stock"], WeakMap<Action, string>>();
   private readonly stocks = new WeakMap<PlanState["stock"], string>();
 
-  /** `isExact`: every try is simulated on its whole stock. */
+  /** `former`: tries of a search that is made again, now each on its whole stock. */
   constructor(
     private readonly request: PlanRequest,
-    private readonly isExact = false,
-  ) {}
+    private readonly former: Tries | null = null,
+  ) {
+    this.count = former?.count ?? 0;
+  }
 
   /** The result of an action on the stock of a state. */
   of(action: Action, { stock }: Pick<PlanState, "stock">): TriedAction {
@@ -50,7 +54,7 @@ export class Tries {
     const place = this.placeOf(action, stock);
     const before = this.known.get(place);
     // After parting off the stock is the part: nothing is taken from a place.
-    const isKnown = before && !this.isExact && action.kind !== "partOff";
+    const isKnown = before && !this.former && action.kind !== "partOff";
     const tried = isKnown ? { ...before.tried, action, stock: lessCut(stock, before) } : this.simulated(action, stock);
     this.results.set(question, tried);
     if (before && isKnown) return tried;
@@ -70,6 +74,14 @@ export class Tries {
   /** What an action does to a stock as far as that is known without a try; null where it is not. */
   expectedOf(action: Action, { stock }: Pick<PlanState, "stock">): Expected | null {
     return this.known.get(this.placeOf(action, stock)) ?? null;
+  }
+
+  /** The best that an action can do in a state. */
+  boundOf(action: Action, { stock, open }: Pick<PlanState, "stock"> & { readonly open: readonly Ring[] }): Bound {
+    const place = this.placeOf(action, stock);
+    const bound = this.bounds.get(place) ?? boundOf(action, open, this.request);
+    this.bounds.set(place, bound);
+    return bound;
   }
 
   /** Least time for a volume, s. */
