@@ -110,17 +110,22 @@ class Level {
   }
 }
 
+/** The candidates that could work, the best first. */
+const rankedIn = (level: Level) =>
+  level.candidates
+    .flatMap((candidate) => {
+      const known = level.expected(candidate);
+      if (known ? !known.works : level.isIdle(candidate)) return [];
+      return [{ candidate, known, value: level.value(candidate) }];
+    })
+    .sort((a, b) => a.value - b.value);
+
 /**
  * The first of the candidates that has to be tried to know the best ones: it could be one itself, or could be what a
  * finishing cut leaves to do. Null where all are known.
  */
 function untried(level: Level, width: number): Candidate | null {
-  const all = level.candidates.flatMap((candidate) => {
-    const known = level.expected(candidate);
-    if (known ? !known.works : level.isIdle(candidate)) return [];
-    return [{ candidate, known, value: level.value(candidate) }];
-  });
-  all.sort((a, b) => a.value - b.value);
+  const all = rankedIn(level);
   for (const { candidate, known } of all.slice(0, width)) {
     if (!known) return candidate;
     if (ROUGHING.has(candidate.action.kind)) continue;
@@ -142,14 +147,19 @@ function* nextLevel(level: Level, width: number, s: Searching): Generator<PlanNo
     yield next.node;
     s.tries.of(next.action, next.node);
   }
-  const works = level.candidates
-    .filter((candidate) => level.expected(candidate)?.works)
-    .map((candidate) => ({ candidate, value: level.value(candidate) }))
-    .sort((a, b) => a.value - b.value);
   const reached = new Map<string, PlanNode>();
-  for (const { candidate } of works) {
-    if (reached.size >= width || s.tries.count >= s.most) break;
-    yield* reach(candidate, reached, s);
+  const seen = new Set<Candidate>();
+  while (reached.size < width && s.tries.count < s.most) {
+    const next = rankedIn(level).find(({ candidate }) => !seen.has(candidate));
+    if (!next) break;
+    const { candidate, known } = next;
+    if (known) {
+      seen.add(candidate);
+      yield* reach(candidate, reached, s);
+    } else {
+      yield candidate.node;
+      s.tries.of(candidate.action, candidate.node);
+    }
   }
   if (reached.size > 0) return [...reached.values()];
   // What failed may work now that the stock beside its place is gone.
