@@ -52,7 +52,10 @@ const placeOf = ({ place: { front, rear, high, low } }: Action): Ring => [
 ];
 
 /** Area of `a` outside `b` that is thicker than the error of chords, mm². */
-export const areaBeyond = (a: readonly Ring[], b: readonly Ring[]): number => areaOf(opened(difference(a, b), SLIVER));
+export function areaBeyond(a: readonly Ring[], b: readonly Ring[]): number {
+  const beyond = difference(a, b);
+  return areaOf(beyond) < LEAST_GOUGE ? 0 : areaOf(opened(beyond, SLIVER));
+}
 
 /**
  * The stock after a run. What was parted off is the part, and the rest of the bar no longer counts. The grooves of a
@@ -74,15 +77,19 @@ export function applyAction(action: Action, { stock }: Pick<PlanState, "stock">,
   const { part, shop, clamping } = request;
   const program = withAction(parse(emptyProgram("PLAN", null)), action, request);
   const made = runOn(stock, program, shop);
-  const simulation = simulateCuts({ ...made, clamping });
-  const faults = verdictOf(made, simulation).reasons.filter(({ kind }) => !NO_FAULT.has(kind));
+  const most = perSide(diameter(request.rules.allowance.diameter)) + THICKEST;
+  const simulation = simulateCuts({ ...made, clamping }, most);
+  // Only the cut of a thread is no area.
+  const isArea = action.threads.length === 0;
+  const faults = verdictOf(made, simulation).reasons.filter(
+    ({ kind }) => !NO_FAULT.has(kind) && !(isArea && kind === "nothingCut"),
+  );
   const own = intersection(stock, part.rings);
   const left = leftBy(simulation, [action], own);
   const { cut, operations } = simulation.proof;
-  const most = perSide(diameter(request.rules.allowance.diameter)) + THICKEST;
   const isThick = FINISHING.has(action.kind) && operations.some(({ thickest }) => (thickest?.depth ?? 0) > most);
   const gouge = areaBeyond(own, left);
-  const isMade = action.threads.length > 0 || cut > LEAST_CUT;
+  const isMade = !isArea || cut > LEAST_CUT;
   return {
     action,
     stock: left,

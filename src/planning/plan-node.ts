@@ -1,14 +1,13 @@
 import { areaOf } from "../kernel/area/area.ts";
-import { inBox } from "../kernel/area/box.ts";
 import { difference, offset, opened } from "../kernel/area/clip.ts";
 import type { Ring } from "../kernel/geometry/point.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
 import { diameter, perSide } from "../kernel/units.ts";
 import { LEAST_REGION } from "./open-regions.ts";
-import { turnedVolume } from "./stock-key.ts";
+import { ofPieces, turnedVolume } from "./stock-key.ts";
 import type { Trade } from "./trade-rules.ts";
 import type { Tries } from "./tries.ts";
-import type { Action, ActionSource, PlannedPart, PlanRequest, PlanState, TriedAction } from "./types.ts";
+import type { Action, ActionKind, ActionSource, PlanRequest, PlanState, TriedAction } from "./types.ts";
 
 /** A state of the search with the way to it. */
 export interface PlanNode extends PlanState {
@@ -36,7 +35,7 @@ export interface Searching {
   readonly locked: readonly Action[];
   /** Bound of tries. */
   readonly most: number;
-  /** Actions of states, by the stock and what was done. */
+  /** What the sources propose in states, by the stock and what was done. */
   readonly known: Map<string, readonly Action[]>;
 }
 
@@ -60,31 +59,39 @@ export const areRivals = (a: Action, b: Action): boolean =>
   (FAMILY[a.kind] ?? a.kind) === (FAMILY[b.kind] ?? b.kind) &&
   (a.threads.length > 0 ? b.threads.some((t) => a.threads.includes(t)) : isInPlace(a, b));
 
-function actionsOf(state: PlanState, { request, sources, locked }: Searching): readonly Action[] {
-  const { withoutCycles, withoutTools } = request;
-  if (state.done.some(({ action }) => action.kind === "partOff")) return [];
-  const all = sources
-    .flatMap((source) => source.actions(state, request))
+/** What a source proposes in a state and is neither excluded nor done. */
+function proposedBy(source: ActionSource, state: PlanState, s: Searching): readonly Action[] {
+  const { request } = s;
+  const done = state.done.map(({ action }) => action.key).toSorted();
+  const question = `${s.sources.indexOf(source)} ${done.join()}\n${s.tries.keyOf(state.stock)}`;
+  const known = s.known.get(question);
+  if (known) return known;
+  const made = source
+    .actions(state, request)
     .filter(
       ({ cycle, tool, threads }) =>
-        (cycle === null || !withoutCycles.includes(cycle)) &&
-        !withoutTools.includes(tool.T) &&
+        (cycle === null || !request.withoutCycles.includes(cycle)) &&
+        !request.withoutTools.includes(tool.T) &&
         (threads.length === 0 || threads.some((t) => !state.threads.has(t))),
     );
+  s.known.set(question, made);
+  return made;
+}
+
+/**
+ * Actions that could be next in a state, those by hand in place of what they replace. `kind`: at least those of one
+ * kind.
+ */
+export function actionsIn(state: PlanState, s: Searching, kind?: ActionKind): readonly Action[] {
+  if (state.done.some(({ action }) => action.kind === "partOff")) return [];
+  const { sources, locked } = s;
+  const asked = kind && locked.length === 0 ? sources.filter((source) => source.kind === kind) : sources;
+  const all = asked.flatMap((source) => proposedBy(source, state, s));
   if (locked.length === 0) return all;
   const byKey = new Map(locked.map((l) => [l.key, l]));
   const own = all.map((a) => byKey.get(a.key) ?? a);
   const here = own.filter((a) => byKey.get(a.key) === a);
   return own.filter((a) => here.includes(a) || !here.some((l) => areRivals(l, a)));
-}
-
-/** Actions that could be next in a state, those by hand in place of what they replace. */
-export function actionsIn(state: PlanState, s: Searching): readonly Action[] {
-  const done = state.done.map(({ action }) => action.key).toSorted();
-  const question = `${done.join()}\n${s.tries.keyOf(state.stock)}`;
-  const known = s.known.get(question) ?? actionsOf(state, s);
-  s.known.set(question, known);
-  return known;
 }
 
 /** Time of a tool change on the machine, s. */
@@ -102,16 +109,19 @@ export const priceOf = ({ tool }: Action, done: readonly Action[], { rules, usua
 export const doneIn = ({ done }: PlanState): readonly Action[] => done.map(({ action }) => action);
 
 /** Finished parts with their oversize, made once. */
-const grown = new WeakMap<PlannedPart, readonly Ring[]>();
+const grown = new WeakMap<PlanRequest, readonly Ring[]>();
 
-function withOversize({ part, rules: { allowance } }: PlanRequest): readonly Ring[] {
-  const made = grown.get(part) ?? offset(part.rings, Math.max(perSide(diameter(allowance.diameter)), allowance.z));
-  grown.set(part, made);
+function withOversize(request: PlanRequest): readonly Ring[] {
+  const { part, rules } = request;
+  const oversize = Math.max(perSide(diameter(rules.allowance.diameter)), rules.allowance.z);
+  const made = grown.get(request) ?? offset(part.rings, oversize);
+  grown.set(request, made);
   return made;
 }
 
 function withLeft(state: Omit<PlanNode, "left" | "volume" | "skin" | "open">, request: PlanRequest): PlanNode {
-  const open = opened(difference(state.stock, request.part.rings), SLIVER);
+  const all = difference(state.stock, request.part.rings);
+  const open = ofPieces(all, 0, "open", (piece) => opened(piece, SLIVER), request);
   const volume = turnedVolume(open);
   const skin = volume - turnedVolume(difference(open, withOversize(request)));
   return { ...state, open, left: areaOf(open), volume, skin };
@@ -153,10 +163,6 @@ const CORNER = 0.5;
 
 /** Whether a cut is so small that nothing has to wait for it. */
 export const isCorner = ({ cut }: { readonly cut: number }): boolean => cut < CORNER;
-
-/** Volume outside the finished part in the place of an action, mm³. */
-export const volumeIn = ({ open }: PlanNode, { place: { front, rear, high, low } }: Action): number =>
-  turnedVolume(inBox(open, { left: rear, right: front, low, high }));
 
 /** The states of a plan from its beginning, the first one left out. */
 export function nodesOf(end: PlanNode): readonly PlanNode[] {

@@ -39,11 +39,13 @@ function* replayed({ keep = [], again, instead }: PlanChanges, s: Searching): Ge
 /**
  * Searches the working plan with the least time that leaves nothing a tool of the shop could take. Yields before every
  * try with the best plan so far; to cancel, stop asking. Pure and deterministic: the same request gives the same plan.
+ * `former`: tries of a search whose plan did not hold as a whole.
  */
 export function* planning(
   asked: PlanRequest,
   changes: PlanChanges = {},
   sources: readonly ActionSource[] = actionSources,
+  former: Tries | null = null,
 ): Generator<PlanProgress, WorkingPlan> {
   const { keep = [], again, instead, locked = [] } = changes;
   const request: PlanRequest = { ...asked, shop: { ...asked.shop, memory: new AnswerCache(MEMORY) } };
@@ -51,11 +53,11 @@ export function* planning(
   const s: Searching = {
     request,
     sources,
-    tries: new Tries(request),
+    tries: new Tries(request, former),
     trade: new Trade(request),
     known: new Map(),
     locked: [...locked, ...byHand.filter(({ key }) => !locked.some((l) => l.key === key))],
-    most: MOST,
+    most: MOST + (former?.count ?? 0),
   };
   const hand = new Set([
     ...s.locked.map(({ key }) => key),
@@ -71,12 +73,15 @@ export function* planning(
     if (!best || compareEnds(end, best) < 0) best = end;
   }
   const end = best ?? from;
-  const steps = yield* reported(explained(end, hand, s), s, () => end);
-  const found = yield* reported(residueOf(end, s), s, () => end);
   const whole = wholeProgram(
     nodesOf(end).flatMap(({ tried }) => tried?.action ?? []),
     request,
   );
+  // Stock far from the place of an action made a difference after all.
+  if (end.done.length > 0 && whole.judged.verdict !== "proved" && !former)
+    return yield* planning(asked, changes, sources, s.tries);
+  const steps = yield* reported(explained(end, hand, s), s, () => end);
+  const found = yield* reported(residueOf(end, s), s, () => end);
   // What is left may be for the other end; a second clamping has no third.
   const hasRegion = found.some(({ region }) => region !== null);
   const other = hasRegion && !request.begun ? secondClamping(asked, end, parse(whole.text)) : null;

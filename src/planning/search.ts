@@ -12,7 +12,6 @@ import {
   priceOf,
   type PlanNode,
   type Searching,
-  volumeIn,
 } from "./plan-node.ts";
 import { finishes, type Expected } from "./tries.ts";
 import { ROUGHING, type Action } from "./types.ts";
@@ -24,7 +23,7 @@ interface Candidate {
   readonly base: number;
 }
 
-/** An action that was not tried may be this many times as quick as the quickest so far. */
+/** An action without a known path may be this many times as quick as the quickest so far. */
 const QUICKER = 2;
 
 /** The candidates of one level of a search, and what is known of them. */
@@ -65,9 +64,9 @@ class Level {
     const waiting = (this.ofNode.get(node) ?? []).filter((a) => this.isWaiting(a, node, action));
     const early = base + trade.before(action, waiting);
     if (!known) {
-      const most = volumeIn(node, action);
-      const seconds = tries.leastFor(most) / QUICKER;
-      return early + seconds + trade.wear(action, seconds) + this.leastBehind(candidate, most);
+      const bound = tries.boundOf(action, node);
+      const seconds = Math.max(bound.seconds, tries.leastFor(bound.volume) / QUICKER);
+      return early + seconds + trade.wear(action, seconds) + this.leastBehind(candidate, bound.volume);
     }
     const late = isCorner(known) ? 0 : trade.after(action, doneIn(node));
     const own = known.seconds + trade.wear(action, known.seconds);
@@ -84,7 +83,19 @@ class Level {
   /** Whether an action is still to be done before a next one; a part that is off is in no chuck, even for corners. */
   private isWaiting(action: Action, node: PlanNode, next: Action): boolean {
     const known = this.s.tries.expectedOf(action, node);
-    return !known || (known.works && (next.kind === "partOff" || !isCorner(known)));
+    const cut = known ? known.cut : this.s.tries.boundOf(action, node).area;
+    return (!known || known.works) && (next.kind === "partOff" || !isCorner({ cut }));
+  }
+
+  /** Whether a candidate that was not tried surely takes nothing. */
+  isIdle({ action, node }: Candidate): boolean {
+    return this.s.tries.boundOf(action, node).area < LEAST_REGION;
+  }
+
+  /** Whether a rival that was not tried could take what a finishing cut leaves. */
+  takesMore({ action: rival, node }: Candidate, { action }: Candidate): boolean {
+    const { tries } = this.s;
+    return tries.boundOf(rival, node).area >= tries.boundOf(action, node).area + LEAST_REGION;
   }
 
   /** Time of the quickest rival that takes what a finishing cut leaves, s. */
@@ -127,22 +138,31 @@ class Level {
   }
 }
 
+/** The candidates that could work, the best first. */
+const rankedIn = (level: Level) =>
+  level.candidates
+    .flatMap((candidate) => {
+      const known = level.expected(candidate);
+      if (known ? !known.works : level.isIdle(candidate)) return [];
+      return [{ candidate, known, value: level.value(candidate) }];
+    })
+    .sort((a, b) => a.value - b.value);
+
 /**
  * The first of the candidates that has to be tried to know the best ones: it could be one itself, or could be what a
  * finishing cut leaves to do. Null where all are known.
  */
 function untried(level: Level, width: number): Candidate | null {
-  const all = level.candidates.flatMap((candidate) => {
-    const known = level.expected(candidate);
-    return known && !known.works ? [] : [{ candidate, known, value: level.value(candidate) }];
-  });
-  all.sort((a, b) => a.value - b.value);
+  const all = rankedIn(level);
   for (const { candidate, known } of all.slice(0, width)) {
     if (!known) return candidate;
     if (ROUGHING.has(candidate.action.kind)) continue;
     const rival = all.find(
       (other) =>
-        !other.known && other.candidate.node === candidate.node && areRivals(other.candidate.action, candidate.action),
+        !other.known &&
+        other.candidate.node === candidate.node &&
+        areRivals(other.candidate.action, candidate.action) &&
+        level.takesMore(other.candidate, candidate),
     );
     if (rival) return rival.candidate;
   }
@@ -155,14 +175,19 @@ function* nextLevel(level: Level, width: number, s: Searching): Generator<PlanNo
     yield next.node;
     s.tries.of(next.action, next.node);
   }
-  const works = level.candidates
-    .filter((candidate) => level.expected(candidate)?.works)
-    .map((candidate) => ({ candidate, value: level.value(candidate) }))
-    .sort((a, b) => a.value - b.value);
   const reached = new Map<string, PlanNode>();
-  for (const { candidate } of works) {
-    if (reached.size >= width || s.tries.count >= s.most) break;
-    yield* reach(candidate, reached, s);
+  const seen = new Set<Candidate>();
+  while (reached.size < width && s.tries.count < s.most) {
+    const next = rankedIn(level).find(({ candidate }) => !seen.has(candidate));
+    if (!next) break;
+    const { candidate, known } = next;
+    if (known) {
+      seen.add(candidate);
+      yield* reach(candidate, reached, s);
+    } else {
+      yield candidate.node;
+      s.tries.of(candidate.action, candidate.node);
+    }
   }
   if (reached.size > 0) return [...reached.values()];
   // What failed may work now that the stock beside its place is gone.
@@ -226,7 +251,7 @@ const isLike = (a: Action, b: Action): boolean =>
 export function* followed(from: PlanNode, actions: readonly Action[], s: Searching): Generator<PlanNode, PlanNode> {
   let node = from;
   for (const wanted of actions) {
-    const open = actionsIn(node, s);
+    const open = actionsIn(node, s, wanted.kind);
     const action = open.find(({ key }) => key === wanted.key) ?? open.find((a) => isLike(a, wanted));
     if (!action) continue;
     yield node;

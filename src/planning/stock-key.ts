@@ -1,7 +1,28 @@
 import { inBox } from "../kernel/area/box.ts";
 import type { Box } from "../kernel/geometry/segments.ts";
 import type { Pt, Ring } from "../kernel/geometry/point.ts";
-import type { Action } from "./types.ts";
+import { regionsOf } from "../sim/region.ts";
+import type { Action, PlanRequest } from "./types.ts";
+
+/** The rings of connected pieces as they are: equal texts are equal rings. */
+const exactly = (rings: readonly Ring[]): string =>
+  rings.map((ring) => ring.map(({ z, r }) => `${z},${r}`).join(" ")).join("|");
+
+/**
+ * Asks for each connected piece of an area larger than `least` mm² once in a request: most pieces of a stock stay as
+ * they are from one state to the next. `name`: what the answer depends on besides the piece.
+ */
+export const ofPieces = <T>(
+  area: readonly Ring[],
+  least: number,
+  name: string,
+  ask: (piece: readonly Ring[]) => readonly T[],
+  { shop: { memory } }: PlanRequest,
+): readonly T[] =>
+  regionsOf(area, least).flatMap(({ outline, holes }) => {
+    const piece = [outline, ...holes];
+    return memory ? memory.cached(`${name} ${exactly(piece)}`, () => ask(piece)) : ask(piece);
+  });
 
 /** Stocks that differ less are the same, as steps per mm: chords and the grid of the polygon engine. */
 const STEPS = 200;

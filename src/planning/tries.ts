@@ -1,5 +1,8 @@
+import { difference } from "../kernel/area/clip.ts";
+import type { Ring } from "../kernel/geometry/point.ts";
 import { applyAction } from "./apply-action.ts";
 import { localKey, stockKey, turnedVolume } from "./stock-key.ts";
+import { boundOf, type Bound } from "./bound.ts";
 import { ROUGHING, type Action, type PlanRequest, type PlanState, type TriedAction } from "./types.ts";
 
 /** Whether an action takes the oversize that roughing leaves. */
@@ -14,33 +17,55 @@ export interface Expected {
   readonly volume: number;
 }
 
-/** Everything that was tried in one search. */
+/** A try with the material that it took. */
+interface Known extends Expected {
+  readonly tried: TriedAction;
+  /** Null until it is asked for. */
+  taken: readonly Ring[] | null;
+  readonly before: readonly Ring[];
+}
+
+/**
+ * Everything that was tried in one search. Where the stock in the place of an action is the same it takes the same:
+ * such a try is not simulated again.
+ */
 export class Tries {
   /** Simulated actions. */
-  count = 0;
+  count: number;
   /** Most material that any action took in a second, mm³/s. */
   rate = 0;
   /** The same of finishing cuts. */
   private finishingRate = 0;
   private readonly results = new Map<string, TriedAction>();
-  private readonly expected = new Map<string, Expected>();
+  private readonly known = new Map<string, Known>();
+  private readonly bounds = new Map<string, Bound>();
   private readonly names = new WeakMap<Action, string>();
   private readonly places = new WeakMap<PlanState["stock"], WeakMap<Action, string>>();
   private readonly stocks = new WeakMap<PlanState["stock"], string>();
 
-  constructor(private readonly request: PlanRequest) {}
+  /** `former`: tries of a search that is made again, now each on its whole stock. */
+  constructor(
+    private readonly request: PlanRequest,
+    private readonly former: Tries | null = null,
+  ) {
+    this.count = former?.count ?? 0;
+  }
 
   /** The result of an action on the stock of a state. */
   of(action: Action, { stock }: Pick<PlanState, "stock">): TriedAction {
     const question = `${this.nameOf(action)}\n${this.keyOf(stock)}`;
     const known = this.results.get(question);
     if (known) return known.action === action ? known : { ...known, action };
-    this.count += 1;
-    const tried = applyAction(action, { stock }, this.request);
+    const place = this.placeOf(action, stock);
+    const before = this.known.get(place);
+    // After parting off the stock is the part: nothing is taken from a place.
+    const isKnown = before && !this.former && action.kind !== "partOff";
+    const tried = isKnown ? { ...before.tried, action, stock: lessCut(stock, before) } : this.simulated(action, stock);
+    this.results.set(question, tried);
+    if (before && isKnown) return tried;
     const { works, seconds, cut } = tried;
     const volume = works ? turnedVolume(stock) - turnedVolume(tried.stock) : 0;
-    this.results.set(question, tried);
-    this.expected.set(this.placeOf(action, stock), { works, seconds, cut, volume });
+    this.known.set(place, { works, seconds, cut, volume, tried, taken: null, before: stock });
     // Parting off takes the rest of the bar at once.
     if (works && seconds > 0 && action.kind !== "partOff") {
       this.rate = Math.max(this.rate, volume / seconds);
@@ -49,9 +74,22 @@ export class Tries {
     return tried;
   }
 
+  private simulated(action: Action, stock: PlanState["stock"]): TriedAction {
+    this.count += 1;
+    return applyAction(action, { stock }, this.request);
+  }
+
   /** What an action does to a stock as far as that is known without a try; null where it is not. */
   expectedOf(action: Action, { stock }: Pick<PlanState, "stock">): Expected | null {
-    return this.expected.get(this.placeOf(action, stock)) ?? null;
+    return this.known.get(this.placeOf(action, stock)) ?? null;
+  }
+
+  /** The best that an action can do in a state. */
+  boundOf(action: Action, { stock, open }: Pick<PlanState, "stock"> & { readonly open: readonly Ring[] }): Bound {
+    const place = this.placeOf(action, stock);
+    const bound = this.bounds.get(place) ?? boundOf(action, open, this.request);
+    this.bounds.set(place, bound);
+    return bound;
   }
 
   /** Least time for a volume, s; `isSkin`: of what only finishing takes. */
@@ -84,4 +122,10 @@ export class Tries {
     inStock.set(action, place);
     return place;
   }
+}
+
+/** A stock without what a try took from another one. */
+function lessCut(stock: readonly Ring[], of: Known): readonly Ring[] {
+  of.taken ??= difference(of.before, of.tried.stock);
+  return of.taken.length === 0 ? stock : difference(stock, of.taken);
 }

@@ -98,11 +98,15 @@ function mostFinishingCut({ plan }: SimulatedOperation): number {
 
 const copyOf = (sums: Sums): Sums => ({ ...sums, passes: new Map(sums.passes) });
 
-/** Starts measuring a run, or resumes where an earlier run was the same up to a step. */
+/**
+ * Starts measuring a run, or resumes where an earlier run was the same up to a step. `thickerThan`: roughing passes and
+ * limits are not measured, and finishing cuts only where they are thicker than this, mm.
+ */
 export function measuring(
   operations: readonly SimulatedOperation[],
   blank: readonly Ring[],
   before: MeasuredBefore | null = null,
+  thickerThan: number | null = null,
 ): StockMeasure {
   const begun = ({ lastStep }: SimulatedOperation, o: number): Sums | undefined => {
     if (!before) return undefined;
@@ -122,20 +126,26 @@ export function measuring(
     run = null;
     const [sum, operation] = done ? [sums[done.operation], operations[done.operation]] : [];
     if (!done || !sum || !operation) return;
+    const passes = done.phase === "rough" && done.pass !== undefined;
+    if (thickerThan !== null && passes) return;
     const taken = inStock(done.sweeps, done.before);
     const area = areaOf(taken);
     sum.cut += area;
-    const passes = done.phase === "rough" && done.pass !== undefined;
     // The air passes (spring cuts) after the passes of a thread are intended.
     const threads = done.phase === "thread" && done.pass !== undefined && done.pass <= operation.plan.passes;
     if ((passes || threads) && done.pass !== undefined)
       sum.passes.set(done.pass, (sum.passes.get(done.pass) ?? 0) + area);
     if (area < REAL_AREA) return;
-    for (const limit of operation.plan.limits ?? []) sum.crossed = crossing(sum.crossed, limit, taken, done);
+    if (thickerThan === null)
+      for (const limit of operation.plan.limits ?? []) sum.crossed = crossing(sum.crossed, limit, taken, done);
     const place = { step: done.step, ...(done.pass !== undefined && { pass: done.pass }) };
     if (passes && operation.plan.isParallel) sum.deepest = thicker(sum.deepest, taken, mostOf(operation), place, BEND);
     else if (passes || done.phase === "thread") sum.deepest = deeper(sum.deepest, taken, operation, place);
-    else sum.thickest = thicker(sum.thickest, taken, mostFinishingCut(operation), { step: done.step });
+    else {
+      const most = mostFinishingCut(operation);
+      if (thickerThan === null || hasRoomFor(taken, thickerThan))
+        sum.thickest = thicker(sum.thickest, taken, most, { step: done.step });
+    }
   }
 
   function belongs(step: Step, operation: number): boolean {

@@ -109,12 +109,13 @@ const CONTACTS: ReadonlySet<AnyFinding["kind"]> = new Set(["gouge", "rapidInStoc
 /** The sweep of a step, and the check for its damage in a stock. */
 type Look = (step: Step, index: number) => { readonly sweep: Sweep; readonly check: (cut: Cutting) => AnyFinding[] };
 
-/** Measurements of shapes: computed, or cached from earlier simulations. */
+/** Measurements of shapes: computed, or cached from earlier simulations. `thickerThan`: see `measuring`. */
 interface Measuring {
   readonly thickness: KnownShapes["thickness"];
   readonly residual: typeof residualOf;
+  readonly thickerThan: number | null;
 }
-const COMPUTED: Measuring = { thickness: thicknessOf, residual: residualOf };
+const COMPUTED: Measuring = { thickness: thicknessOf, residual: residualOf, thickerThan: null };
 
 /** Cached measurements. Reused plans are the same objects, as tools are. */
 const cachedIn = (answers: AnswerCache): Measuring => ({
@@ -125,12 +126,15 @@ const cachedIn = (answers: AnswerCache): Measuring => ({
       residualOf(final, all, shapes),
     );
   },
+  thickerThan: null,
 });
 
-const UNMEASURED: Measuring = { thickness: () => 0, residual: () => [] };
-
-/** The same without measuring what the operations leave: a third of the time, for many tries. */
-export const simulateCuts = (input: SimulationInput): Simulation => runSimulation(input, null, UNMEASURED).simulation;
+/**
+ * The same for many tries: without measuring what the operations leave, what roughing passes take, and finishing cuts up
+ * to a thickness, mm.
+ */
+export const simulateCuts = (input: SimulationInput, thickerThan: number): Simulation =>
+  runSimulation(input, null, { thickness: () => 0, residual: () => [], thickerThan }).simulation;
 
 /** Cuts the blank step by step, checking each before its cut. */
 export const simulate = (input: SimulationInput): Simulation => runSimulation(input, null, COMPUTED).simulation;
@@ -181,9 +185,10 @@ const isFault = (f: AnyFinding): f is StockFinding => !isRemark(f);
 function runSimulation(
   input: SimulationInput,
   former: PreviousRun | null,
-  { thickness, residual }: Measuring,
+  measures: Measuring,
 ): { readonly simulation: Simulation; readonly kept: PreviousRun | null } {
   const { blank, steps, operations, unproved } = input;
+  const { thickness, residual, thickerThan } = measures;
   const outlines = outlinesOf();
   const setups = setupsOf(operations, (stock, of) => residual(stock, of, { outlines, thickness }));
   const always = { steps, operations, outlines, isClamped: hasClamping(input) };
@@ -214,12 +219,13 @@ function runSimulation(
   const isContact = (found: readonly AnyFinding[]) => found.some((f) => CONTACTS.has(f.kind));
   let contacts = [...damage.values()].filter(isContact).length;
   // Where the check stops depends on all earlier findings, so this run cannot resume.
-  if (contacts >= MOST_CONTACTS && resume) return runSimulation(input, null, { thickness, residual });
+  if (contacts >= MOST_CONTACTS && resume) return runSimulation(input, null, measures);
   const marks = marksOf(former && from ? former.marks.slice(0, from.marks) : [{ step: 0, stock: packed(blank) }]);
   const measure = measuring(
     operations,
     blank,
     former && from ? { state: from.measure, step: from.step, sums: former.sums } : null,
+    thickerThan,
   );
   const snapshots = former && from ? former.snapshots.filter(({ step }) => step <= from.step) : [];
   const isKept = snapshotSteps(input);

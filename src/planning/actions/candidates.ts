@@ -110,7 +110,10 @@ export function actionsOf(
 }
 
 /** Time of the path of a job, s. */
-function secondsOfPlan({ job, plan: { moves } }: Fitted, { shop }: PlanRequest): number {
+export function secondsOfPlan(
+  { job, plan: { moves } }: Pick<Fitted, "job" | "plan">,
+  { shop }: Pick<PlanRequest, "shop">,
+): number {
   const { mode, speed, cuttingSpeed, limit } = job.spindle;
   const spindle: Spindle =
     mode === "surface"

@@ -30,8 +30,22 @@ export interface ContourWork {
   readonly stock: readonly Ring[];
 }
 
+/** Jobs of sections, by the stock, the cycle and the way: every tool asks for them. */
+const jobs = new WeakMap<readonly Segment[], WeakMap<readonly Ring[], Map<string, SetJob>>>();
+
 /** The job of a cycle that takes a contour of a subprogram: the section, and a start clear of the stock. */
-export function contourJob(cycle: Cycle, { segments, way, stock }: ContourWork): SetJob {
+export function contourJob(cycle: Cycle, work: ContourWork): SetJob {
+  const ofSection = jobs.get(work.segments) ?? new WeakMap<readonly Ring[], Map<string, SetJob>>();
+  jobs.set(work.segments, ofSection);
+  const inStock = ofSection.get(work.stock) ?? new Map<string, SetJob>();
+  ofSection.set(work.stock, inStock);
+  const name = `${cycle.number} ${work.way}`;
+  const job = inStock.get(name) ?? madeJob(cycle, work);
+  inStock.set(name, job);
+  return job;
+}
+
+function madeJob(cycle: Cycle, { segments, way, stock }: ContourWork): SetJob {
   const { from, to } = boxAroundContour(segments, "outside");
   const isBack = way === "back";
   const wanted: ShapeRequest = {
@@ -90,9 +104,9 @@ function contourOf({ contour: rows }: SetJob): readonly Segment[] {
 /** The plan of a job with a tool; null where its values or its contour make none. Cached where there is a memory. */
 export function planOf(cycle: Cycle, job: SetJob, tool: Tool, memory?: AnswerCache): Plan | null {
   if (!memory) return madePlan(cycle, job, tool);
-  const asked = memory.serialized([cycle.number, job.drafts[cycle.number], job.start, job.contour]);
+  const asked = JSON.stringify([job.start, job.drafts[cycle.number]]);
   return memory.cached(
-    `planned ${memory.nameOf(tool)} ${asked}`,
+    `planned ${cycle.number} ${memory.nameOf(tool)} ${memory.nameOf(job.contour)} ${asked}`,
     () => madePlan(cycle, job, tool),
     (plan) => plan?.moves.length ?? 1,
   );

@@ -7,6 +7,7 @@ import { perSide, diameter } from "../../kernel/units.ts";
 import { regionsOf } from "../../sim/region.ts";
 import { LEAST_REGION, type OpenRegion } from "../open-regions.ts";
 import { pocketsOf, type Pocket } from "./pockets.ts";
+import { ofPieces } from "../stock-key.ts";
 import type { Chain, ElementMark, PlannedPart, PlanRequest, PlanState } from "../types.ts";
 
 /** A piece of material to remove, with the section of the chain that bounds it, from the front to the rear. */
@@ -75,11 +76,8 @@ function oneWay(s: Segment): readonly Segment[] {
   return points.slice(1).map((to, i) => ({ ...s, from: points[i] ?? s.from, to }));
 }
 
-/**
- * The chain up to the rearmost cut, continued along Z where that lies behind it, with the shoulder of the stock that
- * stays there.
- */
-function reachable({ outside }: PlannedPart, rear: number, stock: readonly Ring[]): Chain {
+/** The chain up to the rearmost cut. */
+function upTo({ outside }: PlannedPart, rear: number): Chain {
   const segments: Segment[] = [];
   const marks: ElementMark[] = [];
   const pieces = outside.segments.flatMap((s, i) => oneWay(s).map((piece) => [piece, outside.marks[i]] as const));
@@ -90,19 +88,19 @@ function reachable({ outside }: PlannedPart, rear: number, stock: readonly Ring[
     segments.push(cut);
     marks.push(mark);
   });
-  const add = (to: Pt) => {
-    const end = segments.at(-1)?.to;
-    if (!end || part.apart(end, to) < SAME) return;
-    segments.push(part.line(end, to));
-    marks.push({ row: "" });
-  };
-  const end = segments.at(-1)?.to;
-  // A face up to the surface of the stock ends there: its hollow may be deeper.
-  if (end && highest(stock, rear - SAME, end.z) > end.r + SAME) {
-    add(at(rear, end.r));
-    add(at(rear, Math.max(end.r, highest(stock, rear - SAME, rear))));
-  }
   return { segments, marks };
+}
+
+/** A chain continued along Z to the rearmost cut, with the shoulder of the stock that stays there. */
+function continued({ segments, marks }: Chain, rear: number, shoulder: number): Chain {
+  const end = segments.at(-1)?.to;
+  if (!end) return { segments, marks };
+  const points = [end, at(rear, end.r), at(rear, Math.max(end.r, shoulder))];
+  const added = points.slice(1).flatMap((to, i) => {
+    const from = points[i] ?? end;
+    return part.apart(from, to) < SAME ? [] : [part.line(from, to)];
+  });
+  return { segments: [...segments, ...added], marks: [...marks, ...added.map(() => ({ row: "" }))] };
 }
 
 /** Highest radius of the stock from a Z on to a Z, mm; 0 where none is. */
@@ -137,31 +135,66 @@ export interface OutsideWork {
   readonly over: number;
 }
 
-/** The work of the stocks of a request, which every source asks for. */
-const known = new WeakMap<PlanRequest, WeakMap<readonly Ring[], OutsideWork>>();
+/** What all stocks with the same rearmost cut have in common: the chain, its solid, and that with the oversize. */
+interface Reached {
+  readonly chain: Chain;
+  readonly solid: readonly Ring[];
+  readonly grown: readonly Ring[];
+  readonly pockets: readonly Pocket[];
+}
+
+/** What the sources of a request ask for again and again. */
+interface KnownWork {
+  readonly works: WeakMap<readonly Ring[], OutsideWork>;
+  readonly reached: Map<string, Reached>;
+}
+
+const known = new WeakMap<PlanRequest, KnownWork>();
 
 /** What is left to turn outside in a state. */
 export function outsideWork({ stock }: Pick<PlanState, "stock">, request: PlanRequest): OutsideWork {
-  const works = known.get(request) ?? new WeakMap<readonly Ring[], OutsideWork>();
-  known.set(request, works);
-  const work = works.get(stock) ?? workIn(stock, request);
-  works.set(stock, work);
+  const all = known.get(request) ?? { works: new WeakMap(), reached: new Map() };
+  known.set(request, all);
+  const work = all.works.get(stock) ?? workIn(stock, request, all);
+  all.works.set(stock, work);
   return work;
 }
 
-function workIn(stock: readonly Ring[], request: PlanRequest): OutsideWork {
-  const { allowance } = request.rules;
+/** Oversize for finishing, mm. */
+const oversizeOf = ({ rules: { allowance } }: PlanRequest): number =>
+  Math.max(perSide(diameter(allowance.diameter)), allowance.z);
+
+function reachedTo(rear: number, stock: readonly Ring[], request: PlanRequest, { reached }: KnownWork): Reached {
+  const front = upTo(request.part, rear);
+  const end = front.segments.at(-1)?.to;
+  const shoulder = highest(stock, rear - SAME, rear);
+  // A face up to the surface of the stock ends there: its hollow may be deeper.
+  const goesOn = end !== undefined && highest(stock, rear - SAME, end.z) > end.r + SAME;
+  const question = [rear, shoulder, goesOn].join(" ");
+  const before = reached.get(question);
+  if (before) return before;
+  const chain = goesOn ? continued(front, rear, shoulder) : front;
+  const solid = [solidOf(chain, rear)];
+  const made: Reached = {
+    chain,
+    solid,
+    grown: offset(solid, oversizeOf(request)),
+    pockets: [...pocketsOf(chain, "r"), ...pocketsOf(chain, "z")],
+  };
+  reached.set(question, made);
+  return made;
+}
+
+function workIn(stock: readonly Ring[], request: PlanRequest, all: KnownWork): OutsideWork {
   const rear = rearOf(request, stock);
-  const chain = reachable(request.part, rear, stock);
-  const solid = solidOf(chain, rear);
-  const left = inFrontOf(difference(stock, [solid]), rear);
-  const over = Math.max(perSide(diameter(allowance.diameter)), allowance.z);
-  const grown = offset([solid], over);
+  const { chain, solid, grown, pockets } = reachedTo(rear, stock, request, all);
+  const left = inFrontOf(difference(stock, solid), rear);
+  const over = oversizeOf(request);
   return {
     chain,
-    pockets: [...pocketsOf(chain, "r"), ...pocketsOf(chain, "z")],
-    pieces: piecesOf(opened(inFrontOf(left, rearOfPart(request)), SLIVER), chain, [SLIVER, 0]),
-    rough: piecesOf(opened(difference(left, grown), THIN), chain, [over + SLIVER, THIN]),
+    pockets,
+    pieces: piecesOf(inFrontOf(left, rearOfPart(request)), SLIVER, chain, [SLIVER, 0], request),
+    rough: piecesOf(difference(left, grown), THIN, chain, [over + SLIVER, THIN], request),
     over,
   };
 }
@@ -192,18 +225,23 @@ function isWithin({ left, right, low, high }: Box, { segments, axis }: Pocket, o
   );
 }
 
-const piecesOf = (
+/** The pieces of an area that are thicker than `thick` mm, the largest first. */
+function piecesOf(
   area: readonly Ring[],
+  thick: number,
   chain: Chain,
   beside: readonly [near: number, thin: number],
-): readonly Piece[] =>
-  regionsOf(area, LEAST_REGION)
-    .map(({ outline, holes, area: size }) => ({ rings: [outline, ...holes], box: boxOf(outline), area: size }))
-    .toSorted((a, b) => b.area - a.area)
-    .flatMap((region): readonly Piece[] => {
+  request: PlanRequest,
+): readonly Piece[] {
+  const made = (piece: readonly Ring[]) =>
+    regionsOf(opened(piece, thick), LEAST_REGION).flatMap(({ outline, holes, area: size }): readonly Piece[] => {
+      const region = { rings: [outline, ...holes], box: boxOf(outline), area: size };
       const found = sectionAt(chain, region, beside);
       return found ? [{ ...region, ...found }] : [];
     });
+  const name = `pieces ${thick} ${beside.join(" ")} ${request.shop.memory?.labelOf(chain) ?? ""}`;
+  return ofPieces(area, LEAST_REGION, name, made, request).toSorted((a, b) => b.area - a.area);
+}
 
 /** Distance of the points at which an element is compared with a region, mm. */
 const STEP = 0.25;

@@ -66,29 +66,40 @@ export function suits({ reach }: Plan, tool: Tool, pocket: Pocket): boolean {
 const unsuited = (plan: Plan, tool: Tool, pockets: readonly Pocket[]): readonly Pocket[] =>
   pockets.flatMap((pocket) => (suits(plan, tool, pocket) ? unsuited(plan, tool, pocket.inner) : [pocket]));
 
+/** The chain of a work over some of its pockets, the same object each time. */
+function bridgedIn(work: OutsideWork, pockets: readonly Pocket[], isAcross: boolean): Chain {
+  const known = bridgedWorks.get(work) ?? new Map<string, Chain>();
+  bridgedWorks.set(work, known);
+  const places = pockets.map(({ axis, first, last, level }) => [axis, first, last, level].join(" "));
+  const name = [isAcross, ...places].join();
+  const bridged = () => bridgedOver(work.chain, pockets);
+  const chain = known.get(name) ?? (isAcross ? bridged() : withoutFront(bridged()));
+  known.set(name, chain);
+  return chain;
+}
+
+const bridgedWorks = new WeakMap<OutsideWork, Map<string, Chain>>();
+
 /**
  * The chain as a tool turns it: without grooves across its way, those with nothing left in them, and those that it does
  * not reach. A cycle along the axis goes into the cylinders, one across it into the faces.
  */
 export function turnedChain(
-  { chain, pockets, pieces }: OutsideWork,
+  work: OutsideWork,
   tool: Tool,
   planWith: (segments: readonly Segment[]) => Plan | null,
   isAcross = false,
 ): Chain {
+  const { pockets, pieces } = work;
   const own = pockets.filter(({ axis }) => (axis === "z") === isAcross);
-  const others = pockets.filter((pocket) => !own.includes(pocket));
-  const bridged = (over: readonly Pocket[]) => {
-    const made = bridgedOver(chain, [...others, ...over]);
-    return isAcross ? made : withoutFront(made);
-  };
   const done = own.filter(({ first, last }) => !pieces.some(({ borders: [a, b] }) => a < last && b > first));
-  const plain = bridged(done);
+  const closed = [...pockets.filter((pocket) => !own.includes(pocket)), ...done];
+  const plain = bridgedIn(work, closed, isAcross);
   const open = own.filter((pocket) => !done.includes(pocket));
   if (open.length === 0) return plain;
   const plan = planWith(plain.segments);
   const skipped = plan ? unsuited(plan, tool, open) : open;
-  return skipped.length === 0 ? plain : bridged([...done, ...skipped]);
+  return skipped.length === 0 ? plain : bridgedIn(work, [...closed, ...skipped], isAcross);
 }
 
 /** What the values of a cut of a section depend on. */

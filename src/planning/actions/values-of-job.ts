@@ -6,7 +6,7 @@ import { never } from "../../kernel/never.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { usualTable } from "../../program/tools/cutting-table.ts";
 import type { SetJob } from "../../program/job/job.ts";
-import { withValue } from "../../program/job/requested-job.ts";
+import { withCycleValues } from "../../program/job/requested-job.ts";
 import type { PlanRequest, ReasonedValue } from "../types.ts";
 import { withCuttingValues } from "../values/cycle-values.ts";
 import { cuttingValues } from "../values/cutting-values.ts";
@@ -107,7 +107,10 @@ export function withValues(
     ...(!leaves && { Q463: roundedUpTo(INFEED, Math.max(stands, main.infeed?.value ?? 0)) }),
   };
   return {
-    job: Object.entries(set).reduce((j, [q, n]) => (cycle.params[q] ? withValue(j, q, n) : j), made.job),
+    job: withCycleValues(
+      made.job,
+      Object.entries(set).filter(([q]) => cycle.params[q]),
+    ),
     values: made.values.filter(({ q }) => set[q] === undefined),
   };
 }

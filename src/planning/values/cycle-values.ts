@@ -1,7 +1,7 @@
 import type { Cycle } from "../../cycles/define.ts";
 import type { Param, Topic } from "../../cycles/params.ts";
 import type { SetJob } from "../../program/job/job.ts";
-import { withValue } from "../../program/job/requested-job.ts";
+import { withCycleValues } from "../../program/job/requested-job.ts";
 import type { ReasonedValue } from "../types.ts";
 import type { ReasonedNumber } from "./formulas.ts";
 import type { CuttingValues } from "./values-request.ts";
@@ -58,9 +58,10 @@ export function withCuttingValues(
 ): { readonly job: SetJob; readonly values: readonly ReasonedValue[] } {
   const reasoned = reasonedValues(cycle, values);
   const { spindle } = values.main;
-  const filled = reasoned
-    .filter(({ q }) => q in cycle.params)
-    .reduce((made, { q, value }) => withValue(made, q, value), job);
+  const filled = withCycleValues(
+    job,
+    reasoned.flatMap(({ q, value }) => (q in cycle.params ? [[q, value] as const] : [])),
+  );
   return {
     job: {
       ...filled,

@@ -62,11 +62,15 @@ export function jobFor(cycle: Cycle, wanted: ShapeRequest, stock: readonly Ring[
   };
 }
 
+/** The job with cycle values changed, each by its Q. */
+export const withCycleValues = (job: SetJob, values: readonly (readonly [q: string, value: number])[]): SetJob => {
+  const draft: Record<string, string> = { ...job.drafts[job.cycle] };
+  for (const [q, value] of values) draft[q] = String(value);
+  return { ...job, drafts: { ...job.drafts, [job.cycle]: draft } };
+};
+
 /** The job with one cycle value changed. */
-export const withValue = (job: SetJob, q: string, value: number): SetJob => ({
-  ...job,
-  drafts: { ...job.drafts, [job.cycle]: { ...job.drafts[job.cycle], [q]: String(value) } },
-});
+export const withValue = (job: SetJob, q: string, value: number): SetJob => withCycleValues(job, [[q, value]]);
 
 /** A typed cylinder as its half section. */
 export function ringOf({ outside, bore, length, allowance }: BlankDraft): Ring {
