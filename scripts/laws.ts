@@ -11,6 +11,7 @@ import { situations } from "../tests/laws/situation.ts";
 import { arbitraryParts } from "../tests/planning/arbitrary-part.ts";
 import { brokenByPart, requestOf } from "../tests/planning/plan-laws.ts";
 import { handTable, tradeTable } from "../tests/planning/plan-tables.ts";
+import { wayTable } from "../tests/better-ways/way-table.ts";
 
 /** Machining operations (Q215), and the number of set-ups for one process. */
 const OPERATIONS = [0, 1, 2, 3];
@@ -82,6 +83,8 @@ function plannedParts(cases: number, seed: number): number {
 /**
  * `npm run laws -- --parts=N [-- --seed=N]`: plans N random parts and checks the laws of plans.
  * `npm run laws -- --trade`: plans the parts of the trade and those programmed by hand and prints their times.
+ * `npm run laws -- --ways[=NAME] [--in-turn]`: prints what is suggested for the course's solutions, the examples and
+ * ordinary programs, checks each suggestion, and takes them one after the other.
  * `npm run laws [-- --cases=N] [-- --seed=N] [-- --cycle=N]`: draws N set-ups of each cycle (10,000), cuts each twice
  * and checks every law. A set-up that breaks a law is written to tests/laws/found, where `npm test` tries it from then
  * on. Returns 1 if there was one.
@@ -95,6 +98,12 @@ export async function main(args: readonly string[]): Promise<number> {
     for (const line of tradeTable()) console.log(line);
     for (const line of handTable()) console.log(line);
     return 0;
+  }
+  const ways = args.find((a) => a.startsWith("--ways"));
+  if (ways !== undefined) {
+    let last = "";
+    for (last of wayTable(ways.slice("--ways=".length), args.includes("--in-turn"))) console.log(last);
+    return last.startsWith("0 ") ? 0 : 1;
   }
   const seed = option(args, "seed", Number(process.env["LAW_SEED"] ?? Date.now() % 2 ** 31));
   const parts = option(args, "parts", 0);
