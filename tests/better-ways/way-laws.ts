@@ -1,3 +1,4 @@
+import { variantsOf } from "../../src/app/calculation/variants.ts";
 import { parse } from "../../src/nc/parse.ts";
 import type { Block, Program } from "../../src/nc/program.ts";
 import { operationsOf } from "../../src/program/edits/operations.ts";
@@ -28,7 +29,9 @@ export const attemptWith = (tools: Conditions["tools"]) => (text: string): Attem
 
 /** All ways of a program, and the number of changes that were tried. */
 export function waysOf(peer: PeerProgram): { readonly ways: readonly BetterWay[]; readonly tried: number } {
-  const search = betterWays(parse(peer.text), attemptWith(peer.tools), conditionsOf(peer));
+  const request = { version: 0, text: peer.text, table: { tools: peer.tools, refused: new Map() }, rapid: 10_000, control: "TNC 640" } as const;
+  const { attempt, trial } = variantsOf(request);
+  const search = betterWays(parse(peer.text), attempt, trial, conditionsOf(peer));
   for (let tried = 0; ; tried += 1) {
     const { done, value } = search.next();
     if (done) return { ways: value, tried };
@@ -66,7 +69,7 @@ export function brokenByWay({ text, tools }: PeerProgram, way: BetterWay): reado
   const [verdict, before] = [verdictOf(is.run, is.simulation).verdict, verdictOf(was.run, was.simulation).verdict];
   const left = more(is, was);
   return [
-    ...(JSON.stringify(measureOf(is.run, is.simulation)) === JSON.stringify(way.after) ? [] : ["another measure"]),
+    ...(JSON.stringify(measureOf(is.run, is.simulation.proof.residual)) === JSON.stringify(way.after) ? [] : ["another measure"]),
     ...(verdict === before || way.gains.includes("verdict") ? [] : [`verdict ${before}, then ${verdict}`]),
     ...(left > 0.05 ? [`leaves ${left.toFixed(3)} mm² more`] : []),
     ...(is.simulation.proof.gouge > was.simulation.proof.gouge ? ["gouge"] : []),

@@ -26,7 +26,11 @@ const attempt = (text: string) => {
   return { run: made, simulation: simulate(made) };
 };
 const waysOf = (text: string, given: Partial<Conditions> = {}): readonly BetterWay[] => {
-  const search = betterWays(parse(text), attempt, { ...conditions, ...given });
+  const trial = (tried: string) => {
+    const { run: made, simulation } = attempt(tried);
+    return { run: made, simulated: () => simulation };
+  };
+  const search = betterWays(parse(text), attempt(text), trial, { ...conditions, ...given });
   for (;;) {
     const { done, value } = search.next();
     if (done) return value;

@@ -4,7 +4,7 @@ import { fitter } from "./fits.ts";
 import { baselineOf, judged, type Baseline } from "./judge.ts";
 import { KINDS } from "./kinds.ts";
 import { worthOf, type Gain, type Measure } from "./measure.ts";
-import { situationOf, type Attempt, type Conditions } from "./situation.ts";
+import { situationOf, type Attempt, type Conditions, type Trial } from "./situation.ts";
 
 /** Tries of one search: fewer for a long program, whose blocks in all tries are limited. */
 const MOST_TRIES = 80;
@@ -55,9 +55,9 @@ export function searchOf(program: Program, attempt: Attempt, conditions: Conditi
   return { baseline, candidates: [...candidates.values()] };
 }
 
-/** The result of a try; null unless it is better. `attempt`: the candidate's text, run and simulated. */
-export function triedWay(candidate: Candidate, baseline: Baseline, attempt: Attempt): BetterWay | null {
-  const found = judged(baseline, attempt);
+/** The result of a try; null unless it is better. `trial`: the candidate's text, run. */
+export function triedWay(candidate: Candidate, baseline: Baseline, trial: Trial): BetterWay | null {
+  const found = judged(baseline, trial);
   if (!found) return null;
   const { measure: before } = baseline;
   const worth = worthOf(before, found.measure, found.gains);
@@ -86,14 +86,15 @@ export function bestWays(ways: readonly BetterWay[]): readonly BetterWay[] {
 /** A whole search, one try per step: yields the number of tries, and returns the ways to offer. */
 export function* betterWays(
   program: Program,
-  attempt: (text: string) => Attempt,
+  attempt: Attempt,
+  trial: (text: string) => Trial,
   conditions: Conditions,
 ): Generator<{ readonly tried: number; readonly of: number }, readonly BetterWay[]> {
-  const { baseline, candidates } = searchOf(program, attempt(print(program)), conditions);
+  const { baseline, candidates } = searchOf(program, attempt, conditions);
   const ways: BetterWay[] = [];
   for (const [i, candidate] of candidates.entries()) {
     yield { tried: i, of: candidates.length };
-    const way = triedWay(candidate, baseline, attempt(candidate.text));
+    const way = triedWay(candidate, baseline, trial(candidate.text));
     if (way) ways.push(way);
   }
   return bestWays(ways);
