@@ -22,14 +22,22 @@ export function conditionsOf({ tools, material }: PeerProgram): Conditions {
 }
 
 /** A program from scratch. */
-export const attemptWith = (tools: Conditions["tools"]) => (text: string): Attempt => {
-  const made = run(parse(text), { tools, rapid: 10_000 });
-  return { run: made, simulation: simulate(made) };
-};
+export const attemptWith =
+  (tools: Conditions["tools"]) =>
+  (text: string): Attempt => {
+    const made = run(parse(text), { tools, rapid: 10_000 });
+    return { run: made, simulation: simulate(made) };
+  };
 
 /** All ways of a program, and the number of changes that were tried. */
 export function waysOf(peer: PeerProgram): { readonly ways: readonly BetterWay[]; readonly tried: number } {
-  const request = { version: 0, text: peer.text, table: { tools: peer.tools, refused: new Map() }, rapid: 10_000, control: "TNC 640" } as const;
+  const request = {
+    version: 0,
+    text: peer.text,
+    table: { tools: peer.tools, refused: new Map() },
+    rapid: 10_000,
+    control: "TNC 640",
+  } as const;
   const { attempt, trial } = variantsOf(request);
   const search = betterWays(parse(peer.text), attempt, trial, conditionsOf(peer));
   for (let tried = 0; ; tried += 1) {
@@ -69,7 +77,9 @@ export function brokenByWay({ text, tools }: PeerProgram, way: BetterWay): reado
   const [verdict, before] = [verdictOf(is.run, is.simulation).verdict, verdictOf(was.run, was.simulation).verdict];
   const left = more(is, was);
   return [
-    ...(JSON.stringify(measureOf(is.run, is.simulation.proof.residual)) === JSON.stringify(way.after) ? [] : ["another measure"]),
+    ...(JSON.stringify(measureOf(is.run, is.simulation.proof.residual)) === JSON.stringify(way.after)
+      ? []
+      : ["another measure"]),
     ...(verdict === before || way.gains.includes("verdict") ? [] : [`verdict ${before}, then ${verdict}`]),
     ...(left > 0.05 ? [`leaves ${left.toFixed(3)} mm² more`] : []),
     ...(is.simulation.proof.gouge > was.simulation.proof.gouge ? ["gouge"] : []),
