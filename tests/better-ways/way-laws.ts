@@ -12,6 +12,7 @@ import { areaOf } from "../../src/kernel/area/area.ts";
 import { difference } from "../../src/kernel/area/clip.ts";
 import { withoutSlivers } from "../../src/kernel/area/real-area.ts";
 import { simulate } from "../../src/sim/simulate.ts";
+import { traceStock } from "../../src/sim/tracing.ts";
 import type { PeerProgram } from "./peer-programs.ts";
 
 /** The circumstances of a search in a program; c45 where its task states no material. */
@@ -25,7 +26,7 @@ export function conditionsOf({ tools, material }: PeerProgram): Conditions {
 export const attemptWith =
   (tools: Conditions["tools"]) =>
   (text: string): Attempt => {
-    const made = run(parse(text), { tools, rapid: 10_000 });
+    const made = run(parse(text), { tools, rapid: 10_000, tracing: traceStock });
     return { run: made, simulation: simulate(made) };
   };
 

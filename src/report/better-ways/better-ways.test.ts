@@ -204,8 +204,8 @@ const WEAK: readonly (readonly [what: string, text: string, subject: Partial<Cha
   ],
   [
     "a disc that is turned along in many short passes",
-    program([section(1, 190, cut(810, "X+80 Z+3", { ...free, Q215: 0, Q463: 2 }, FREE))], {
-      blank: "CYLINDER Z D80 L60 DIST+2",
+    program([section(1, 190, cut(810, "X+80 Z+2", { ...free, Q215: 0, Q463: 1.5 }, FREE))], {
+      blank: "CYLINDER Z D80 L60 DIST+0",
       contour: DISC,
     }),
     { kind: "otherCycle", units: [0], cycle: 820 },
