@@ -2,6 +2,7 @@ import { AnswerCache } from "../kernel/answer-cache.ts";
 import { parse } from "../nc/parse.ts";
 import { actionSources } from "./actions/index.ts";
 import { explained } from "./explain.ts";
+import { ordered } from "./ordered.ts";
 import { actionsIn, compareEnds, firstNode, nodeBehind, nodesOf, type PlanNode, type Searching } from "./plan-node.ts";
 import { residueOf } from "./residue.ts";
 import { beam, pruned } from "./search.ts";
@@ -65,7 +66,8 @@ export function* planning(
   let best: PlanNode | null = null;
   for (const width of WIDTHS) {
     const found = yield* reported(beam(from, width, s), s, () => best);
-    const end = yield* reported(pruned(found, s), s, () => best);
+    const needed = yield* reported(pruned(found, s), s, () => best);
+    const end = yield* reported(ordered(needed, s), s, () => best);
     if (!best || compareEnds(end, best) < 0) best = end;
   }
   const end = best ?? from;

@@ -195,7 +195,7 @@ const isLike = (a: Action, b: Action): boolean =>
   a.kind === b.kind && a.cycle === b.cycle && a.tool.T === b.tool.T && isInPlace(a, b);
 
 /** The state behind actions one after the other, without those that do not work there. */
-function* followed(from: PlanNode, actions: readonly Action[], s: Searching): Generator<PlanNode, PlanNode> {
+export function* followed(from: PlanNode, actions: readonly Action[], s: Searching): Generator<PlanNode, PlanNode> {
   let node = from;
   for (const wanted of actions) {
     const open = actionsIn(node, s);

@@ -218,7 +218,7 @@ function runSimulation(
   const resume = former && resumePoint(former, input, setups.atFirst, outlines);
   const from = resume?.from;
   const held = holding(
-    blank,
+    input.gripped ?? blank,
     input.clamping?.clamping ?? null,
     former && from ? former.parted.filter(({ step }) => step < from.step) : [],
   );

@@ -57,7 +57,7 @@ export function planOf(request: PlanRequest, changes: PlanChanges = {}): Working
 
 export const keysOf = ({ steps }: WorkingPlan): readonly string[] => steps.map(({ tried }) => tried.action.key);
 
-const searching = (request: PlanRequest): Searching => ({
+export const searching = (request: PlanRequest): Searching => ({
   request,
   sources: actionSources,
   tries: new Tries(request),
@@ -68,7 +68,7 @@ const searching = (request: PlanRequest): Searching => ({
 });
 
 /** The plan of a fixed table of sequences: kinds in their usual order, of each the first way that works. */
-function fixedSequence(request: PlanRequest, s: Searching): PlanNode {
+export function fixedSequence(request: PlanRequest, s: Searching): PlanNode {
   let node = firstNode(s);
   for (const kind of ACTION_KINDS)
     for (;;) {
@@ -84,7 +84,7 @@ function fixedSequence(request: PlanRequest, s: Searching): PlanNode {
 }
 
 /** The end of a plan as a node of a search. */
-function endOf({ steps }: WorkingPlan, s: Searching): PlanNode {
+export function endOf({ steps }: WorkingPlan, s: Searching): PlanNode {
   let node = firstNode(s);
   for (const { tried } of steps) node = nodeBehind(node, tried, s);
   return node;
