@@ -9,7 +9,7 @@ import type { FoundCase } from "../tests/laws/found-case.ts";
 import { brokenByPlan } from "../tests/laws/plan-laws.ts";
 import { situations } from "../tests/laws/situation.ts";
 import { arbitraryParts } from "../tests/planning/arbitrary-part.ts";
-import { brokenByPart, requestOf } from "../tests/planning/plan-laws.ts";
+import { brokenByPart, leftThoughReached, requestOf } from "../tests/planning/plan-laws.ts";
 import { handTable, tradeTable } from "../tests/planning/plan-tables.ts";
 import { wayTable } from "../tests/better-ways/way-table.ts";
 
@@ -72,7 +72,7 @@ function plannedParts(cases: number, seed: number): number {
   let bad = 0;
   fc.sample(arbitraryParts, { numRuns: cases, seed }).forEach(({ part, features }, i) => {
     const request = requestOf(part);
-    const said = request ? brokenByPart(request) : [];
+    const said = request ? [...brokenByPart(request), ...leftThoughReached(request)] : [];
     if (said.length > 0) bad += 1;
     if (said.length > 0) console.log(`part ${i} (${features.join(", ")}): ${said.join("; ")}`);
   });
