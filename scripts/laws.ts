@@ -10,7 +10,8 @@ import { brokenByPlan } from "../tests/laws/plan-laws.ts";
 import { situations } from "../tests/laws/situation.ts";
 import { arbitraryParts } from "../tests/planning/arbitrary-part.ts";
 import { brokenByPart, leftThoughReached, requestOf } from "../tests/planning/plan-laws.ts";
-import { handTable, tradeTable } from "../tests/planning/plan-tables.ts";
+import { markdownTable, writeIntoPage } from "./performance-page.ts";
+import { handTable, PLAN_COLUMNS, tradeRows, type PlanRow } from "../tests/planning/plan-tables.ts";
 import { wayTable } from "../tests/better-ways/way-table.ts";
 
 /** Machining operations (Q215), and the number of set-ups for one process. */
@@ -80,9 +81,22 @@ function plannedParts(cases: number, seed: number): number {
   return bad > 0 ? 1 : 0;
 }
 
+/** Plans the parts of the trade. */
+function trade(writes: boolean): number {
+  const rows: PlanRow[] = [];
+  for (const { row, ms } of tradeRows()) {
+    rows.push(row);
+    console.log(`${row.join(" | ")} | ${ms.toFixed(0)} ms`);
+  }
+  if (writes) writeIntoPage("plans", markdownTable(3, PLAN_COLUMNS, rows), "docs/planning.md");
+  else for (const line of handTable()) console.log(line);
+  return 0;
+}
+
 /**
  * `npm run laws -- --parts=N [-- --seed=N]`: plans N random parts and checks the laws of plans.
- * `npm run laws -- --trade`: plans the parts of the trade and those programmed by hand and prints their times.
+ * `npm run laws -- --trade`: plans the parts of the trade and those programmed by hand and prints their times; with
+ * `--write` only the former, which are written into docs/planning.md.
  * `npm run laws -- --ways[=NAME] [--in-turn]`: prints what is suggested for the course's solutions, the examples and
  * ordinary programs, checks each suggestion, and takes them one after the other.
  * `npm run laws [-- --cases=N] [-- --seed=N] [-- --cycle=N]`: draws N set-ups of each cycle (10,000), cuts each twice
@@ -95,9 +109,7 @@ export async function main(args: readonly string[]): Promise<number> {
     return 0;
   }
   if (args.includes("--trade")) {
-    for (const line of tradeTable()) console.log(line);
-    for (const line of handTable()) console.log(line);
-    return 0;
+    return trade(args.includes("--write"));
   }
   const ways = args.find((a) => a.startsWith("--ways"));
   if (ways !== undefined) {

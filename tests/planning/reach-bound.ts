@@ -4,6 +4,7 @@ import { difference, intersection, isInside, opened, simplified, union } from ".
 import { at, type Pt, type Ring } from "../../src/kernel/geometry/point.ts";
 import { SLIVER } from "../../src/kernel/tolerance.ts";
 import type { Tool } from "../../src/kernel/plan/tool.ts";
+import { plungesAxially } from "../../src/kernel/cutter/insert.ts";
 import { isDrill } from "../../src/kernel/cutter/drill.ts";
 import { outlinesOf } from "../../src/sim/outlines.ts";
 import { regionsOf } from "../../src/sim/region.ts";
@@ -78,6 +79,6 @@ export function touched(area: readonly Ring[], stays: readonly Ring[], tool: Too
   return areaOf(opened(intersection(area, reached), SLIVER));
 }
 
-/** Tools that cut along a path. */
+/** Tools that cut along a path. A blade for faces is curved, so that its shape in the half plane says too much. */
 export const turningTools = (tools: readonly Tool[]): readonly Tool[] =>
-  tools.filter((tool) => !isDrill(tool) && tool.TYPE !== "THREAD");
+  tools.filter((tool) => !isDrill(tool) && tool.TYPE !== "THREAD" && !plungesAxially(tool));
