@@ -9,8 +9,10 @@ import type { FoundCase } from "../tests/laws/found-case.ts";
 import { brokenByPlan } from "../tests/laws/plan-laws.ts";
 import { situations } from "../tests/laws/situation.ts";
 import { arbitraryParts } from "../tests/planning/arbitrary-part.ts";
-import { brokenByPart, requestOf } from "../tests/planning/plan-laws.ts";
-import { handTable, tradeTable } from "../tests/planning/plan-tables.ts";
+import { brokenByPart, leftThoughReached, requestOf } from "../tests/planning/plan-laws.ts";
+import { markdownTable, writeIntoPage } from "./performance-page.ts";
+import { handTable, PLAN_COLUMNS, tradeRows, type PlanRow } from "../tests/planning/plan-tables.ts";
+import { wayTable } from "../tests/better-ways/way-table.ts";
 
 /** Machining operations (Q215), and the number of set-ups for one process. */
 const OPERATIONS = [0, 1, 2, 3];
@@ -71,7 +73,7 @@ function plannedParts(cases: number, seed: number): number {
   let bad = 0;
   fc.sample(arbitraryParts, { numRuns: cases, seed }).forEach(({ part, features }, i) => {
     const request = requestOf(part);
-    const said = request ? brokenByPart(request) : [];
+    const said = request ? [...brokenByPart(request), ...leftThoughReached(request)] : [];
     if (said.length > 0) bad += 1;
     if (said.length > 0) console.log(`part ${i} (${features.join(", ")}): ${said.join("; ")}`);
   });
@@ -79,9 +81,24 @@ function plannedParts(cases: number, seed: number): number {
   return bad > 0 ? 1 : 0;
 }
 
+/** Plans the parts of the trade. */
+function trade(writes: boolean): number {
+  const rows: PlanRow[] = [];
+  for (const { row, ms } of tradeRows()) {
+    rows.push(row);
+    console.log(`${row.join(" | ")} | ${ms.toFixed(0)} ms`);
+  }
+  if (writes) writeIntoPage("plans", markdownTable(3, PLAN_COLUMNS, rows), "docs/planning.md");
+  else for (const line of handTable()) console.log(line);
+  return 0;
+}
+
 /**
  * `npm run laws -- --parts=N [-- --seed=N]`: plans N random parts and checks the laws of plans.
- * `npm run laws -- --trade`: plans the parts of the trade and those programmed by hand and prints their times.
+ * `npm run laws -- --trade`: plans the parts of the trade and those programmed by hand and prints their times; with
+ * `--write` only the former, which are written into docs/planning.md.
+ * `npm run laws -- --ways[=NAME] [--in-turn]`: prints what is suggested for the course's solutions, the examples and
+ * ordinary programs, checks each suggestion, and takes them one after the other.
  * `npm run laws [-- --cases=N] [-- --seed=N] [-- --cycle=N]`: draws N set-ups of each cycle (10,000), cuts each twice
  * and checks every law. A set-up that breaks a law is written to tests/laws/found, where `npm test` tries it from then
  * on. Returns 1 if there was one.
@@ -92,9 +109,13 @@ export async function main(args: readonly string[]): Promise<number> {
     return 0;
   }
   if (args.includes("--trade")) {
-    for (const line of tradeTable()) console.log(line);
-    for (const line of handTable()) console.log(line);
-    return 0;
+    return trade(args.includes("--write"));
+  }
+  const ways = args.find((a) => a.startsWith("--ways"));
+  if (ways !== undefined) {
+    let last = "";
+    for (last of wayTable(ways.slice("--ways=".length), args.includes("--in-turn"))) console.log(last);
+    return last.startsWith("0 ") ? 0 : 1;
   }
   const seed = option(args, "seed", Number(process.env["LAW_SEED"] ?? Date.now() % 2 ** 31));
   const parts = option(args, "parts", 0);

@@ -2,13 +2,13 @@ import { readFileSync, writeFileSync } from "node:fs";
 
 const PAGE = "docs/performance.md";
 
-/** Replaces the lines between the marks of a name in docs/performance.md: `<!-- name -->` and `<!-- /name -->`. */
-export function writeIntoPage(name: string, lines: readonly string[]): void {
-  const page = readFileSync(PAGE, "utf8"),
+/** Replaces the lines between the marks of a name in a page: `<!-- name -->` and `<!-- /name -->`. */
+export function writeIntoPage(name: string, lines: readonly string[], path = PAGE): void {
+  const page = readFileSync(path, "utf8"),
     [begin, end] = [`<!-- ${name} -->`, `<!-- /${name} -->`];
   const [from, to] = [page.indexOf(begin), page.indexOf(end)];
-  if (from < 0 || to < from) throw new Error(`${PAGE} has no place for ${name}`);
-  writeFileSync(PAGE, `${page.slice(0, from + begin.length)}\n${lines.join("\n").trim()}\n${page.slice(to)}`);
+  if (from < 0 || to < from) throw new Error(`${path} has no place for ${name}`);
+  writeFileSync(path, `${page.slice(0, from + begin.length)}\n${lines.join("\n").trim()}\n${page.slice(to)}`);
 }
 
 /** A Markdown table: the first columns contain words, the others numbers. */

@@ -2,6 +2,7 @@ import { AnswerCache } from "../kernel/answer-cache.ts";
 import { parse } from "../nc/parse.ts";
 import { actionSources } from "./actions/index.ts";
 import { explained } from "./explain.ts";
+import { ordered } from "./ordered.ts";
 import { actionsIn, compareEnds, firstNode, nodeBehind, nodesOf, type PlanNode, type Searching } from "./plan-node.ts";
 import { residueOf } from "./residue.ts";
 import { retooled } from "./retooled.ts";
@@ -68,8 +69,9 @@ export function* planning(
   let best: PlanNode | null = null;
   for (const width of WIDTHS) {
     const found = yield* reported(beam(from, width, s), s, () => best);
-    const least = yield* reported(pruned(found, s), s, () => best);
-    const end = yield* reported(retooled(least, s), s, () => best);
+    const needed = yield* reported(pruned(found, s), s, () => best);
+    const changed = yield* reported(retooled(needed, s), s, () => best);
+    const end = yield* reported(ordered(changed, s), s, () => best);
     if (!best || compareEnds(end, best) < 0) best = end;
   }
   const end = best ?? from;

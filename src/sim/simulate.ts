@@ -164,6 +164,19 @@ export function incrementalSimulator(answers = new AnswerCache()): (input: Simul
   };
 }
 
+/**
+ * Simulates variants of one run with the results of `simulate`: what a variant has in common with that run up to its
+ * first change is neither cut nor checked again, however many variants there have been.
+ */
+export function variantSimulator(
+  input: SimulationInput,
+  answers = new AnswerCache(),
+): { readonly simulation: Simulation; readonly of: (variant: SimulationInput) => Simulation } {
+  const measuring = cachedIn(answers);
+  const { simulation, kept } = runSimulation(input, null, measuring);
+  return { simulation, of: (variant) => runSimulation(variant, kept, measuring).simulation };
+}
+
 const separatedArea = (parted: readonly Parted[]): number =>
   parted.reduce((sum, { loose }) => sum + loose.reduce((all, { area }) => all + area, 0), 0);
 
@@ -210,7 +223,7 @@ function runSimulation(
   const resume = former && resumePoint(former, input, setups.atFirst, outlines);
   const from = resume?.from;
   const held = holding(
-    blank,
+    input.gripped ?? blank,
     input.clamping?.clamping ?? null,
     former && from ? former.parted.filter(({ step }) => step < from.step) : [],
   );

@@ -19,12 +19,20 @@ test("random parts are parts, with a mark for each element", () => {
     { numRuns: 150 },
   );
   expect([...seen].toSorted()).toEqual([
+    "bore arc",
+    "bore taper",
+    "chuckOutside",
+    "collet",
     "concave",
     "convex",
+    "face groove",
+    "forged",
     "groove",
     "plain",
+    "softJaws",
     "taper",
     "thread",
+    "tube",
     "undercut",
     "valley",
   ]);

@@ -3,14 +3,17 @@ import { newPart, type FinishedPart, type RowMark } from "../../src/planning/par
 import { newRow, type ContourRow } from "../../src/program/job/job.ts";
 
 /*
- * Random parts of the trade's elements for laws: steps, tapers, arcs, chamfers, roundings, grooves, undercuts, valleys,
- * bores with recesses, threads with their relief. All of them are parts: plannedPart finds no problem.
+ * Random parts of the trade's elements for laws: steps, tapers, arcs, chamfers, roundings, grooves in cylinders and
+ * faces, undercuts, valleys, bores with tapers, arcs and recesses, threads with their relief; from bar, tube and
+ * stepped blanks, some in a stated clamping. All of them are parts: plannedPart finds no problem.
  */
 
 const FEATURES = ["plain", "plain", "thread", "undercut", "groove", "valley", "taper", "convex", "concave"] as const;
 /** Those that begin in the middle of their rise. */
 const SLOPED: ReadonlySet<string> = new Set(["taper", "convex", "concave"]);
-const BORE_FEATURES = ["plain", "plain", "groove", "thread"] as const;
+const BORE_FEATURES = ["plain", "plain", "groove", "thread", "bore taper", "bore arc"] as const;
+/** Those that narrow along their whole length. */
+const NARROWING: ReadonlySet<string> = new Set(["bore taper", "bore arc"]);
 
 /** A step of a side: lengths in mm, `rise` in half millimetres of the radius, so that diameters are whole numbers. */
 const stepOf = <F>(features: readonly F[]) =>
@@ -41,6 +44,8 @@ const text = (n: number) => String(Number(n.toFixed(3)) || 0);
 const across = (halves: number) => text(halves);
 /** Least wall between bore and outside, half millimetres. */
 const WALL = 8;
+/** Least rise of a face with a groove, half millimetres. */
+const FACE_ROOM = 14;
 /** Half the point angle of a drill, radians. */
 const DRILL_POINT = (59 * Math.PI) / 180;
 const pitchFor = (diameter: number) => (diameter < 20 ? 1 : diameter < 50 ? 1.5 : 2);
@@ -67,7 +72,7 @@ const markOf = ({ tolerance, ra }: Outer | Inner): RowMark => ({
 });
 
 /** The outside over a core that bore and features must not reach, in half millimetres. */
-function outsideOf(steps: readonly Outer[], core: number) {
+function outsideOf(steps: readonly Outer[], core: number, faceGroove: boolean) {
   const { rows, marks, row } = table("e");
   row({ x: "0", z: "0" });
   let [halves, z] = [core, 0];
@@ -94,6 +99,10 @@ function outsideOf(steps: readonly Outer[], core: number) {
       }
     } else {
       row({ x: across(halves) });
+      if (i === 0 && faceGroove && rise >= FACE_ROOM) {
+        const words = { CENTER: across(before + rise / 2), BREADTH: "3", DEPTH: text(-1.5 - 0.5 * share) };
+        row({ kind: "GRV", form: "AXIAL", words });
+      }
       const broken = edge(step, Math.min(room * 0.25, long * 0.1));
       if (broken) row(broken);
       if (step.feature === "thread") row({ z: text(end) }, { thread: `M${across(halves)}x${text(pitchFor(halves))}` });
@@ -124,7 +133,8 @@ function outsideOf(steps: readonly Outer[], core: number) {
     }
     z = end;
   }
-  return { rows, marks, length: -z, halves };
+  const hasFaceGroove = rows.some(({ form }) => form === "AXIAL");
+  return { rows, marks, length: -z, first: core + (steps[0]?.rise ?? 0), halves, hasFaceGroove };
 }
 
 /** A bore from the front, wide to narrow; returns its widest and narrowest place, half millimetres. */
@@ -139,8 +149,20 @@ function insideOf(steps: readonly Inner[], length: number, through: boolean) {
       end = last && through ? -length : z - step.long * shrink,
       room = Math.min(0.5, (z - end) * 0.1);
     row({ x: across(halves), ...(i === 0 && { z: "0" }) });
-    const broken = i === 0 ? null : edge(step, room);
+    const broken = i === 0 || NARROWING.has(step.feature) ? null : edge(step, room);
     if (broken) row(broken);
+    if (NARROWING.has(step.feature)) {
+      // Down to the middle of the next step.
+      const low = halves - Math.floor((last ? 4 : step.rise) / 2),
+        down = (halves - low) / 2,
+        // Widest at its beginning.
+        radius = ((z - end) ** 2 + down ** 2) / (2 * down);
+      if (step.feature === "bore taper") row({ x: across(low), z: text(end) }, markOf({ ...step, tolerance: null }));
+      else row({ kind: "CR", x: across(low), z: text(end), r: text(radius * (1 + 0.2 * step.share)), turn: "ccw" });
+      z = end;
+      halves = last ? low : halves - step.rise;
+      continue;
+    }
     // Drawn at its nominal ⌀: the part has the core.
     const isThread = step.feature === "thread" && halves >= 12;
     row(
@@ -171,6 +193,27 @@ export interface ArbitraryPart {
   readonly features: readonly string[];
 }
 
+/** Length of a stated grip, mm. */
+const GRIP = 20;
+
+/** The rows of a blank that is near the first step of a part. */
+function forgedRows(
+  { first, halves }: { readonly first: number; readonly halves: number },
+  long: number,
+  { over, front, rear }: { readonly over: number; readonly front: number; readonly rear: number },
+): readonly ContourRow[] {
+  const at = (x: number, z: number, i: number) => newRow(`b${i + 1}`, { x: text(x), z: text(z) });
+  const step = [
+    [0, front],
+    [first + over, front],
+    [first + over, 1 - long],
+    [halves + over, 1 - long],
+    [halves + over, -rear],
+    [0, -rear],
+  ] as const;
+  return step.map(([x, z], i) => at(x, z, i));
+}
+
 /** Finished parts with their blank: solid and hollow, from bar and as blanks, some with a clamping. */
 export const arbitraryParts: fc.Arbitrary<ArbitraryPart> = fc
   .record({
@@ -181,19 +224,41 @@ export const arbitraryParts: fc.Arbitrary<ArbitraryPart> = fc
     over: fc.integer({ min: 1, max: 6 }),
     facing: fc.integer({ min: 0, max: 4 }),
     rear: fc.constantFrom("bar", "chuck", "sawn"),
+    faceGroove: fc.boolean(),
+    blank: fc.constantFrom("cylinder", "cylinder", "forged"),
+    held: fc.constantFrom(null, null, "chuckOutside", "softJaws", "collet"),
     material: fc.constantFrom("c45", "42crmo4", "brass", "x5crni"),
   })
-  .map(({ outside: outer, inside: inner, through, drilled, over, facing, rear, material }): ArbitraryPart => {
+  .map(({ outside: outer, inside: inner, through, drilled, over, facing, rear, material, ...more }): ArbitraryPart => {
     const length = outer.reduce((sum, { long }) => sum + long, 0);
     const isThrough = inner.length > 0 && (through || length < 48);
     const bore = insideOf(inner, length, isThrough);
     const core = inner.length > 0 ? bore.widest + WALL : WALL;
-    const outside = outsideOf(outer, core),
+    const outside = outsideOf(outer, core, more.faceGroove),
       isKept = rear === "chuck" && !isThrough,
       behind = rear === "sawn" ? 1 : 35;
     const hole = drilled && isThrough ? bore.narrowest - 3 : 0;
+    const isForged = more.blank === "forged" && hole === 0;
+    const clamping =
+      more.held === null || behind < GRIP
+        ? null
+        : {
+            kind: more.held,
+            words: {
+              D: text(outside.halves + over),
+              LENGTH: text(GRIP),
+              FACE: text(GRIP - length - behind),
+              SIZE: text(2 * (outside.halves + over)),
+            },
+          };
     return {
-      features: [...outer, ...inner].map((step) => step.feature),
+      features: [
+        ...[...outer, ...inner].map((step) => step.feature),
+        ...(outside.hasFaceGroove ? ["face groove"] : []),
+        ...(hole > 0 ? ["tube"] : []),
+        ...(isForged ? ["forged"] : []),
+        ...(clamping ? [clamping.kind] : []),
+      ],
       part: {
         ...newPart("RANDOM"),
         material,
@@ -201,12 +266,15 @@ export const arbitraryParts: fc.Arbitrary<ArbitraryPart> = fc
         inside: inner.length > 0 ? bore.rows : [],
         marks: { ...outside.marks, ...(inner.length > 0 && bore.marks) },
         general: { tolerance: "ISO 2768-m", ra: 3.2 },
-        blank: {
-          outside: text(outside.halves + over),
-          bore: hole > 0 ? across(hole) : "0",
-          length: text(length + facing / 2 + behind),
-          allowance: text(facing / 2),
-        },
+        blank: isForged
+          ? { outline: forgedRows(outside, outer[0]?.long ?? 0, { over, front: facing / 2, rear: length + behind }) }
+          : {
+              outside: text(outside.halves + over),
+              bore: hole > 0 ? across(hole) : "0",
+              length: text(length + facing / 2 + behind),
+              allowance: text(facing / 2),
+            },
+        clamping,
         partsOff: rear !== "sawn" && !isKept,
         unmachinedBehind: isKept,
       },

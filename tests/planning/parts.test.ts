@@ -4,7 +4,7 @@ import { missesBlank } from "../../src/kernel/area/clamping.ts";
 import { printPart, readPart } from "../../src/planning/part/part-file.ts";
 import { plannedPart } from "../../src/planning/part/planned-part.ts";
 import { projectFile } from "../sources.ts";
-import { PART_NAMES, partOfTrade } from "./parts.ts";
+import { PART_NAMES, partOfTrade, PEER_NAMES } from "./parts.ts";
 
 test("the example of the documentation is a part", () => {
   const [, example = ""] = /```json\n([^]*?)```/.exec(projectFile("docs/planning.md")) ?? [];
@@ -16,7 +16,7 @@ test("the example of the documentation is a part", () => {
 const PARTING = 5;
 
 describe("parts of the trade", () => {
-  test.each(PART_NAMES)("%s is a part within its blank", (name) => {
+  test.each([...PART_NAMES, ...PEER_NAMES])("%s is a part within its blank", (name) => {
     const { part, blank, problems } = plannedPart(partOfTrade(name));
     expect(problems).toEqual([]);
     expect(areaOf(part?.rings ?? [])).toBeGreaterThan(50);
@@ -34,7 +34,7 @@ describe("parts of the trade", () => {
     if (!isTurnedRound) expect(end - clamping.clamping.face).toBeGreaterThanOrEqual(room);
   });
 
-  test.each(PART_NAMES)("%s is the same when it is printed and read", (name) => {
+  test.each([...PART_NAMES, ...PEER_NAMES])("%s is the same when it is printed and read", (name) => {
     const part = partOfTrade(name);
     expect(readPart(printPart(part))).toEqual({ part, problems: [] });
   });

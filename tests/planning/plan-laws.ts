@@ -1,3 +1,4 @@
+import { boxAround, inBox } from "../../src/kernel/area/box.ts";
 import { ncLabels } from "../../src/i18n/nc-labels.ts";
 import { actionSources } from "../../src/planning/actions/index.ts";
 import { areaBeyond } from "../../src/planning/apply-action.ts";
@@ -19,6 +20,7 @@ import { Tries } from "../../src/planning/tries.ts";
 import { ACTION_KINDS, type PlanRequest } from "../../src/planning/types.ts";
 import type { PlanChanges, WorkingPlan } from "../../src/planning/working-plan.ts";
 import { builtInTools } from "../../src/program/iso-codes/usual-tools.ts";
+import { touched, turningTools } from "./reach-bound.ts";
 
 /** What a part is planned from; null where the part is none. */
 export function requestOf(file: FinishedPart): PlanRequest | null {
@@ -51,7 +53,7 @@ export function planOf(request: PlanRequest, changes: PlanChanges = {}): Working
 
 export const keysOf = ({ steps }: WorkingPlan): readonly string[] => steps.map(({ tried }) => tried.action.key);
 
-const searching = (request: PlanRequest): Searching => ({
+export const searching = (request: PlanRequest): Searching => ({
   request,
   sources: actionSources,
   tries: new Tries(request),
@@ -62,7 +64,7 @@ const searching = (request: PlanRequest): Searching => ({
 });
 
 /** The plan of a fixed table of sequences: kinds in their usual order, of each the first way that works. */
-function fixedSequence(request: PlanRequest, s: Searching): PlanNode {
+export function fixedSequence(request: PlanRequest, s: Searching): PlanNode {
   let node = firstNode(s);
   for (const kind of ACTION_KINDS)
     for (;;) {
@@ -78,10 +80,29 @@ function fixedSequence(request: PlanRequest, s: Searching): PlanNode {
 }
 
 /** The end of a plan as a node of a search. */
-function endOf({ steps }: WorkingPlan, s: Searching): PlanNode {
+export function endOf({ steps }: WorkingPlan, s: Searching): PlanNode {
   let node = firstNode(s);
   for (const { tried } of steps) node = nodeBehind(node, tried, s);
   return node;
+}
+
+/** Of a region that is left for want of a tool, a tool of the table reaches no more than this share. */
+const MOST_REACHED = 0.5;
+
+/** Regions that a plan leaves as if a tool were missing, though one of the table reaches most of them by its shape. */
+export function leftThoughReached(request: PlanRequest): readonly string[] {
+  const plan = planOf(request);
+  const { stock } = endOf(plan, searching(request));
+  const { left } = boxAround(request.part.rings);
+  const behind = inBox(stock, { left: -Infinity, right: left, low: 0, high: Infinity });
+  const stays = [...request.part.rings, ...behind];
+  return plan.residue.flatMap(({ region, why, site }) => {
+    if (!region || why !== "tool") return [];
+    const all = turningTools(request.shop.tools).map((tool) => ({ tool, area: touched(region.rings, stays, tool) }));
+    const [best] = all.toSorted((a, b) => b.area - a.area);
+    if (!best || best.area < MOST_REACHED * region.area) return [];
+    return [`${site} ${region.area.toFixed(2)} mm² left, T${best.tool.T} reaches ${best.area.toFixed(2)} by its shape`];
+  });
 }
 
 /** What a plan breaks of what every plan keeps; empty where it breaks nothing. */

@@ -1,7 +1,7 @@
 import type { FinishedPart } from "../../src/planning/part/finished-part.ts";
 import type { WorkingPlan } from "../../src/planning/working-plan.ts";
 import { partByHand, PROGRAMMED_BY_HAND } from "./by-hand.ts";
-import { PART_NAMES, partOfTrade } from "./parts.ts";
+import { PART_NAMES, partOfTrade, PEER_NAMES } from "./parts.ts";
 import { planOf, requestOf } from "./plan-laws.ts";
 
 /** A plan with the processor time of its search, ms. */
@@ -17,13 +17,39 @@ function measured(part: FinishedPart): { readonly plan: WorkingPlan; readonly ms
 const leftWords = ({ residue }: WorkingPlan): string =>
   residue.map((r) => `${r.region?.area.toFixed(2) ?? r.missing?.thread ?? ""} ${r.site} (${r.why})`).join(", ");
 
-/** The parts of the trade, a line each. Yields as it plans them. */
-export function* tradeTable(): Generator<string> {
-  yield "| part | verdict | complete | left | operations | s | tries | CPU ms |\n|---|---|---|---|---:|---:|---:|---:|";
-  for (const name of PART_NAMES) {
+/** A row of the table of plans: the names of its columns with what it says. */
+export type PlanRow = readonly [
+  part: string,
+  verdict: string,
+  complete: string,
+  steps: string,
+  tools: string,
+  s: string,
+  left: string,
+];
+export const PLAN_COLUMNS: PlanRow = ["part", "verdict", "complete", "operations", "tools", "s", "left"];
+
+const completeWord = ({ isComplete, second }: WorkingPlan): string => {
+  if (isComplete) return second ? "in two clampings" : "in one clamping";
+  return "no";
+};
+
+/** The row of a plan. */
+export const planRow = (name: string, plan: WorkingPlan): PlanRow => [
+  name,
+  plan.judged.verdict,
+  completeWord(plan),
+  String(plan.steps.length),
+  plan.tools.map((T) => `T${T}`).join(" "),
+  plan.seconds.toFixed(0),
+  leftWords(plan),
+];
+
+/** The plans of the parts of the trade and of other controls with the processor time of each, ms. Yields as it plans them. */
+export function* tradeRows(): Generator<{ readonly row: PlanRow; readonly ms: number }> {
+  for (const name of [...PART_NAMES, ...PEER_NAMES]) {
     const { plan, ms } = measured(partOfTrade(name));
-    const complete = plan.isComplete ? "yes" : plan.second ? "with the second clamping" : "no";
-    yield `| ${name} | ${plan.judged.verdict} | ${complete} | ${leftWords(plan)} | ${plan.steps.length} | ${plan.seconds.toFixed(1)} | ${plan.tries} | ${ms.toFixed(0)} |`;
+    yield { row: planRow(name, plan), ms };
   }
 }
 

@@ -18,8 +18,18 @@ import {
 } from "../../report/better-ways/better-ways.ts";
 import type { Baseline } from "../../report/better-ways/judge.ts";
 import type { Conditions } from "../../report/better-ways/situation.ts";
+import { variantsOf, type Variants } from "./variants.ts";
 import { engine, type CalledCycle } from "./engine.ts";
 import type { Request } from "./request.ts";
+
+let newest: { readonly of: string; readonly variants: Variants } | null = null;
+
+/** The variants of a program: those of the newest are kept for its next try. */
+function variants(request: Request): Variants {
+  const of = JSON.stringify(request);
+  if (newest?.of !== of) newest = { of, variants: variantsOf(request) };
+  return newest.variants;
+}
 
 /**
  * Slow calculations that run only on request, as pure functions of plain data. They run in the worker, which fetches
@@ -55,11 +65,11 @@ export const advice = {
   /** The changes of a program that may be better, to be tried one by one. */
   searchBetterWays(request: Request, conditions: Omit<Conditions, "tools">): Search {
     const { tools } = request.table;
-    return searchOf(parse(request.text), engine.update(request), { ...conditions, tools });
+    return searchOf(parse(request.text), variants(request).attempt, { ...conditions, tools });
   },
 
-  /** Simulates one of them; null unless it is better. */
+  /** Runs one of them, and simulates it where that can decide; null unless it is better. */
   tryBetterWay(candidate: Candidate, baseline: Baseline, request: Request): BetterWay | null {
-    return triedWay(candidate, baseline, engine.update({ ...request, text: candidate.text }));
+    return triedWay(candidate, baseline, variants(request).trial(candidate.text));
   },
 };

@@ -2,7 +2,7 @@ import { useEffect, useState } from "react";
 import { searchBetterWays, tryBetterWay } from "../../app/calculation/better-ways.ts";
 import { onlyNewest } from "../../app/base/once.ts";
 import type { ProgramWork } from "../../app/document/work.ts";
-import { bestWays, type BetterWay } from "../../report/better-ways/better-ways.ts";
+import { bestWays, isCovered, type BetterWay } from "../../report/better-ways/better-ways.ts";
 import type { Conditions } from "../../report/better-ways/situation.ts";
 
 /** A search with what it has found so far. */
@@ -49,7 +49,7 @@ export function useBetterWays(
       tell({ state: "trying", count: candidates.length, isFaulty: baseline.verdict === "faults" });
       const better: BetterWay[] = [];
       for (const [i, candidate] of candidates.entries()) {
-        const way = await tryBetterWay(program, found, candidate);
+        const way = isCovered(candidate, better) ? null : await tryBetterWay(program, found, candidate);
         if (!isNewest()) return;
         if (way) better.push(way);
         // In the order in which they were found: a row must not move away under the pointer.

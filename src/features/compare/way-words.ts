@@ -62,56 +62,82 @@ export function gainWords(wording: WayWording, way: BetterWay): string {
   return named.map((gain) => gainText(wording, way, gain)).join(" · ");
 }
 
-/** A changed value: "Q463 Max. cutting depth 3 → 3.8", with the words of a choice. */
+/** So many operations are named; of more only their numbers. */
+const MOST_NAMED = 3;
+
+/** Numbers of operations: "1–4, 7". */
+function ranges(units: readonly number[]): string {
+  const found: [from: number, to: number][] = [];
+  for (const n of units.map((unit) => unit + 1)) {
+    const last = found.at(-1);
+    if (last?.[1] === n - 1) last[1] = n;
+    else found.push([n, n]);
+  }
+  return found.map(([from, to]) => (from === to ? String(from) : `${from}–${to}`)).join(", ");
+}
+
+/** The operations that a way changes. */
+function operationWords({ ways, operations }: WayWording, units: readonly number[]): string {
+  if (units.length > MOST_NAMED) return ways.operations(ranges(units));
+  return joined(
+    ways,
+    units.map((unit) => ways.operation(unit + 1, operations[unit]?.title ?? "")),
+  );
+}
+
+/** A changed value: "Q463 Max. cutting depth 3 → 3.8", with the words of a choice; "1 – 2 → 3 – 3.8" of several. */
 function valueWords({ texts, operations, lengths: { language } }: WayWording, { value, units }: ChangeSubject): string {
   if (!value) return "";
   const param = cycleByNumber(operations[units[0] ?? -1]?.cycle ?? 0)?.params[value.at];
   const { label = "", ...words } = param ? texts.params[param.text as ParamTextId] : {};
   const choices = "choices" in words ? (words.choices as Readonly<Record<number, string>>) : {};
   const choice = choices[value.to];
-  const numbers = `${writeTyped(language, value.from, DECIMALS)} → ${writeTyped(language, value.to, DECIMALS)}`;
+  const number = (from: number, to: number | undefined) =>
+    [...new Set([from, to ?? from])].map((n) => writeTyped(language, n, DECIMALS)).join(" – ");
+  const numbers = `${number(value.from, value.upTo?.from)} → ${number(value.to, value.upTo?.to)}`;
   return `${value.at} ${label} ${numbers}${choice === undefined ? "" : ` (${choice})`}`;
 }
 
 /** What changes, and why it may. */
 export function subjectWords(wording: WayWording, { subject }: BetterWay): string {
-  const { ways, texts, lengths, material, operations } = wording;
+  const { ways, texts, lengths, material } = wording;
   const { kinds } = ways;
-  const { units, tool, instead, value } = subject;
-  const names = units.map((unit) => ways.operation(unit + 1, operations[unit]?.title ?? ""));
-  const [first = "", second = ""] = names;
-  const all = joined(ways, names);
+  const { units, tool, tools = [], instead, value } = subject;
+  const all = operationWords(wording, units);
+  const [own, beside] = [units.slice(0, -1), units.slice(-1)].map((each) => operationWords(wording, each));
   const number = (n: number | undefined) => writeTyped(lengths.language, n ?? 0, DECIMALS);
   switch (subject.kind) {
     case "noCut":
-      return kinds.noCut(first);
-    case "fewerTools":
-      return kinds.fewerTools(all, String(tool));
+      return kinds.noCut(all);
+    case "fewerTools": {
+      const names = tools.map(String);
+      return names.length > 1 ? kinds.severalTools(all, joined(ways, names)) : kinds.fewerTools(all, names[0] ?? "");
+    }
     case "fewerChanges":
-      return kinds.fewerChanges(first, second);
+      return kinds.fewerChanges(own ?? "", beside ?? "");
     case "restOperation":
-      return kinds.restOperation(first, String(tool));
+      return kinds.restOperation(all, String(tool));
     case "otherTool":
-      return kinds.otherTool(first, String(tool), String(instead));
+      return kinds.otherTool(all, String(tool), String(instead));
     case "otherCycle": {
       const known = (texts.cycles.of as Readonly<Record<number, { readonly name: string }>>)[subject.cycle ?? 0];
       const name = `${subject.cycle} ${known?.name ?? ""}`.trim();
-      return tool === instead ? kinds.otherCycle(first, name) : kinds.otherCycleAndTool(first, name, String(tool));
+      return tool === instead ? kinds.otherCycle(all, name) : kinds.otherCycleAndTool(all, name, String(tool));
     }
     case "otherChoice":
-      return kinds.otherChoice(first, valueWords(wording, subject));
+      return kinds.otherChoice(all, valueWords(wording, subject));
     case "infeed": {
       const most = `${number(value?.most)} ${lengths.unit}`;
-      return kinds.infeed(first, valueWords(wording, subject), String(tool), most);
+      return kinds.infeed(all, valueWords(wording, subject), String(tool), most);
     }
     case "start":
-      return kinds.start(first, value?.at ?? "", number(value?.from), number(value?.to));
+      return kinds.start(all, value?.at ?? "", number(value?.from), number(value?.to));
     case "oneCall":
       return kinds.oneCall(all);
     case "cuttingSpeed":
       return kinds.cuttingSpeed(all, number(value?.from), number(value?.to), material.name);
     case "feed":
-      return kinds.feed(first, valueWords(wording, subject), material.name);
+      return kinds.feed(all, valueWords(wording, subject), material.name);
   }
 }
 

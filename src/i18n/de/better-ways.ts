@@ -24,6 +24,7 @@ export const betterWays: BetterWaysTexts = {
   noMaterial: "Das Programm nennt keinen Werkstoff: keine Vorschläge zu Schnittdaten.",
   and: (first, last) => `${first} und ${last}`,
   operation: (n, title) => (title === "" ? `Bearbeitung ${n}` : `Bearbeitung ${n} „${title}“`),
+  operations: (numbers) => `Bearbeitungen ${numbers}`,
   gains: {
     verdict: "Besseres Prüfergebnis",
     residualGone: (tool) => (tool === "" ? "Kein Restmaterial" : `Kein Restmaterial mit Werkzeug ${tool}`),
@@ -37,6 +38,8 @@ export const betterWays: BetterWaysTexts = {
   kinds: {
     noCut: (operation) => `${operation} zerspant nichts und wird gelöscht.`,
     fewerTools: (operations, tool) => `${operations} mit Werkzeug ${tool}, das im Programm ohnehin vorkommt.`,
+    severalTools: (operations, tools) =>
+      `${operations} mit den Werkzeugen ${tools}, die im Programm ohnehin vorkommen.`,
     fewerChanges: (operation, next) => `${operation} wird neben ${next} verschoben: Beide haben dasselbe Werkzeug.`,
     restOperation: (operation, tool) =>
       `${operation}, danach eine weitere Bearbeitung mit Werkzeug ${tool} für das Restmaterial.`,

@@ -25,6 +25,7 @@ export const betterWays = {
   noMaterial: "The program states no material: no cutting data are suggested.",
   and: (first: string, last: string) => `${first} and ${last}`,
   operation: (n: number, title: string) => (title === "" ? `Operation ${n}` : `Operation ${n} “${title}”`),
+  operations: (numbers: string) => `Operations ${numbers}`,
   gains: {
     verdict: "Better check result",
     residualGone: (tool: string) => (tool === "" ? "No residual material" : `No residual material with tool ${tool}`),
@@ -39,6 +40,8 @@ export const betterWays = {
     noCut: (operation: string) => `${operation} cuts nothing and is deleted.`,
     fewerTools: (operations: string, tool: string) =>
       `${operations} with tool ${tool}, which the program calls anyway.`,
+    severalTools: (operations: string, tools: string) =>
+      `${operations} with tools ${tools}, which the program calls anyway.`,
     fewerChanges: (operation: string, next: string) => `${operation} is moved to ${next}: both use the same tool.`,
     restOperation: (operation: string, tool: string) =>
       `${operation}, then one more operation with tool ${tool} for the residual material.`,

@@ -27,6 +27,7 @@ export const betterWays = typeset<BetterWaysTexts>({
   noMaterial: "Le programme n’indique pas de matière : aucune proposition de données de coupe.",
   and: (first, last) => `${first} et ${last}`,
   operation: (n, title) => (title === "" ? `Opération ${n}` : `Opération ${n} « ${title} »`),
+  operations: (numbers) => `Opérations ${numbers}`,
   gains: {
     verdict: "Meilleur résultat du contrôle",
     residualGone: (tool) => (tool === "" ? "Sans matière résiduelle" : `Sans matière résiduelle avec l’outil ${tool}`),
@@ -40,6 +41,7 @@ export const betterWays = typeset<BetterWaysTexts>({
   kinds: {
     noCut: (operation) => `${operation} n’enlève rien : à supprimer.`,
     fewerTools: (operations, tool) => `${operations} avec l’outil ${tool}, que le programme appelle déjà.`,
+    severalTools: (operations, tools) => `${operations} avec les outils ${tools}, que le programme appelle déjà.`,
     fewerChanges: (operation, next) => `${operation} à côté de ${next} : les deux ont le même outil.`,
     restOperation: (operation, tool) =>
       `${operation}, puis une opération de plus avec l’outil ${tool} pour la matière résiduelle.`,

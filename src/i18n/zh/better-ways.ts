@@ -23,6 +23,7 @@ export const betterWays: BetterWaysTexts = {
   noMaterial: "程序未注明材料：不建议切削数据。",
   and: (first, last) => `${first}和${last}`,
   operation: (n, title) => (title === "" ? `工序 ${n}` : `工序 ${n}“${title}”`),
+  operations: (numbers) => `工序 ${numbers}`,
   gains: {
     verdict: "检查结果更好",
     residualGone: (tool) => (tool === "" ? "无残余材料" : `用刀具 ${tool} 无残余材料`),
@@ -36,6 +37,7 @@ export const betterWays: BetterWaysTexts = {
   kinds: {
     noCut: (operation) => `${operation}未切除材料，将其删除。`,
     fewerTools: (operations, tool) => `${operations}改用程序中已调用的刀具 ${tool}。`,
+    severalTools: (operations, tools) => `${operations}改用程序中已调用的刀具 ${tools}。`,
     fewerChanges: (operation, next) => `${operation}移到${next}旁：两者使用同一刀具。`,
     restOperation: (operation, tool) => `${operation}之后用刀具 ${tool} 加工残余材料。`,
     otherTool: (operation, tool, instead) => `${operation}用刀具 ${tool} 代替 ${instead}。`,

@@ -26,7 +26,11 @@ const attempt = (text: string) => {
   return { run: made, simulation: simulate(made) };
 };
 const waysOf = (text: string, given: Partial<Conditions> = {}): readonly BetterWay[] => {
-  const search = betterWays(parse(text), attempt, { ...conditions, ...given });
+  const trial = (tried: string) => {
+    const { run: made, simulation } = attempt(tried);
+    return { run: made, simulated: () => simulation };
+  };
+  const search = betterWays(parse(text), attempt(text), trial, { ...conditions, ...given });
   for (;;) {
     const { done, value } = search.next();
     if (done) return value;
@@ -60,6 +64,9 @@ const FREE = "CYCL DEF 14.0\nCYCL DEF 14.1 CONTOUR LABEL1\n";
 const free = { Q499: 0, Q463: 3, Q478: 0.3, Q483: 0, Q484: 0, Q505: 0.12, Q487: 1, Q488: 0.15, Q479: 0, Q506: 0 };
 const VALLEY = "LBL 1\nL X+60 Z+0\nL Z-30\nL X+50 Z-45\nL Z-55\nL X+70 Z-65\nL X+80\nLBL 0\n";
 const STEPS = "LBL 1\nL X+40 Z+0\nL X+60 Z-30\nL X+74 Z-60\nL X+80\nLBL 0\n";
+const DISC = "LBL 1\nL X+12 Z+0\nL Z-3\nL X+80\nLBL 0\n";
+const BORE = shoulder(60, -30, 0, { Q491: 40, Q463: 0.5, Q505: 0.08 });
+const step = (d: number, i: number) => shoulder(d, -60 + 8 * i, 0, { Q491: d + 4, Q463: 0.5 });
 const NEAR = "ROTATION Z DIM_D LBL2";
 const OUTLINE = "LBL 2\nL X+0 Z+0\nL X+43\nL X+63 Z-30\nL X+80 Z-66\nL Z-120\nL X+0\nL Z+0\nLBL 0\n";
 
@@ -78,7 +85,7 @@ const WEAK: readonly (readonly [what: string, text: string, subject: Partial<Cha
       section(3, 240, finish()),
       section(4, 240, cut(812, "X+84 Z-38", shoulder(76, -60, 2, { Q492: -40 }))),
     ]),
-    { kind: "fewerTools", units: [2], tool: 4, instead: 3 },
+    { kind: "fewerTools", units: [2], tools: [4], instead: 3 },
     "tools",
   ],
   [
@@ -154,6 +161,54 @@ const WEAK: readonly (readonly [what: string, text: string, subject: Partial<Cha
     "a feed far below that of the material",
     program([section(1, 190, rough({ Q478: 0.12 })), section(3, 240, finish())]),
     { kind: "feed", units: [0], value: { at: "Q478", from: 0.12, to: 0.3 } },
+    "seconds",
+  ],
+  [
+    "a groove turned with thin passes of the blade",
+    program([section(9, 140, cut(842, "X+82 Z-20", groove(-20, -60, 60, { Q463: 0.5, Q478: 0.12, Q488: 0.12 })))]),
+    { kind: "infeed", units: [0], tool: 9 },
+    "seconds",
+  ],
+  [
+    "a groove with a feed far below that of its blade",
+    program([section(9, 140, cut(842, "X+82 Z-20", groove(-20, -60, 60, { Q463: 1.5, Q478: 0.05 })))]),
+    { kind: "feed", units: [0], tool: 9 },
+    "seconds",
+  ],
+  [
+    "a bore with thin passes",
+    program([section(5, 190, cut(812, "X+40 Z+2", BORE))], { blank: "CYLINDER Z D80 L120 DIST+0 DI40" }),
+    { kind: "infeed", units: [0], tool: 5 },
+    "seconds",
+  ],
+  [
+    "two operations that have to move together",
+    program([
+      section(1, 190, rough()),
+      section(9, 140, cut(842, "X+84 Z-80", groove(-80, -92, 70, { Q463: 1.5, Q507: 0 }))),
+      section(
+        1,
+        190,
+        cut(812, "X+80 Z-38", shoulder(76, -60, 0, { Q492: -40 })),
+        cut(812, "X+80 Z-58", shoulder(78, -70, 0, { Q492: -60, Q500: 0 })),
+      ),
+    ]),
+    { kind: "fewerChanges", tool: 1, units: [2, 3, 0] },
+    "changes",
+  ],
+  [
+    "thin passes in many operations",
+    program([section(1, 190, ...[76, 72, 68, 64, 60].map((d, i) => cut(812, `X+${d + 4} Z+2`, step(d, i))))]),
+    { kind: "infeed", units: [0, 1, 2, 3, 4], tool: 1 },
+    "seconds",
+  ],
+  [
+    "a disc that is turned along in many short passes",
+    program([section(1, 190, cut(810, "X+80 Z+2", { ...free, Q215: 0, Q463: 1.5 }, FREE))], {
+      blank: "CYLINDER Z D80 L60 DIST+0",
+      contour: DISC,
+    }),
+    { kind: "otherCycle", units: [0], cycle: 820 },
     "seconds",
   ],
 ];

@@ -3,8 +3,9 @@ import { changedProgram, type ChangeKind, type ChangeSubject } from "./change.ts
 import { fitter } from "./fits.ts";
 import { baselineOf, judged, type Baseline } from "./judge.ts";
 import { KINDS } from "./kinds.ts";
+import { together } from "./together.ts";
 import { worthOf, type Gain, type Measure } from "./measure.ts";
-import { situationOf, type Attempt, type Conditions } from "./situation.ts";
+import { situationOf, type Attempt, type Conditions, type Trial } from "./situation.ts";
 
 /** Tries of one search: fewer for a long program, whose blocks in all tries are limited. */
 const MOST_TRIES = 80;
@@ -41,9 +42,8 @@ export function searchOf(program: Program, attempt: Attempt, conditions: Conditi
   const situation = situationOf(program, attempt, conditions);
   const fits = fitter(situation);
   const text = print(program);
-  const changes = Object.values(KINDS)
-    .flatMap((changesOf) => changesOf(situation, fits))
-    .toSorted((a, b) => b.expected - a.expected);
+  const each = Object.values(KINDS).flatMap((changesOf) => changesOf(situation, fits));
+  const changes = [...each, ...together(program, each)].toSorted((a, b) => b.expected - a.expected);
   const most = Math.max(LEAST_TRIES, Math.min(MOST_TRIES, Math.floor(MOST_EDITED / program.blocks.length)));
   const candidates = new Map<string, Candidate>();
   for (const change of changes.slice(0, 2 * most)) {
@@ -55,9 +55,9 @@ export function searchOf(program: Program, attempt: Attempt, conditions: Conditi
   return { baseline, candidates: [...candidates.values()] };
 }
 
-/** The result of a try; null unless it is better. `attempt`: the candidate's text, run and simulated. */
-export function triedWay(candidate: Candidate, baseline: Baseline, attempt: Attempt): BetterWay | null {
-  const found = judged(baseline, attempt);
+/** The result of a try; null unless it is better. `trial`: the candidate's text, run. */
+export function triedWay(candidate: Candidate, baseline: Baseline, trial: Trial): BetterWay | null {
+  const found = judged(baseline, trial);
   if (!found) return null;
   const { measure: before } = baseline;
   const worth = worthOf(before, found.measure, found.gains);
@@ -66,9 +66,24 @@ export function triedWay(candidate: Candidate, baseline: Baseline, attempt: Atte
 
 /** Kinds that give an operation to another tool or cycle: of those only one can be used. */
 const REPLACING: ReadonlySet<ChangeKind> = new Set(["fewerTools", "otherTool", "otherCycle", "restOperation"]);
+/** Whether a way that was found contains a change that is still to be tried. */
+export const isCovered = ({ subject }: Candidate, ways: readonly BetterWay[]): boolean =>
+  ways.some(
+    ({ subject: { kind, tool, cycle, value, units } }) =>
+      units.length > subject.units.length &&
+      value !== undefined &&
+      kind === subject.kind &&
+      tool === subject.tool &&
+      cycle === subject.cycle &&
+      value.at === subject.value?.at &&
+      subject.units.every((unit) => units.includes(unit)),
+  );
+
 /** Ways with one effect: the same change of the same operations, or alternatives to each other. */
-const effectOf = ({ subject: { kind, units }, gains }: BetterWay): string =>
-  JSON.stringify([REPLACING.has(kind) ? "replacing" : kind, units, gains[0]]);
+const effectOf = ({ subject: { kind, units, tools = [], instead = 0 }, gains }: BetterWay): string =>
+  kind === "fewerTools"
+    ? JSON.stringify([kind, [...tools, instead].toSorted((a, b) => a - b)])
+    : JSON.stringify([REPLACING.has(kind) ? "replacing" : kind, units, gains[0]]);
 const resultOf = ({ after }: BetterWay): string => JSON.stringify(after);
 
 /** The ways to offer, the best first: of several with one effect or one result only the best. */
@@ -86,14 +101,16 @@ export function bestWays(ways: readonly BetterWay[]): readonly BetterWay[] {
 /** A whole search, one try per step: yields the number of tries, and returns the ways to offer. */
 export function* betterWays(
   program: Program,
-  attempt: (text: string) => Attempt,
+  attempt: Attempt,
+  trial: (text: string) => Trial,
   conditions: Conditions,
 ): Generator<{ readonly tried: number; readonly of: number }, readonly BetterWay[]> {
-  const { baseline, candidates } = searchOf(program, attempt(print(program)), conditions);
+  const { baseline, candidates } = searchOf(program, attempt, conditions);
   const ways: BetterWay[] = [];
   for (const [i, candidate] of candidates.entries()) {
     yield { tried: i, of: candidates.length };
-    const way = triedWay(candidate, baseline, attempt(candidate.text));
+    if (isCovered(candidate, ways)) continue;
+    const way = triedWay(candidate, baseline, trial(candidate.text));
     if (way) ways.push(way);
   }
   return bestWays(ways);

@@ -1,4 +1,6 @@
+import { withBlock } from "../../nc/edit.ts";
 import type { Program } from "../../nc/program.ts";
+import type { Statement } from "../../nc/statement.ts";
 import { isRefused, type Refusal } from "../../program/edits/operation-edits.ts";
 
 /** What a change does; each kind is a file of `kinds/` and a line of its table. */
@@ -24,10 +26,27 @@ export interface ChangeSubject {
   /** The tool that takes the work, and the one that it takes it from. */
   readonly tool?: number;
   readonly instead?: number;
+  /** The tools that take the work of several operations. */
+  readonly tools?: readonly number[];
   /** The new cycle. */
   readonly cycle?: number;
-  /** A changed value: the parameter, before and after, and the limit that it keeps, in the unit of the program. */
-  readonly value?: { readonly at: string; readonly from: number; readonly to: number; readonly most?: number };
+  /** A changed value in the unit of the program. */
+  readonly value?: ChangedValue;
+}
+
+/** A changed parameter: before and after, and the limit that it keeps. Of several operations: the least and the most. */
+export interface ChangedValue {
+  readonly at: string;
+  readonly from: number;
+  readonly to: number;
+  readonly most?: number;
+  readonly upTo?: { readonly from: number; readonly to: number };
+}
+
+/** A block with another statement. */
+export interface Replacement {
+  readonly index: number;
+  readonly statement: Statement;
 }
 
 /** A change that has not been tried yet. */
@@ -37,12 +56,27 @@ export interface Change {
   readonly edit: () => Program | Refusal | null;
   /** Expected worth, s: the order of the tries. */
   readonly expected: number;
+  /** All that it does, where it only replaces blocks: such changes can be made together. */
+  readonly replaced?: readonly Replacement[];
 }
 
 export const changeOf = (subject: ChangeSubject, expected: number, edit: Change["edit"]): Change => ({
   subject,
   edit,
   expected,
+});
+
+/** A change that only replaces blocks. */
+export const changeOfBlocks = (
+  program: Program,
+  subject: ChangeSubject,
+  expected: number,
+  replaced: readonly Replacement[],
+): Change => ({
+  subject,
+  expected,
+  replaced,
+  edit: () => replaced.reduce((made, { index, statement }) => withBlock(made, index, statement), program),
 });
 
 /** The program of a change; null where it is impossible. */

@@ -7,7 +7,8 @@ import { roundedDownTo } from "../../kernel/units.ts";
 import { noseRadius } from "../../kernel/cutter/insert.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { isRefused, retooledOperation, type Refusal } from "../../program/edits/operation-edits.ts";
-import { writtenNumber, type ProgramSituation, type TurningUnit } from "./situation.ts";
+import type { Replacement } from "./change.ts";
+import { writtenNumber, type TurningUnit } from "./situation.ts";
 
 type CycleStatement = StatementOf<"cycle">;
 
@@ -20,12 +21,14 @@ export const withNumbers = (statement: CycleStatement, numbers: Readonly<Record<
   }),
 });
 
-/** The program with other numbers in the cycle of an operation. */
+/** The cycle of an operation with other numbers. */
 export const withValues = (
-  { program }: ProgramSituation,
   { definition, statement }: TurningUnit,
   numbers: Readonly<Record<string, number>>,
-): Program => withBlock(program, definition, withNumbers(statement, numbers));
+): Replacement => ({
+  index: definition,
+  statement: withNumbers(statement, numbers),
+});
 
 /** The program with other numbers in the first cycle of an operation, which may be new. */
 export function withNumbersIn(program: Program, unit: number, numbers: Readonly<Record<string, number>>): Program {

@@ -6,8 +6,9 @@ import { roughnessOf } from "../../sim/load/roughness.ts";
 import { stockIssues } from "../../sim/issues.ts";
 import type { Verdict } from "../../sim/simulation.ts";
 import { verdictOf, type VerdictReason } from "../verdict.ts";
-import { gainsOf, measureOf, type Gain, type Measure } from "./measure.ts";
-import type { Attempt } from "./situation.ts";
+import { gainsOf, LEAST, measureOf, type Gain, type Measure } from "./measure.ts";
+import type { Attempt, Trial } from "./situation.ts";
+import type { Run } from "../../program/state/run-types.ts";
 
 /** A point of the finished surface with its theoretical roughness, µm. */
 interface SurfacePoint {
@@ -45,16 +46,17 @@ const reasonKeys = (reason: VerdictReason): readonly string[] =>
       ? []
       : [`reason ${reason.kind}`];
 
-function faultsOf({ run, simulation }: Attempt, reasons: readonly VerdictReason[]): Readonly<Record<string, number>> {
-  const issues = [...run.issues, ...stockIssues(simulation)].filter(({ issue }) => issue.severity !== "info");
+const issueKeys = (found: readonly Pick<Run["issues"][number], "issue">[]): readonly string[] =>
+  found.flatMap(({ issue: { severity, code } }) => (severity === "info" ? [] : [`${severity} ${code}`]));
+
+function counted(keys: readonly string[]): Readonly<Record<string, number>> {
   const count: Record<string, number> = {};
-  const note = (key: string) => {
-    count[key] = (count[key] ?? 0) + 1;
-  };
-  for (const { issue } of issues) note(`${issue.severity} ${issue.code}`);
-  for (const key of reasons.flatMap(reasonKeys)) note(key);
+  for (const key of keys) count[key] = (count[key] ?? 0) + 1;
   return count;
 }
+
+const faultsOf = ({ run, simulation }: Attempt, reasons: readonly VerdictReason[]): Readonly<Record<string, number>> =>
+  counted([...issueKeys(run.issues), ...issueKeys(stockIssues(simulation)), ...reasons.flatMap(reasonKeys)]);
 
 function surfaceOf({ run: { steps, spindles }, simulation: { final, checkpoints } }: Attempt): readonly SurfacePoint[] {
   const first = checkpoints.reduce((last, { step, isStated }) => (isStated ? step : last), 0);
@@ -71,7 +73,7 @@ export function baselineOf(attempt: Attempt): Baseline {
   const { run, simulation } = attempt;
   const { verdict, reasons } = verdictOf(run, simulation);
   return {
-    measure: measureOf(run, simulation),
+    measure: measureOf(run, simulation.proof.residual),
     verdict,
     faults: faultsOf(attempt, reasons),
     gouge: simulation.proof.gouge,
@@ -104,20 +106,33 @@ function isAsSmooth(before: readonly SurfacePoint[], now: readonly SurfacePoint[
 const hasNoNewFaults = (before: Baseline["faults"], now: Baseline["faults"]): boolean =>
   Object.entries(now).every(([key, count]) => count <= (before[key] ?? 0));
 
+const isMuchLonger = (is: Measure, was: Measure): boolean => is.seconds - was.seconds > MOST_LONGER * was.seconds;
+
 /** What a tried program measures and gains. */
 export interface Improvement {
   readonly measure: Measure;
   readonly gains: readonly Gain[];
 }
 
+/** Whether stock and check of a run have to be known to judge it: its times, tools and issues alone do not decide. */
+function isWorthSimulating({ measure: was, verdict, faults }: Baseline, run: Run): boolean {
+  if (!hasNoNewFaults(faults, counted(issueKeys(run.issues)))) return false;
+  if (verdict !== "proved" || was.residual >= LEAST.residual) return true;
+  const is = measureOf(run, []);
+  const isCostly = is.tools > was.tools || is.changes > was.changes || isMuchLonger(is, was);
+  return !isCostly && gainsOf(was, { ...is, residual: was.residual }).length > 0;
+}
+
 /**
  * Judges a tried program; null unless it is better: the same part with the same surface, no finding more, and a
  * measurable gain that costs nothing else, apart from a little time for a tool or a cut of residual material.
  */
-export function judged(before: Baseline, attempt: Attempt): Improvement | null {
-  const { run, simulation } = attempt;
+export function judged(before: Baseline, { run, simulated }: Trial): Improvement | null {
+  if (!isWorthSimulating(before, run)) return null;
+  const attempt = { run, simulation: simulated() };
+  const { simulation } = attempt;
   const { verdict, reasons } = verdictOf(run, simulation);
-  const measure = measureOf(run, simulation);
+  const measure = measureOf(run, simulation.proof.residual);
   const was = before.measure;
   if (RANK[verdict] < RANK[before.verdict]) return null;
   if (simulation.proof.gouge > before.gouge || measure.residual > was.residual + NO_DIFFERENCE) return null;
@@ -127,12 +142,12 @@ export function judged(before: Baseline, attempt: Attempt): Improvement | null {
     ...gainsOf(was, measure),
   ];
   const cleaner = gains.includes("verdict") || gains.includes("residual");
-  const [more, longer] = [measure.tools > was.tools || measure.changes > was.changes, measure.seconds - was.seconds];
+  const more = measure.tools > was.tools || measure.changes > was.changes;
   // Without data of the machine a change of the tool costs no time: time alone must not be bought with one.
   if (gains.length === 0 || (more && !cleaner)) return null;
   // A program with faults is first put right.
   if (before.verdict === "faults" && !gains.includes("verdict")) return null;
-  if (!cleaner && longer > MOST_LONGER * was.seconds) return null;
+  if (!cleaner && isMuchLonger(measure, was)) return null;
   if (!isSamePart(before, simulation.final) || !isAsSmooth(before.surface, surfaceOf(attempt))) return null;
   return { measure, gains };
 }

@@ -27,24 +27,25 @@ export interface Measure {
 }
 
 /** Residual material that no value asks for, mm². */
-const residualOf = ({ residual }: Simulation["proof"]): number =>
+const residualArea = (residual: Simulation["proof"]["residual"]): number =>
   residual.reduce((sum, { area, isAsked }) => (isAsked ? sum : sum + area), 0);
 
-export function measureOf(run: Run, { proof }: Pick<Simulation, "proof">): Measure {
+/** What a run measures with the residual material that it leaves. */
+export function measureOf(run: Run, residual: Simulation["proof"]["residual"]): Measure {
   const { tools, changes } = usesOf(run);
-  return { seconds: run.seconds, tools: tools.length, changes, residual: residualOf(proof) };
+  return { seconds: run.seconds, tools: tools.length, changes, residual: residualArea(residual) };
 }
 
 /** Gains in the order in which they are named: several may hold for one way. */
 export const GAINS = ["verdict", "residual", "tools", "changes", "seconds"] as const;
 export type Gain = (typeof GAINS)[number];
 
-/** Smaller differences are no gain: s and share of the running time, mm². */
-export const LEAST = { seconds: 1, share: 0.01, residual: 0.05 } as const;
+/** Smaller differences are no gain: s and share of the running time, of a long program no more than some s; mm². */
+export const LEAST = { seconds: 1, share: 0.01, longSeconds: 5, residual: 0.05 } as const;
 
 /** Whether a time is measurably shorter than another one, s. */
 export const isShorter = (seconds: number, than: number): boolean =>
-  than - seconds >= Math.max(LEAST.seconds, LEAST.share * than);
+  than - seconds >= Math.max(LEAST.seconds, Math.min(LEAST.longSeconds, LEAST.share * than));
 
 /** The gains of one measure over another. */
 export function gainsOf(before: Measure, after: Measure): readonly Gain[] {

@@ -17,6 +17,12 @@ export interface Attempt {
   readonly simulation: Simulation;
 }
 
+/** A program that is tried: its run, and its stock on demand, since most tries are decided by their run. */
+export interface Trial {
+  readonly run: Run;
+  readonly simulated: () => Simulation;
+}
+
 /** What a search for better ways knows besides the result of the program. */
 export interface Conditions {
   /** The valid tools of the table. */

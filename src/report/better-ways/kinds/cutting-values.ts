@@ -1,25 +1,40 @@
-import { isBar, noseRadius } from "../../../kernel/cutter/insert.ts";
+import { cuttingWidth, isBar, noseRadius } from "../../../kernel/cutter/insert.ts";
+import type { Tool } from "../../../kernel/plan/tool.ts";
 import { roundedDownTo } from "../../../kernel/units.ts";
 import { withBlock } from "../../../nc/edit.ts";
+import { FEED_OF_WIDTH } from "../../../program/tools/cutting-work.ts";
 import { valueInProgram } from "../../../program/blocks/cycle-values.ts";
 import { cuttingPower, FEED_OF_NOSE } from "../../advice/formulas.ts";
-import { changeOf, type Change } from "../change.ts";
+import { changeOf, changeOfBlocks, type Change } from "../change.ts";
 import { withValues } from "../edits.ts";
 import { calledNumber, writtenNumber, type ProgramSituation, type TurningUnit } from "../situation.ts";
 
 /** A value counts as low below the value of the table divided by this: the factor of the advice (decision 0032). */
 const FAR = 1.6;
 /** Step of a feed, mm/rev. */
-const FEED_STEP = 0.01;
+const FEED_STEP = 0.005;
+
+/** The feed that an insert bears by its nose, and a blade by its width, mm/rev. */
+const borne = (tool: Tool): number =>
+  isBar(tool)
+    ? Math.min(FEED_OF_WIDTH * cuttingWidth(tool), noseRadius(tool) || Infinity)
+    : FEED_OF_NOSE * noseRadius(tool);
 
 const turns = ({ cycle, operation }: TurningUnit) =>
   (cycle.group === "longitudinal" || cycle.group === "transverse") &&
   !isBar(operation.tool) &&
   operation.feedUnit === "mm/rev";
 
+const recesses = ({ cycle: { group }, operation: { tool, feedUnit } }: TurningUnit) =>
+  (group === "recessTurning" || group === "recessing") && isBar(tool) && feedUnit === "mm/rev";
+
+/** Width of the chip, mm: a blade that plunges takes its whole width. */
+const chipOf = ({ cycle, operation: { tool, plan } }: TurningUnit): number =>
+  cycle.group === "recessing" ? cuttingWidth(tool) : plan.infeed;
+
 /** Power that roughing takes with other values, kW; 0 for finishing. */
 function powerOf(of: TurningUnit, { material }: ProgramSituation, speed: number, feed: number): number {
-  return of.work === "finish" ? 0 : cuttingPower(material, of.operation.plan.infeed, feed, speed);
+  return of.work === "finish" ? 0 : cuttingPower(material, chipOf(of), feed, speed);
 }
 
 /** Cutting speed of a section of operations, far below that of the material. */
@@ -51,27 +66,30 @@ export const cuttingSpeed = (situation: ProgramSituation): readonly Change[] => 
   });
 };
 
-/** A roughing feed far below that of the material, up to what the nose takes. */
+/** A roughing feed far below that of the material, up to what the nose or the width of a blade takes. */
 export const feed = (situation: ProgramSituation): readonly Change[] => {
   const { units, material, power, run } = situation;
   if (!situation.isStated) return [];
-  return units.filter(turns).flatMap((of): readonly Change[] => {
-    const { operation, unit, work, cycle } = of;
-    const written = writtenNumber(of, "roughingFeed");
-    const [called, spindle] = [calledNumber(of, "roughingFeed"), operation.spindle];
-    const param = written && cycle.params[written.q];
-    if (work === "finish" || !written || !param || called === null || called <= 0 || !spindle) return [];
-    const most = roundedDownTo(FEED_STEP, Math.min(material.roughFeed, FEED_OF_NOSE * noseRadius(operation.tool)));
-    const speed = spindle.kind === "surface" ? spindle.cuttingSpeed : 0;
-    if (called * FAR > most || powerOf(of, situation, speed, most) > power) return [];
-    const to = valueInProgram(param, most, run.program.unit === "inch");
-    const value = { at: written.q, from: written.value, to };
-    return [
-      changeOf(
-        { kind: "feed", units: [unit], tool: operation.tool.T, value },
-        operation.seconds * (1 - called / most),
-        () => withValues(situation, of, { [written.q]: to }),
-      ),
-    ];
-  });
+  return units
+    .filter((of) => turns(of) || recesses(of))
+    .flatMap((of): readonly Change[] => {
+      const { operation, unit, work, cycle } = of;
+      const written = writtenNumber(of, "roughingFeed");
+      const [called, spindle] = [calledNumber(of, "roughingFeed"), operation.spindle];
+      const param = written && cycle.params[written.q];
+      if (work === "finish" || !written || !param || called === null || called <= 0 || !spindle) return [];
+      const most = roundedDownTo(FEED_STEP, Math.min(material.roughFeed, borne(operation.tool)));
+      const speed = spindle.kind === "surface" ? spindle.cuttingSpeed : 0;
+      if (called * FAR > most || powerOf(of, situation, speed, most) > power) return [];
+      const to = valueInProgram(param, most, run.program.unit === "inch");
+      const value = { at: written.q, from: written.value, to };
+      return [
+        changeOfBlocks(
+          situation.program,
+          { kind: "feed", units: [unit], tool: operation.tool.T, value },
+          operation.seconds * (1 - called / most),
+          [withValues(of, { [written.q]: to })],
+        ),
+      ];
+    });
 };

@@ -1,6 +1,6 @@
 import type { Param, Topic } from "../../../cycles/params.ts";
 import { hasNoEffect, type SomeValues } from "../../../cycles/effect.ts";
-import { changeOf, type Change } from "../change.ts";
+import { changeOfBlocks, type Change } from "../change.ts";
 import { withValues } from "../edits.ts";
 import type { ProgramSituation } from "../situation.ts";
 
@@ -23,10 +23,11 @@ export const otherChoice = (situation: ProgramSituation): readonly Change[] =>
       return (param.choices ?? [])
         .filter((to) => to !== from)
         .map((to) =>
-          changeOf(
+          changeOfBlocks(
+            situation.program,
             { kind: "otherChoice", units: [unit], cycle: cycle.number, value: { at: q, from, to } },
             operation.seconds * SAVED,
-            () => withValues(situation, of, { [q]: to }),
+            [withValues(of, { [q]: to })],
           ),
         );
     });

@@ -48,6 +48,19 @@ function valuesFor(cycle: Cycle, of: TurningUnit, tool: Tool, allowance: () => n
   );
 }
 
+const isCalled = ({ call }: TurningUnit, q: string, value: unknown): boolean => (call.values as Numbers)[q] === value;
+
+/** Q499 without and with a reversed contour; its third choice belongs to another tool. */
+const DIRECTIONS = [0, 1];
+
+/** Values, and the same with the contour read from its other end, as a cycle across reads what one along does. */
+function inBothDirections(cycle: Cycle, values: Numbers): readonly Numbers[] {
+  const q = qOf(cycle, "reverse");
+  const from = q === null ? undefined : values[q];
+  if (q === null || !DIRECTIONS.some((each) => each === from)) return [values];
+  return [values, ...DIRECTIONS.filter((each) => each !== from).map((to) => ({ ...values, [q]: to }))];
+}
+
 const reversed = (contour: readonly Segment[]): readonly Segment[] => contour.map(part.reversed).reverse();
 
 /** A blade does not take the work of an insert: facing and turning stay with those, grooves with these. */
@@ -108,7 +121,7 @@ export function otherCycle(situation: ProgramSituation): readonly Change[] {
       const written = of.statement.parameters.find((p) => p.q === q);
       const own = of.cycle.params[q];
       const value = values[q] ?? param.example;
-      const keeps = written && own?.shown === param.shown && own.kind === param.kind;
+      const keeps = written && own?.shown === param.shown && own.kind === param.kind && isCalled(of, q, value);
       return {
         q,
         value: keeps ? written.value : typeof value === "number" ? valueInProgram(param, value, inches) : value,
@@ -135,8 +148,10 @@ export function otherCycle(situation: ProgramSituation): readonly Change[] {
       const planned = usable
         .filter((tool) => isUsualTool(cycle.group, tool))
         .slice(0, MOST.planned)
-        .flatMap((tool) => {
-          const values = valuesFor(cycle, of, tool, allowance);
+        .flatMap((tool) =>
+          inBothDirections(cycle, valuesFor(cycle, of, tool, allowance)).map((values) => ({ tool, values })),
+        )
+        .flatMap(({ tool, values }) => {
           const read = values as Values<Params>;
           if (!makesSame(cycle, read)) return [];
           const setting = { tool, start: call.start, feedUnit, autoFeed: call.autoFeed, stock: null };
