@@ -16,7 +16,7 @@ const short = ({ rows }: DrawnContour) =>
         .join(" "),
     )
     .join(" | ");
-const read = (bytes: Uint8Array, unit?: "mm" | "inch") => readDrawing({ name: "part.dxf", bytes }, unit);
+const read = (bytes: Uint8Array, unit?: "mm" | "inch") => readDrawing({ name: "part.dxf", bytes }, unit && { unit });
 const taken = async (bytes: Uint8Array, given: Partial<ContourChoice> = {}) => {
   const drawing = await read(bytes),
     choice = propose(drawing, given);

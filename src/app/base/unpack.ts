@@ -56,6 +56,8 @@ const RECORDS = {
   entry: { mark: 0x02014b50, length: 46 },
   local: { mark: 0x04034b50, length: 30 },
 } as const;
+/** Flag of a file whose name is in UTF-8. */
+const UTF8 = 1 << 11;
 /** A size or place of this value stands in the field of large files. */
 const LARGE = 0xffffffff;
 /** Longest comment behind the directory, bytes. */
@@ -90,7 +92,7 @@ export function packedFiles(bytes: Uint8Array): PackedFile[] {
     });
     if (view.getUint32(place, true) !== local.mark) throw new Error("a file of the zip is damaged");
     const from = place + local.length + view.getUint16(place + 26, true) + view.getUint16(place + 28, true);
-    const name = strFromU8(bytes.subarray(at + entry.length, nameEnd), (view.getUint16(at + 8, true) & 0x800) === 0);
+    const name = strFromU8(bytes.subarray(at + entry.length, nameEnd), (view.getUint16(at + 8, true) & UTF8) === 0);
     const isDeflated = view.getUint16(at + 10, true) === 8;
     at = extraEnd + view.getUint16(at + 32, true);
     return { name, size, isDeflated, packed: bytes.subarray(from, from + length) };

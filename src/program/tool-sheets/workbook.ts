@@ -45,14 +45,9 @@ function officeRows(sheet: XmlElement, shared: readonly string[]): string[][] {
         while (cells.length < at) cells.push("");
         const type = attributeOf(cell, "t") ?? "n";
         const value = elementsIn(cell, "v").map(textInside).join("");
-        cells[at] =
-          type === "inlineStr"
-            ? officeText(cell)
-            : type === "s"
-              ? (shared[Number(value)] ?? "")
-              : type === "n"
-                ? shown(value)
-                : value;
+        if (type === "inlineStr") cells[at] = officeText(cell);
+        else if (type === "s") cells[at] = shared[Number(value)] ?? "";
+        else cells[at] = type === "n" ? shown(value) : value;
       }
       return cells;
     });
