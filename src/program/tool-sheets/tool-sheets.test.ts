@@ -64,10 +64,11 @@ describe("titles and tools of sheets", () => {
     ],
     [
       "limits of blades and bars",
-      "Nr;Name;Typ;Breite;Stechtiefe;Abstech-⌀;Kleinste Bohrung\n1;A;Abstechen;3;20 mm;40;\n2;B;Bohrstange;;;;25\n",
+      "Nr;Name;Typ;Breite;Stechtiefe;Abstech-⌀;Kleinste Bohrung;Abstützung\n1;A;Abstechen;3;20 mm;40;;gerade\n2;B;Bohrstange;;;;25;\n3;C;Stechen;4;;;;gebogen\n",
       [
-        { T: "1", NAME: "A", TYPE: "RECESS", CUTWIDTH: "3", CDX: "20", CUTDIA: "40" },
+        { T: "1", NAME: "A", TYPE: "RECESS", CUTWIDTH: "3", CDX: "20", CUTDIA: "40", SUPPORT: "STRAIGHT" },
         { T: "2", NAME: "B", TYPE: "ROUGH", DMIN: "25" },
+        { T: "3", NAME: "C", TYPE: "RECESS", CUTWIDTH: "4", SUPPORT: "CURVED" },
       ],
     ],
   ])("%s", (_, text, rows) => expect(proposed(text)?.rows.map(({ cells }) => cells)).toEqual(rows));
