@@ -2,9 +2,11 @@ import { readFileSync } from "node:fs";
 import { basename } from "node:path";
 import { noteText } from "../src/i18n/drawing-note.ts";
 import { drawing as words } from "../src/i18n/en/drawing.ts";
+import { drawingImport as imported } from "../src/i18n/en/drawing-import.ts";
+import { formatNumber } from "../src/i18n/number.ts";
 import { programText } from "../src/nc/print.ts";
 import { LAYOUTS } from "../src/nc/style.ts";
-import type { ContourChoice, Drawing, DrawingNote } from "../src/program/drawing/drawing.ts";
+import type { ContourChoice, Drawing, DrawingGiven, DrawingNote } from "../src/program/drawing/drawing.ts";
 import { contourOf, propose, readDrawing } from "../src/program/drawing/formats.ts";
 import { contourStatements } from "../src/program/job/print-contour.ts";
 import { INCH } from "../src/kernel/units.ts";
@@ -18,7 +20,7 @@ const STDIN = "-";
 const LABEL = 1;
 
 const usage = (called: string): string =>
-  `usage: ${called} FILE.dxf [--unit mm|inch] [--axis Y] [--zero Z] [--half upper|lower] [--piece N] [--side outside|bore] ` +
+  `usage: ${called} FILE.dxf [--unit mm|inch] [--body N] [--axis Y] [--zero Z] [--half upper|lower] [--piece N] [--side outside|bore] ` +
   "[--gap WIDTH] [--layer NAME …] [--mirrored] [--reversed] [--diameters] [--thin]";
 
 const help = (called: string): string =>
@@ -29,6 +31,7 @@ out, joined or is doubtful is on standard error, a line each. What is not given 
 
   FILE.dxf             the drawing: DXF, STEP or SVG; ${STDIN} reads one from standard input
   --unit mm|inch       unit of its numbers, in place of the one it names
+  --body N             which body of a STEP file, 1 for the one with the largest turned surface
   --axis Y             place of the axis of rotation: y of a horizontal one, x=… of a vertical one; x or y alone is its
                        direction. Places are in the unit of the drawing.
   --zero Z             place of Z0 along the axis
@@ -49,7 +52,7 @@ Exit status: 0 a contour is printed, 1 there is none, 2 the command could not ru
 /** Values of a command: those of a choice as typed, places still in the unit of the drawing. */
 interface Command {
   readonly file: string;
-  readonly unit: "mm" | "inch" | undefined;
+  readonly given: DrawingGiven;
   readonly axis: ContourChoice["axis"] | undefined;
   readonly axisAt: number | undefined;
   readonly zero: number | undefined;
@@ -63,6 +66,13 @@ function number(option: string, typed: string): number {
   const value = typed.trim() === "" ? Number.NaN : Number(typed.replace(",", "."));
   if (!Number.isFinite(value)) throw new WrongUse(`${option} needs a number, not ${typed}`);
   return value;
+}
+
+/** Index of what is counted from 1. */
+function ordinal(option: string, typed: string): number {
+  const value = number(option, typed);
+  if (!Number.isInteger(value) || value < 1) throw new WrongUse(`${option} needs a number from 1, not ${typed}`);
+  return value - 1;
 }
 
 function oneOf<T extends string>(option: string, typed: string, names: readonly T[]): T {
@@ -83,7 +93,7 @@ function command(args: readonly string[], called: string): Command {
   const files: string[] = [],
     layers: string[] = [];
   let made: Omit<Command, "file" | "layers"> = {
-    unit: undefined,
+    given: {},
     axis: undefined,
     axisAt: undefined,
     zero: undefined,
@@ -110,7 +120,10 @@ function command(args: readonly string[], called: string): Command {
     };
     switch (arg) {
       case "--unit":
-        made = { ...made, unit: oneOf<"mm" | "inch">(arg, value(), ["mm", "inch"]) };
+        made = { ...made, given: { ...made.given, unit: oneOf(arg, value(), ["mm", "inch"]) } };
+        break;
+      case "--body":
+        made = { ...made, given: { ...made.given, body: ordinal(arg, value()) } };
         break;
       case "--axis":
         made = { ...made, ...axisOf(value()) };
@@ -124,13 +137,9 @@ function command(args: readonly string[], called: string): Command {
       case "--side":
         choose({ side: oneOf(arg, value(), ["outside", "bore"]) });
         break;
-      case "--piece": {
-        const typed = value(),
-          piece = number(arg, typed);
-        if (!Number.isInteger(piece) || piece < 1) throw new WrongUse(`${arg} needs a number from 1, not ${typed}`);
-        choose({ piece: piece - 1 });
+      case "--piece":
+        choose({ piece: ordinal(arg, value()) });
         break;
-      }
       case "--gap": {
         const typed = value(),
           gap = number(arg, typed);
@@ -184,17 +193,26 @@ export async function main(args: readonly string[], called = "npm run --silent c
     else if (args.includes("--version")) process.stdout.write(`Turnwise ${import.meta.env.VITE_VERSION}\n`);
     else {
       const asked = command(args, called),
-        drawing = await readDrawing({ name: basename(asked.file), bytes: bytes(asked.file) }, asked.unit);
+        drawing = await readDrawing({ name: basename(asked.file), bytes: bytes(asked.file) }, asked.given);
       if (drawing.curves.length === 0) {
         tell(drawing.notes);
         return 1;
       }
+      const { bodies } = drawing;
+      if (asked.given.body !== undefined && (bodies?.drawn ?? 0) !== asked.given.body)
+        throw new WrongUse(`--body ${asked.given.body + 1}: there are ${bodies?.all.length ?? 1}`);
       const fixed = given(asked, drawing),
         choice = propose(drawing, fixed),
         { rows, notes, pieces } = contourOf(drawing, choice);
       if (fixed.piece !== undefined && fixed.piece >= pieces.length && pieces.length > 0)
         throw new WrongUse(`--piece ${fixed.piece + 1}: there are ${pieces.length}`);
       tell([...drawing.notes, ...notes]);
+      if (bodies && bodies.all.length > 1)
+        bodies.all.forEach(({ name, across, length }, i) =>
+          say(
+            `info: --body ${imported.bodyOf(i + 1, name, formatNumber("en", across, 1), formatNumber("en", length, 1))}`,
+          ),
+        );
       if (rows.length < 2) return 1;
       const label = (number: number) => ({ kind: "label" as const, label: number });
       process.stdout.write(programText([label(LABEL), ...contourStatements(rows), label(0)], LAYOUTS.tnc7, false));

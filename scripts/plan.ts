@@ -200,7 +200,7 @@ async function partOf({ file, unit }: Command): Promise<FinishedPart | null> {
       say(`${file}: ${code} ${JSON.stringify(values)}`);
     return part;
   }
-  const drawing = await readDrawing({ name: basename(file), bytes: data }, unit);
+  const drawing = await readDrawing({ name: basename(file), bytes: data }, unit && { unit });
   const name = basename(file, extname(file)).toUpperCase();
   const { part, notes } = partOfDrawing(drawing, name);
   for (const note of notes) say(`${note.severity}: ${noteText("en", note, drawingWords)}`);

@@ -1,4 +1,5 @@
 import { textsOfFile } from "../src/app/document/file-texts.ts";
+import { sheetInWorkbook } from "../src/app/document/workbook-file.ts";
 import { toolForeign } from "../src/i18n/en/tool-foreign.ts";
 import type { LengthUnit } from "../src/kernel/units.ts";
 import type { ForeignTool } from "../src/program/tool-files/foreign-tool.ts";
@@ -11,7 +12,7 @@ import type { CellName } from "../src/program/tools/tool-columns.ts";
 import { readEntry } from "../src/program/tools/tool-entry.ts";
 import { isLength, proposedAssignment, toolsOfSheet } from "../src/program/tool-sheets/assignment.ts";
 import { unitIn } from "../src/program/tool-sheets/column-words.ts";
-import { readSheet } from "../src/program/tool-sheets/sheet.ts";
+import { readSheet, type Sheet } from "../src/program/tool-sheets/sheet.ts";
 import { unknownToolKeys } from "../src/program/tools/tool-keys.ts";
 import { readList } from "../src/program/tools/tool-list.ts";
 
@@ -60,8 +61,7 @@ const SHIPPED = [...builtInTools.table.tools, ...(builtInTools.table.mills ?? []
 const SAYS_KIND: ReadonlySet<string> = new Set(["TYPE", "CODE"]);
 
 /** A sheet with titles of its own, its columns as the page proposes them; null when they say nothing about tools. */
-function sheetTools(text: string, unit: LengthUnit): ReadShopTools | null {
-  const sheet = readSheet(text);
+function sheetTools(sheet: Sheet | null, unit: LengthUnit): ReadShopTools | null {
   if (!sheet) return null;
   const { columns, words } = proposedAssignment(sheet);
   if (!columns.some((column) => column && SAYS_KIND.has(column.cell))) return null;
@@ -88,6 +88,8 @@ function sheetTools(text: string, unit: LengthUnit): ReadShopTools | null {
 export function readShopTools(name: string, data: Uint8Array, unit: LengthUnit): ReadShopTools {
   let texts: ReturnType<typeof textsOfFile>;
   try {
+    const workbook = sheetTools(sheetInWorkbook(data), unit);
+    if (workbook) return workbook;
     texts = textsOfFile(name, data, TOOL_FILE_ENDINGS);
   } catch {
     return { problem: "the archive is damaged" };
@@ -99,7 +101,7 @@ export function readShopTools(name: string, data: Uint8Array, unit: LengthUnit):
   if (only && !isForeign && /^\s*[{[]/.test(only.text)) return ownTools(only.text);
   const read = all.filter(({ content }) => !("problem" in content));
   if (read.length === 0)
-    return (only && sheetTools(only.text, unit)) ?? { problem: "not a table of tools in a known format" };
+    return (only && sheetTools(readSheet(only.text), unit)) ?? { problem: "not a table of tools in a known format" };
   const foreign = read.flatMap(({ content }) => ("foreign" in content ? [content.foreign] : []));
   const rows = read.flatMap(({ content }) => ("table" in content ? content.table.rows : []));
   const taken = new Set([...SHIPPED, ...rows.map(({ T }) => Number(T))]);

@@ -50,7 +50,7 @@ const PARTS: Readonly<Record<string, readonly Segment[]>> = {
   ],
 };
 
-const read = (text: string, unit?: "mm" | "inch") => readStep(new TextEncoder().encode(text), unit);
+const read = (text: string, unit?: "mm" | "inch") => readStep(new TextEncoder().encode(text), unit && { unit });
 /** Segments without order and direction. */
 const same = (a: Segment, b: Segment) =>
   a.kind === b.kind &&
@@ -134,6 +134,41 @@ test("a chosen unit replaces that of the file", () => {
   expect(length(read(text, "inch"))).toBeCloseTo(40 * 25.4, 6);
   expect(read(text, "inch").unit).toEqual({ unit: "inch", source: "chosen" });
   expect(length(read(text.replace(/\(GEOMETRIC_REPRESENTATION_CONTEXT[^;]*;/, "X();")))).toBeCloseTo(40, 6);
+});
+
+test("of several bodies the largest turned one is drawn; each can be given, by name and size", () => {
+  const solid = new Solid(MANNERS.inches);
+  const pin = (r: number, length: number) =>
+    [line(-length, 0, -length, r), line(-length, r, 0, r), line(0, r, 0, 0)].forEach((s) => solid.turn(s));
+  pin(4, 20);
+  solid.body("Pin", "Body1");
+  pin(10, 50);
+  solid.body("Shaft", "Body1");
+  pin(6, 8);
+  solid.body("Shaft", "Cap");
+  const text = solid.text(),
+    give = (body: number) => readStep(new TextEncoder().encode(text), { body });
+  const sized = (drawing: ReturnType<typeof read>) =>
+    drawing.bodies?.all.map(({ name, across, length }) => [name, Math.round(across), Math.round(length)]);
+  expect(sized(read(text))).toEqual([
+    ["Body1", 20, 50],
+    ["Pin", 8, 20],
+    ["Cap", 12, 8],
+  ]);
+  expect(read(text).notes).toContainEqual({
+    code: "otherBodies",
+    severity: "warning",
+    values: { name: "Body1", count: 2, turned: 2 },
+  });
+  for (const [body, length, drawn] of [
+    [0, 50, 0],
+    [1, 20, 1],
+    [2, 8, 2],
+    [7, 50, 0],
+  ] as const) {
+    expect(give(body).bodies?.drawn).toBe(drawn);
+    expect(Math.max(...outlineOf(give(body)).map((s) => Math.abs(s.from.z - s.to.z)))).toBeCloseTo(length, 6);
+  }
 });
 
 test.each([

@@ -26,7 +26,8 @@ export const MANNERS = {
 /** Writes a STEP file of one solid from faces. */
 export class Solid {
   private readonly lines: string[] = [];
-  private readonly faces: string[] = [];
+  private faces: string[] = [];
+  private readonly solids: { readonly product: string; readonly id: string }[] = [];
   private readonly manner: Manner;
   private readonly known = new Map<string, string>();
 
@@ -209,9 +210,27 @@ export class Solid {
     else this.face(surface, isLeft, ...[circle(s.from, 1, 1), back(circle(s.to, 1, 1))].filter((l) => l.length > 0));
   }
 
+  /** The faces since the last body are one; an empty product is none. */
+  body(product: string, name: string) {
+    const shell = this.put(`CLOSED_SHELL('',(${this.faces.join(",")}))`);
+    this.solids.push({ product, id: this.put(`MANIFOLD_SOLID_BREP('${name}',${shell})`) });
+    this.faces = [];
+  }
+
+  /** A representation of the bodies of a product, or of those without one. */
+  private represent(product: string, context: string) {
+    const ids = this.solids.filter((s) => s.product === product).map((s) => s.id);
+    const shape = this.put(`ADVANCED_BREP_SHAPE_REPRESENTATION('${product}',(${ids.join(",")}),${context})`);
+    if (product === "") return;
+    const named = this.put(`SHAPE_REPRESENTATION('${product}',(),${context})`);
+    this.put(`SHAPE_REPRESENTATION_RELATIONSHIP('','',${named},${shape})`);
+    const formation = this.put(`PRODUCT_DEFINITION_FORMATION('','',${this.put(`PRODUCT('id','${product}','',())`)})`),
+      definition = this.put(`PRODUCT_DEFINITION('design','',${formation},$)`);
+    this.put(`SHAPE_DEFINITION_REPRESENTATION(${this.put(`PRODUCT_DEFINITION_SHAPE('','',${definition})`)},${named})`);
+  }
+
   text(): string {
-    const shell = this.put(`CLOSED_SHELL('',(${this.faces.join(",")}))`),
-      solid = this.put(`MANIFOLD_SOLID_BREP('Part',${shell})`);
+    if (this.faces.length > 0) this.body("", "Part");
     const mm = this.put("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))"),
       radian = this.put("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))");
     const converted = (name: string, size: string, of: string, kind: string) =>
@@ -227,7 +246,7 @@ export class Solid {
       context = this.put(
         `(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNIT_ASSIGNED_CONTEXT((${units[this.manner.unit]},${angle}))REPRESENTATION_CONTEXT('',''))`,
       );
-    this.put(`ADVANCED_BREP_SHAPE_REPRESENTATION('',(${solid}),${context})`);
+    for (const product of new Set(this.solids.map((s) => s.product))) this.represent(product, context);
     return `ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\nDATA;\n${this.lines.join("\n")}\nENDSEC;\nEND-ISO-10303-21;\n`;
   }
 }

@@ -22,10 +22,11 @@ export class Menus {
   async header(name: string): Promise<void> {
     const { page, t } = this.context;
     const button = (each: string) => page.getByRole("banner").getByRole("button", { name: each, exact: true });
+    // A new size of the window changes the header in the frame that has it.
+    const width = page.viewportSize()?.width;
+    if (width !== undefined) await page.waitForFunction((w) => matchMedia(`(width: ${w}px)`).matches, width);
     const menu = button(t.helpMenu.menu);
-    await menu.or(button(name)).waitFor();
-    if ((await menu.count()) === 0) return button(name).click();
-    await menu.click();
-    await page.getByRole("menuitem", { name, exact: true }).click();
+    await menu.or(button(name)).click();
+    if ((await menu.count()) > 0) await page.getByRole("menuitem", { name, exact: true }).click();
   }
 }

@@ -16,10 +16,19 @@ export interface FreeValues {
   readonly Q482: Axial;
 }
 
+/** Contours from their ends, made once: values are tried many times on the same contour. */
+const reversals = new WeakMap<readonly Segment[], readonly Segment[]>();
+
+function fromItsEnd(contour: readonly Segment[]): readonly Segment[] {
+  const known = reversals.get(contour) ?? contour.map(part.reversed).reverse();
+  reversals.set(contour, known);
+  return known;
+}
+
 /** Contour of a subprogram in machining direction: as programmed, or from its end with Q499 = 1 and 2. */
 export function freeOutline(v: FreeValues, given: Given, transverse: boolean): Outline {
   const programmed = given.contour;
-  const contour = v.Q499 === 0 ? (programmed ?? []) : (programmed ?? []).map(part.reversed).reverse();
+  const contour = v.Q499 === 0 || !programmed ? (programmed ?? []) : fromItsEnd(programmed);
   const elements = contour.map((_, i) => (v.Q499 === 0 ? i + 1 : contour.length - i));
   const open = transverse || sideOf(contour, given.start) !== "inside";
   const outline = { frame: freeFrame(contour, transverse, open), sunk: false, dimensions: [], issues: [], elements };

@@ -27,11 +27,34 @@ export interface KnownOutline {
 
 const same = (a: Pt, b: Pt): boolean => Math.hypot(a.z - b.z, a.r - b.r) < JOINED;
 
+const half = (s: Segment): Pt => part.pointOn(s, 0.5);
+
 /** Whether two elements are equal, in either direction. */
 export function sameSegment(a: Segment, b: Segment): boolean {
-  const half = (s: Segment) => part.pointOn(s, 0.5);
   const ends = (same(a.from, b.from) && same(a.to, b.to)) || (same(a.from, b.to) && same(a.to, b.from));
   return ends && same(half(a), half(b));
+}
+
+/** Side of the squares in which elements are looked up by their middles, mm: much more than the tolerance. */
+const SQUARE = 50 * JOINED;
+
+/** Whether a contour has an element; in a long one, too, without looking at all of them. */
+function lookupIn(contour: readonly Segment[]): (s: Segment) => boolean {
+  const squares = new Map<string, Segment[]>();
+  const square = ({ z, r }: Pt, dz = 0, dr = 0) => `${Math.floor(z / SQUARE) + dz} ${Math.floor(r / SQUARE) + dr}`;
+  for (const s of contour) {
+    const key = square(half(s)),
+      there = squares.get(key);
+    if (there) there.push(s);
+    else squares.set(key, [s]);
+  }
+  const BESIDE = [0, -1, 1];
+  return (s) => {
+    const at = half(s);
+    return BESIDE.some((dz) =>
+      BESIDE.some((dr) => squares.get(square(at, dz, dr))?.some((o) => sameSegment(o, s)) ?? false),
+    );
+  };
 }
 
 /** The parts of a cycle's contour that its typed values determine. */
@@ -49,8 +72,9 @@ export function knownOutline(cycle: Cycle, known: SomeValues, given: Given): Kno
     return x === undefined || z === undefined ? [] : [{ x, z }];
   });
   const made = completions(cycle, known, given).map(({ outline }) => outline.contour);
-  const [first = [], ...others] = made;
-  const sure = first.filter((s) => others.every((all) => all.some((o) => sameSegment(o, s))));
+  const [first = [], ...others] = new Set(made);
+  const lookups = others.map(lookupIn);
+  const sure = first.filter((s) => lookups.every((has) => has(s)));
   const whole = sure.length > 0 && made.every((all) => all.length === sure.length);
   // A programmed contour is known even where no cycle can cut it yet.
   const contour = made.length === 0 && cycle.contour === "free" ? (given.contour ?? []) : sure;

@@ -1,10 +1,13 @@
+import { crossesChain } from "../kernel/contour/crossing.ts";
 import { isBar, noseRadius } from "../kernel/cutter/insert.ts";
 import type { Reason } from "../kernel/plan/issue.ts";
-import type { Pt, Ring } from "../kernel/geometry/point.ts";
+import { at, part, type Pt, type Ring } from "../kernel/geometry/point.ts";
+import { FAR } from "../kernel/strategy/tip-envelope.ts";
 import { boxOf, gapBetween } from "../kernel/area/box.ts";
 import type { Box } from "../kernel/geometry/segments.ts";
 import { hypotenuse } from "../kernel/geometry/vectors.ts";
 import type { Outlines } from "./outlines.ts";
+import { placeIn } from "./region.ts";
 import type { SimulatedOperation } from "./simulation.ts";
 import { sweepAlong } from "./sweep.ts";
 
@@ -75,6 +78,16 @@ function betweenContours(box: Box, operation: SimulatedOperation, acting: Reason
 }
 
 /**
+ * Whether the way out of a region is across the contour. Passes follow the contour as it is seen from its open side, so
+ * that they do not go there with any tool.
+ */
+function isBehindContour(ring: Ring, { contour, openSide }: SimulatedOperation["plan"]): boolean {
+  const from = placeIn(ring),
+    way = part.line(from, at(from.z + openSide.z * FAR, from.r + openSide.r * FAR));
+  return crossesChain(way, contour);
+}
+
+/**
  * The reason why the deepest path of an operation leaves a region. The longest contact with limited stretches of that
  * path decides. Where all contact is with the contour, the insert leaves it between two elements; without contact the
  * nearest stretch decides.
@@ -82,6 +95,7 @@ function betweenContours(box: Box, operation: SimulatedOperation, acting: Reason
 export function reasonFor(ring: Ring, operation: SimulatedOperation, outlines: Outlines): Reason {
   const reach = operation.plan.reach;
   if (reach.length === 0) return withoutReach(operation);
+  if (isBehindContour(ring, operation.plan)) return "behindContour";
   const around = boxOf(ring);
   const samples = samplesOf(ring);
   const length = new Map<Reason, number>();

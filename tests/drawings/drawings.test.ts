@@ -16,7 +16,7 @@ const short = ({ rows }: DrawnContour) =>
         .join(" "),
     )
     .join(" | ");
-const read = (bytes: Uint8Array, unit?: "mm" | "inch") => readDrawing({ name: "part.dxf", bytes }, unit);
+const read = (bytes: Uint8Array, unit?: "mm" | "inch") => readDrawing({ name: "part.dxf", bytes }, unit && { unit });
 const taken = async (bytes: Uint8Array, given: Partial<ContourChoice> = {}) => {
   const drawing = await read(bytes),
     choice = propose(drawing, given);
@@ -79,6 +79,18 @@ describe("sections", () => {
       mm([polyline(true, [[0, 0], [0, 10], [-20, 10], [-20, 0]])]), // prettier-ignore
       {},
       "X0 Z0 | X20 | Z-20",
+    ],
+    [
+      "a half drawn far from the origin, whose ends lie on its axis",
+      mm([polyline(false, [[500, 400], [500, 412], [518, 412], [518, 427], [546, 427], [546, 400]])]), // prettier-ignore
+      {},
+      "X0 Z0 | X54 | Z-28 | X24 | Z-46",
+    ],
+    [
+      "open along its axis from the origin, whose face lies on the other axis",
+      mm([polyline(false, [[0, 0], [0, 12], [25, 12], [31, 18], [50, 18], [50, 0]])]), // prettier-ignore
+      { mirrored: true, zero: 0 },
+      "X0 Z0 | X24 | Z-25 | X36 Z-31 | Z-50",
     ],
     [
       "ball end on the axis",

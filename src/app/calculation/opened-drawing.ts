@@ -1,5 +1,5 @@
 import type { Pt } from "../../kernel/geometry/point.ts";
-import type { ContourChoice, Drawing, DrawnContour } from "../../program/drawing/drawing.ts";
+import type { ContourChoice, Drawing, DrawingGiven, DrawnContour } from "../../program/drawing/drawing.ts";
 import { contourOf, propose, readDrawing, type DrawingFile } from "../../program/drawing/formats.ts";
 import { picked, stepped, type ArrowKey, type Picked, type PickKind } from "../../program/drawing/pick.ts";
 
@@ -16,13 +16,13 @@ export function keepDrawing(name: string, drawing: Drawing): void {
   kept.set(name, drawing);
 }
 
-/** A drawing with its proposed contour. `unit`: chosen by the operator, instead of that of the file. */
+/** A drawing with its proposed contour; what the operator has given replaces what the file says. */
 export async function openedDrawing(
   name: string,
   file: DrawingFile,
-  unit?: "mm" | "inch",
+  given: DrawingGiven = {},
 ): Promise<{ readonly drawing: Drawing; readonly choice: ContourChoice }> {
-  const drawing = await readDrawing(file, unit);
+  const drawing = await readDrawing(file, given);
   keepDrawing(name, drawing);
   return { drawing, choice: propose(drawing) };
 }

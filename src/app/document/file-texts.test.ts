@@ -38,16 +38,9 @@ test("archives are opened two deep, and a damaged one throws", () => {
   expect(() => read("cut.zip", deep.slice(0, 60))).toThrow();
 });
 
-test("an entry that says it is smaller than it is stays within that size", () => {
+test("a file that is larger than the directory of its archive says makes the archive too large", () => {
   const zip = zipSync({ "a.json": new Uint8Array(90_000) });
   const at = zip.findIndex((_, i) => zip[i] === 0x50 && zip[i + 1] === 0x4b && zip[i + 2] === 1 && zip[i + 3] === 2);
   new DataView(zip.buffer).setUint32(at + 24, 10, true);
-  let sizes: readonly number[] = [];
-  try {
-    const found = textsOfFile("lie.zip", zip, ENDINGS, LIMITS);
-    sizes = found === "tooLarge" ? [] : found.map(({ text }) => text.length);
-  } catch {
-    sizes = [];
-  }
-  expect(sizes.every((size) => size <= 10)).toBe(true);
+  expect(read("lie.zip", zip)).toBe("tooLarge");
 });

@@ -1,4 +1,4 @@
-import { unzipSync } from "fflate";
+import { packedFiles, unpackedFile } from "../base/unpack.ts";
 import { decodeAny } from "./encoding.ts";
 import type { Encoding } from "./work.ts";
 
@@ -35,24 +35,19 @@ export function textsOfFile(
   if (!isZip(bytes)) return [{ name, ...decodeAny(bytes), packed: false }];
   const texts: FileText[] = [];
   let size = 0;
-  const unpack = (packed: Uint8Array, depth: number): boolean => {
-    let count = 0;
-    let fits = true;
-    // The sizes of all entries are added up before any is unpacked, and none becomes larger than it says.
-    const entries = unzipSync(packed, {
-      filter: (entry) => {
-        const lower = entry.name.toLowerCase();
-        if (!fits || lower.endsWith("/") || !endings.some((ending) => lower.endsWith(ending))) return false;
-        size += entry.originalSize;
-        count += 1;
-        fits = size <= limits.bytes && texts.length + count <= limits.texts;
-        return fits;
-      },
+  const unpack = (archive: Uint8Array, depth: number): boolean => {
+    const files = packedFiles(archive).filter(({ name: path }) => {
+      const lower = path.toLowerCase();
+      return !lower.endsWith("/") && endings.some((ending) => lower.endsWith(ending));
     });
-    if (!fits) return false;
-    return Object.entries(entries).every(([path, content]) => {
-      if (!isZip(content)) texts.push({ name: path, ...decodeAny(content), packed: true });
-      else if (depth < limits.depth && ARCHIVE.test(path)) return unpack(content, depth + 1);
+    // The sizes of all files are added up before any is unpacked, and none becomes larger than it says.
+    size += files.reduce((sum, file) => sum + file.size, 0);
+    if (size > limits.bytes || texts.length + files.length > limits.texts) return false;
+    return files.every((file) => {
+      const content = unpackedFile(file);
+      if (content === null) return false;
+      if (!isZip(content)) texts.push({ name: file.name, ...decodeAny(content), packed: true });
+      else if (depth < limits.depth && ARCHIVE.test(file.name)) return unpack(content, depth + 1);
       return true;
     });
   };

@@ -1,4 +1,5 @@
-import { strFromU8, strToU8, unzipSync, zipSync, type Zippable } from "fflate";
+import { strFromU8, strToU8, zipSync, type Zippable } from "fflate";
+import { packedFiles, unpackedFile } from "../base/unpack.ts";
 import { encode } from "../document/encoding.ts";
 import { parse } from "../../nc/parse.ts";
 import { isoProgramText } from "../../nc/iso/print-iso.ts";
@@ -147,18 +148,10 @@ export const looksPacked = (bytes: Uint8Array): boolean => bytes[0] === 0x50 && 
 
 /** The bytes of the manifest. Nothing else of the file is ever unpacked, so its paths are harmless. */
 function manifestOf(bytes: Uint8Array, limits: ArchiveLimits): Uint8Array | ArchiveProblem {
-  let entries = 0;
-  let tooLarge = false;
-  // Each entry is unpacked to its declared size at most.
-  const found = unzipSync(bytes, {
-    filter: ({ name, originalSize }) => {
-      entries++;
-      const wanted = name === MANIFEST;
-      tooLarge ||= entries > limits.entries || (wanted && originalSize > limits.unpacked);
-      return wanted && !tooLarge;
-    },
-  });
-  return tooLarge ? "tooLarge" : (found[MANIFEST] ?? "notAnArchive");
+  const files = packedFiles(bytes);
+  if (files.length > limits.entries) return "tooLarge";
+  const manifest = files.find(({ name }) => name === MANIFEST);
+  return manifest ? (unpackedFile(manifest, limits.unpacked) ?? "tooLarge") : "notAnArchive";
 }
 
 /** The works of a manifest, and the names of those that cannot be read. */

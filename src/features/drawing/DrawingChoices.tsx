@@ -1,5 +1,5 @@
 import { useId, useMemo, useState, type ReactNode } from "react";
-import type { ContourChoice, DrawnContour, Drawing } from "../../program/drawing/drawing.ts";
+import type { ContourChoice, DrawnContour, Drawing, DrawingGiven } from "../../program/drawing/drawing.ts";
 import { anyNumber, readText, type Field } from "../../program/values/field.ts";
 import { INCH } from "../../kernel/units.ts";
 import { formatNumber } from "../../i18n/number.ts";
@@ -13,7 +13,8 @@ interface Props {
   readonly choice: ContourChoice;
   readonly proposed: ContourChoice;
   readonly contour: DrawnContour;
-  readonly onUnit: (unit: "mm" | "inch") => void;
+  /** Reads the drawing again. */
+  readonly onGiven: (given: DrawingGiven) => void;
   /** Another direction of the axis, with its likeliest place. */
   readonly onAxis: (axis: ContourChoice["axis"]) => void;
   readonly onChange: (change: Partial<ContourChoice>) => void;
@@ -60,7 +61,7 @@ function Position({
 }
 
 /** All choices by name, next to the picture on which they can be picked. */
-export function DrawingChoices({ drawing, choice, proposed, contour, onUnit, onAxis, onChange }: Props) {
+export function DrawingChoices({ drawing, choice, proposed, contour, onGiven, onAxis, onChange }: Props) {
   const t = useTexts("drawing-import"),
     language = useSettings((s) => s.language),
     id = useId();
@@ -104,7 +105,7 @@ export function DrawingChoices({ drawing, choice, proposed, contour, onUnit, onA
         <select
           className="select"
           value={drawing.unit.unit}
-          onChange={(e) => onUnit(e.currentTarget.value === "inch" ? "inch" : "mm")}
+          onChange={(e) => onGiven({ unit: e.currentTarget.value === "inch" ? "inch" : "mm" })}
         >
           <option value="mm">{t.units.mm}</option>
           <option value="inch">{t.units.inch}</option>
@@ -113,6 +114,22 @@ export function DrawingChoices({ drawing, choice, proposed, contour, onUnit, onA
           {t.source[drawing.unit.source]}
         </span>
       </label>
+      {drawing.bodies && drawing.bodies.all.length > 1 && (
+        <label className="drawing-line">
+          <span>{t.body}</span>
+          <select
+            className="select"
+            value={drawing.bodies.drawn}
+            onChange={(e) => onGiven({ body: Number(e.currentTarget.value) })}
+          >
+            {drawing.bodies.all.map(({ name, across, length }, i) => (
+              <option key={i} value={i}>
+                {t.bodyOf(i + 1, name, formatNumber(language, across, 1), formatNumber(language, length, 1))}
+              </option>
+            ))}
+          </select>
+        </label>
+      )}
       {contour.hasSides &&
         group(
           t.side,

@@ -66,7 +66,7 @@ export function DrawingDialog({ request }: { readonly request: DrawingRequest })
       }
     >
       {opened && made ? (
-        <DrawingPicker key={opened.name} opened={opened} made={made} notes={notes} onUnit={readAs} onChange={change} />
+        <DrawingPicker key={opened.name} opened={opened} made={made} notes={notes} onGiven={readAs} onChange={change} />
       ) : (
         <div className="drawing-empty">
           {opening.kind === "refused" && (

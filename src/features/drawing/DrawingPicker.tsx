@@ -4,7 +4,7 @@ import { part } from "../../kernel/geometry/point.ts";
 import { INCH, toDiameter } from "../../kernel/units.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import { readRows } from "../../program/job/contour-rows.ts";
-import type { ContourChoice } from "../../program/drawing/drawing.ts";
+import type { ContourChoice, DrawingGiven } from "../../program/drawing/drawing.ts";
 import type { OpenedDrawing } from "../../app/document/drawing-request.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
@@ -25,7 +25,7 @@ interface Props {
   /** The newest contour, perhaps of the previous choice. */
   readonly made: MadeContour;
   readonly notes: readonly ListedNote[];
-  readonly onUnit: (unit: "mm" | "inch") => void;
+  readonly onGiven: (given: DrawingGiven) => void;
   readonly onChange: (change: Partial<ContourChoice>) => void;
 }
 
@@ -46,7 +46,7 @@ function rowUnder(reading: ReturnType<typeof readRows>, p: Pt, within: number): 
 }
 
 /** The drawing with its picked contour, next to the choices by name, the notes and the contour as a table. */
-export function DrawingPicker({ opened, made, notes, onUnit, onChange }: Props) {
+export function DrawingPicker({ opened, made, notes, onGiven, onChange }: Props) {
   const { drawing, choice, proposed } = opened,
     { contour } = made;
   const t = useTexts("drawing-import"),
@@ -182,7 +182,7 @@ export function DrawingPicker({ opened, made, notes, onUnit, onChange }: Props) 
           choice={choice}
           proposed={proposed}
           contour={contour}
-          onUnit={onUnit}
+          onGiven={onGiven}
           onAxis={(axis) => {
             const { gap, reversed, thin, diameters, withoutLayers } = choice;
             repropose({ axis, gap, reversed, thin, diameters, withoutLayers });

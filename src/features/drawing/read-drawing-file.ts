@@ -1,4 +1,4 @@
-import type { ContourChoice, Drawing, DrawingNote } from "../../program/drawing/drawing.ts";
+import type { ContourChoice, Drawing, DrawingGiven, DrawingNote } from "../../program/drawing/drawing.ts";
 import type { OpenedDrawing } from "../../app/document/drawing-request.ts";
 import type { DrawingAnswers, DrawingQuestion } from "../../app/calculation/opened-drawing.ts";
 import { LARGEST_DRAWING } from "../../program/drawing/endings.ts";
@@ -12,14 +12,14 @@ export type ReadDrawing =
 
 const failed = (note: DrawingNote): ReadDrawing => ({ kind: "failed", notes: [note] });
 
-/** Reads a drawing in the worker, so that the page goes on. `unit`: chosen by the operator, instead of that of the file. */
-export async function readDrawingFile(file: File, unit?: "mm" | "inch"): Promise<ReadDrawing> {
+/** Reads a drawing in the worker, so that the page goes on; what the operator has given replaces what the file says. */
+export async function readDrawingFile(file: File, given: DrawingGiven = {}): Promise<ReadDrawing> {
   if (file.size > LARGEST_DRAWING)
     return failed({ code: "tooLarge", severity: "error", values: { limit: LARGEST_DRAWING / 1e6 } });
   try {
     const bytes = new Uint8Array(await file.arrayBuffer());
     const name = randomId(),
-      read = await askAgain((engine) => engine.readDrawing(name, { name: file.name, bytes }, unit));
+      read = await askAgain((engine) => engine.readDrawing(name, { name: file.name, bytes }, given));
     return read.drawing.curves.length > 0
       ? { kind: "drawing", name, ...read }
       : { kind: "failed", notes: read.drawing.notes };

@@ -1,5 +1,5 @@
 import { useEffect, useEffectEvent, useRef, useState } from "react";
-import type { ContourChoice, DrawingNote, DrawnContour } from "../../program/drawing/drawing.ts";
+import type { ContourChoice, DrawingGiven, DrawingNote, DrawnContour } from "../../program/drawing/drawing.ts";
 import { keepDrawing, useDrawingRequest, type OpenedDrawing } from "../../app/document/drawing-request.ts";
 import { askDrawing, readDrawingFile, type ReadDrawing } from "./read-drawing-file.ts";
 
@@ -40,11 +40,16 @@ export function useOpenedDrawing(file: File | null) {
   }, [file]);
   return {
     opening,
-    /** Reads the drawing again in another unit. */
-    readAs: (unit: "mm" | "inch") => {
+    /** Reads the drawing again in another unit, or another body of it; what was given before stays. */
+    readAs: (given: DrawingGiven) => {
       if (opening.kind !== "open") return;
-      const chosen = opening.opened.file,
-        own = readDrawingFile(chosen, unit);
+      const { file: chosen, drawing } = opening.opened,
+        { unit, bodies } = drawing;
+      const own = readDrawingFile(chosen, {
+        ...(unit.source === "chosen" && { unit: unit.unit }),
+        ...(bodies && { body: bodies.drawn }),
+        ...given,
+      });
       newest.current = own;
       void own.then((result) => newest.current === own && arrived(chosen, result));
     },

@@ -4,7 +4,7 @@ import type { CycleNumber, ParamTextId } from "../../cycles/index.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { GlossaryText, GlossaryList, GlossaryScope } from "../../app/fields/said/GlossaryText.tsx";
 import { showGuide } from "../../app/place/place.ts";
-import { StepPlayer } from "./StepPlayer.tsx";
+import { StepPlayer, WaitingSteps } from "./StepPlayer.tsx";
 import { useCycleRun } from "./use-cycle-run.ts";
 
 /** The numbered steps of a cycle as they run. */
@@ -16,9 +16,12 @@ function CycleSteps({ cycle }: { readonly cycle: Cycle }) {
       <h2>{t.steps.title}</h2>
       <p className="soft">{t.steps.lead}</p>
       {run === undefined && (
-        <p className="guide-working soft" role="status">
-          {t.values.working}
-        </p>
+        <>
+          <p className="unseen" role="status">
+            {t.values.working}
+          </p>
+          <WaitingSteps cycle={cycle} />
+        </>
       )}
       {run === null && <p className="soft">{t.values.none}</p>}
       {run && <StepPlayer cycle={cycle} run={run} />}

@@ -35,6 +35,67 @@ function adjacentPiece(pieces: readonly StepPiece[], index: number, by: 1 | -1):
   return null;
 }
 
+/**
+ * The numbered steps until the run is there, as large as they are with it, so that nothing below moves. Not for assistive
+ * technology, which is told that the run is awaited.
+ */
+export function WaitingSteps({ cycle }: { readonly cycle: Cycle }) {
+  const { steps: t, acts } = useTexts("guide");
+  const { cycles } = useTexts();
+  const words = cycles.of[cycle.number as CycleNumber];
+  const runs = (["rough", "finish"] as const).filter((run) => words[run].length > 0);
+  const [first] = runs;
+  return (
+    <div className="step-player" aria-hidden="true">
+      <div className="step-stage">
+        <div className="cut-picture" />
+        <p className="step-said">
+          {first && (
+            <>
+              <b>
+                {acts[first]} <span className="number">1</span>
+              </b>{" "}
+              {words[first][0]}
+            </>
+          )}
+        </p>
+        <div className="step-buttons">
+          <button type="button" className="button" disabled>
+            <Icon name="unfold" />
+          </button>
+          <button type="button" className="button primary" disabled>
+            <Icon name="play" /> {t.play}
+          </button>
+          <button type="button" className="button" disabled>
+            <Icon name="fold" />
+          </button>
+          <button type="button" className="button" disabled>
+            {t.playAll}
+          </button>
+          <span className="small soft step-keys">{t.keys}</span>
+        </div>
+        <p className="small soft">{t.example}</p>
+      </div>
+      <div className="step-lists">
+        {runs.map((run) => (
+          <div key={run}>
+            <h3>{acts[run]}</h3>
+            <ol>
+              {words[run].map((text, i) => (
+                <li key={text}>
+                  <span className="step-choice">
+                    <span className="number">{i + 1}</span> <span>{text}</span>
+                  </span>
+                </li>
+              ))}
+            </ol>
+          </div>
+        ))}
+      </div>
+    </div>
+  );
+}
+
 /** The numbered steps of a cycle, each played with its piece of the run. */
 export function StepPlayer({ cycle, run: { outcome, isOwn } }: { readonly cycle: Cycle; readonly run: CycleRun }) {
   const { steps: t, acts } = useTexts("guide");

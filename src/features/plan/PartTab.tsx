@@ -45,6 +45,7 @@ export function PartTab({ words, stored: { part }, planned, onPart }: Props) {
           </button>
         ))}
       </div>
+      {/* What stands below the table comes with it: nothing moves when it is there. */}
       <Suspense>
         <ContourTable
           key={side}
@@ -53,24 +54,24 @@ export function PartTab({ words, stored: { part }, planned, onPart }: Props) {
           language={language}
           isDrawingElsewhere
         />
+        <div className="plan-fields">
+          {part.outside.length > 0 && <ProblemList words={words} part={part} problems={planned.problems} />}
+          <MarkFields words={words} part={part} side={side} row={row} problems={planned.problems} onPart={onPart} />
+          <fieldset className="setup-group">
+            <legend>{t.general.title}</legend>
+            <ValueField
+              name={t.general.roughness}
+              unit={t.mark.micron}
+              range={ROUGHNESS}
+              value={part.general.ra}
+              onValue={(ra) => {
+                const { ra: _, ...others } = part.general;
+                onPart({ ...part, general: ra === undefined ? others : { ...others, ra } }, "general ra");
+              }}
+            />
+          </fieldset>
+        </div>
       </Suspense>
-      <div className="plan-fields">
-        {part.outside.length > 0 && <ProblemList words={words} part={part} problems={planned.problems} />}
-        <MarkFields words={words} part={part} side={side} row={row} problems={planned.problems} onPart={onPart} />
-        <fieldset className="setup-group">
-          <legend>{t.general.title}</legend>
-          <ValueField
-            name={t.general.roughness}
-            unit={t.mark.micron}
-            range={ROUGHNESS}
-            value={part.general.ra}
-            onValue={(ra) => {
-              const { ra: _, ...others } = part.general;
-              onPart({ ...part, general: ra === undefined ? others : { ...others, ra } }, "general ra");
-            }}
-          />
-        </fieldset>
-      </div>
     </>
   );
 }

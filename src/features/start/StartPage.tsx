@@ -90,7 +90,6 @@ function useStartChooser() {
   };
   return useCycleChooser({
     search: words.search,
-    found: words.found,
     more,
     ...(!byFinger && { hint: t.start.hint }),
     ways: [

@@ -14,8 +14,8 @@ export const isWorkbook = (bytes: Uint8Array): boolean => bytes[0] === 0x50 && b
 /** The sheet in a file: a workbook, or text as UTF-8, UTF-16 or Windows-1252; null when there is none. */
 export async function sheetInFile(bytes: Uint8Array): Promise<Sheet | null> {
   if (isWorkbook(bytes)) {
-    const { unpackWorkbook } = await retryImport(() => import("./unpack-workbook.ts"));
-    return unpackWorkbook(bytes);
+    const { sheetInWorkbook } = await retryImport(() => import("../../app/document/workbook-file.ts"));
+    return sheetInWorkbook(bytes);
   }
   return readSheet(decodeAny(bytes).text);
 }

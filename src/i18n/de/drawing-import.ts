@@ -41,6 +41,9 @@ export const drawingImport = {
   chosen: "Gewählt",
   proposed: "vorgeschlagen",
   useProposal: "Vorschlag wiederherstellen",
+  body: "Körper",
+  bodyOf: (number: number, name: string, across: string, length: string) =>
+    `${number}: ${name} ⌀ ${across} × ${length} mm`.replace("  ", " "),
   unit: "Einheit der Zeichnung",
   units: { mm: "Millimeter", inch: "Zoll" },
   source: {

@@ -50,7 +50,7 @@ export const drawing: DrawingTexts = {
   rearFace: ({ z }) => `Die hintere Planfläche bei Z ${z} ist ausgelassen.`,
   noSolid: () => "Die Datei enthält keinen Volumenkörper.",
   noRevolved: () => "Kein Körper der Datei hat Drehflächen.",
-  otherBodies: ({ name, count }) =>
-    `${name === "" ? "Ein Körper" : `Körper ${name}`} mit der größten Drehfläche übernommen; ${many(count, "weiterer Körper", "weitere Körper")} ausgelassen.`,
+  otherBodies: ({ name, count, turned }) =>
+    `${name === "" ? "Ein Körper" : `Körper ${name}`} übernommen; ${many(count, "weiterer Körper", "weitere Körper")} ausgelassen, ${turned === "0" ? "keiner davon gedreht" : `davon gedreht: ${turned}, wählbar unter „Körper“`}.`,
   notTurned: ({ shape, count }) => `Nicht gedreht und ausgelassen: ${milled(shape, count)}.`,
 };

@@ -88,6 +88,7 @@ export const which = {
     smoothing: "Stufen",
     correction: "Korrektur",
     overCrest: "über dem Gewinde",
+    behindContour: "hinter der Kontur",
   },
   take: "Verwenden",
   takeLong: (name) => `Verwenden: ${name}`,

@@ -42,6 +42,9 @@ export const drawingImport = {
   chosen: "Selected",
   proposed: "proposed",
   useProposal: "Restore proposal",
+  body: "Solid",
+  bodyOf: (number: number, name: string, across: string, length: string) =>
+    `${number}: ${name} ⌀ ${across} × ${length} mm`.replace("  ", " "),
   unit: "Unit of the drawing",
   units: { mm: "Millimetres", inch: "Inches" },
   source: {

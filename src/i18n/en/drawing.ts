@@ -47,7 +47,7 @@ export const drawing: DrawingTexts = {
   rearFace: ({ z }) => `The rear face at Z ${z} is left out.`,
   noSolid: () => "The file contains no solid.",
   noRevolved: () => "No solid in the file has turned surfaces.",
-  otherBodies: ({ name, count }) =>
-    `${name === "" ? "One solid" : `Solid ${name}`} is used, the one with the largest turned surface; ${many(count, "other solid", "other solids")} left out.`,
+  otherBodies: ({ name, count, turned }) =>
+    `${name === "" ? "One solid" : `Solid ${name}`} is used; ${many(count, "other solid", "other solids")} left out, ${turned === "0" ? "none of them turned" : `${turned} of them turned: select under Solid`}.`,
   notTurned: ({ shape, count }) => `Left out, not turned: ${milled(shape, count)}.`,
 };

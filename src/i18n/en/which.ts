@@ -88,6 +88,7 @@ export const which = {
     smoothing: "steps",
     correction: "compensation",
     overCrest: "over the crest",
+    behindContour: "behind the contour",
   },
   take: "Use",
   takeLong: (name) => `Use: ${name}`,

@@ -41,6 +41,9 @@ export const drawingImport = {
   chosen: "Sélectionné",
   proposed: "proposé",
   useProposal: "Rétablir la proposition",
+  body: "Solide",
+  bodyOf: (number: number, name: string, across: string, length: string) =>
+    `${number} : ${name} ⌀ ${across} × ${length} mm`.replace("  ", " "),
   unit: "Unité du dessin",
   units: { mm: "Millimètres", inch: "Pouces" },
   source: {

@@ -51,7 +51,7 @@ export const drawing: DrawingTexts = {
   rearFace: ({ z }) => `La face arrière en Z ${z} est omise.`,
   noSolid: () => "Le fichier ne contient aucun solide.",
   noRevolved: () => "Aucun solide du fichier n’a de surface de révolution.",
-  otherBodies: ({ name, count }) =>
-    `${name === "" ? "Un solide est repris" : `Solide ${name} repris`}, celui à la plus grande surface de révolution ; omis : ${many(count, "autre solide", "autres solides")}.`,
+  otherBodies: ({ name, count, turned }) =>
+    `${name === "" ? "Un solide est repris" : `Solide ${name} repris`} ; omis : ${many(count, "autre solide", "autres solides")}, ${turned === "0" ? "aucun n’est tourné" : `dont tournés : ${turned}, à choisir sous « Solide »`}.`,
   notTurned: ({ shape, count }) => `Omis, non tourné : ${milled(shape, count)}.`,
 };

@@ -89,6 +89,7 @@ export const which = typeset<WhichTexts>({
     smoothing: "marches entre les passes",
     correction: "correction de l’outil",
     overCrest: "au-dessus du filet",
+    behindContour: "derrière le contour",
   },
   take: "Utiliser",
   takeLong: (name) => `Utiliser : ${name}`,

@@ -34,6 +34,9 @@ export const drawingImport = {
   chosen: "已选择",
   proposed: "建议",
   useProposal: "恢复建议",
+  body: "实体",
+  bodyOf: (number: number, name: string, across: string, length: string) =>
+    `${number}：${name} ⌀ ${across} × ${length} mm`.replace("  ", " "),
   unit: "图纸单位",
   units: { mm: "毫米", inch: "英寸" },
   source: {

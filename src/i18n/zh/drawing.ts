@@ -41,6 +41,7 @@ export const drawing: DrawingTexts = {
   rearFace: ({ z }) => `Z ${z} 处的后端面已忽略。`,
   noSolid: () => "文件中没有实体。",
   noRevolved: () => "文件中的实体没有回转面。",
-  otherBodies: ({ name, count }) => `采用回转面最大的实体${name === "" ? "" : ` ${name}`}；忽略其他 ${count} 个实体。`,
+  otherBodies: ({ name, count, turned }) =>
+    `采用实体${name === "" ? "" : ` ${name}`}；忽略其他 ${count} 个实体，${turned === "0" ? "均非车削件" : `其中 ${turned} 个为车削件，可在“实体”处选择`}。`,
   notTurned: ({ shape, count }) => `非车削部分，已忽略：${milled(shape, count)}。`,
 };

@@ -79,6 +79,7 @@ export const which = {
     smoothing: "各刀之间的台阶",
     correction: "刀具补偿",
     overCrest: "牙顶以上",
+    behindContour: "轮廓背后",
   },
   take: "使用",
   takeLong: (name) => `使用：${name}`,

@@ -21,7 +21,8 @@ export type Reason =
   | "oversize"
   | "smoothing"
   | "correction"
-  | "overCrest";
+  | "overCrest"
+  | "behindContour";
 
 /**
  * The data of each code. `nearest` is the nearest value that works, in the units of the field at `at`; it has been

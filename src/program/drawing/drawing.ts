@@ -69,8 +69,8 @@ export interface NoteValues {
   /** Of a solid model: no solid in the file; no face of revolution. */
   readonly noSolid: {};
   readonly noRevolved: {};
-  /** Bodies beside the one that was taken. */
-  readonly otherBodies: { readonly name: string; readonly count: number };
+  /** Bodies beside the one that was taken; `turned`: of them those that can be taken instead. */
+  readonly otherBodies: { readonly name: string; readonly count: number; readonly turned: number };
   /** Faces, holes of the part that are not turned. */
   readonly notTurned: { readonly shape: "flats" | "holes" | "crossHoles" | "others"; readonly count: number };
 }
@@ -87,6 +87,20 @@ export type DrawingNote = {
   };
 }[NoteCode];
 
+/** A turned body of a solid model: its name, empty if it has none, and about its size, mm. */
+export interface DrawnBody {
+  readonly name: string;
+  readonly across: number;
+  readonly length: number;
+}
+
+/** What is given before a file is read, in place of what it says or of what is likely. */
+export interface DrawingGiven {
+  readonly unit?: DrawingUnit["unit"];
+  /** Index of the body of a solid model, by `bodies`. */
+  readonly body?: number;
+}
+
 /** A drawing as lines and arcs in mm, independent of the kind of its file. */
 export interface Drawing {
   readonly curves: readonly DrawnCurve[];
@@ -95,6 +109,8 @@ export interface Drawing {
   /** Tolerance within which splines and ellipses were made arcs and lines, mm; 0 when none was. */
   readonly tolerance: number;
   readonly notes: readonly DrawingNote[];
+  /** Of a solid model: its turned bodies, that with the largest turned surface first, and the one that is drawn. */
+  readonly bodies?: { readonly all: readonly DrawnBody[]; readonly drawn: number };
 }
 
 /** How the contour of a turned part is taken from a drawing; places in mm of the drawing. */

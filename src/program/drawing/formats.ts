@@ -1,5 +1,5 @@
 import { part } from "../../kernel/geometry/point.ts";
-import type { Drawing, DrawingNote } from "./drawing.ts";
+import type { Drawing, DrawingGiven, DrawingNote } from "./drawing.ts";
 import { DRAWING_KINDS, kindOfName, LARGEST_DRAWING, type DrawingKind } from "./endings.ts";
 import { withoutDoubles } from "./merge.ts";
 
@@ -16,7 +16,7 @@ export interface DrawingFile {
 interface Format {
   /** Whether the first characters of a file are of this kind, whatever its name. */
   readonly begins: RegExp;
-  readonly load: () => Promise<(bytes: Uint8Array, unit?: "mm" | "inch") => Drawing>;
+  readonly load: () => Promise<(bytes: Uint8Array, given: DrawingGiven) => Drawing>;
 }
 
 const FORMATS: Readonly<Record<DrawingKind, Format>> = {
@@ -70,10 +70,10 @@ function finished(drawing: Drawing): Drawing {
 }
 
 /**
- * Reads a drawing of any known kind; the unit replaces the one of the file. What cannot be read is a note of severity
+ * Reads a drawing of any known kind; what is given replaces what the file says. What cannot be read is a note of severity
  * error. Rejects only when the reader's code cannot be loaded.
  */
-export async function readDrawing(file: DrawingFile, unit?: "mm" | "inch"): Promise<Drawing> {
+export async function readDrawing(file: DrawingFile, given: DrawingGiven = {}): Promise<Drawing> {
   const { bytes, name } = file;
   if (bytes.length > LARGEST_DRAWING)
     return refused({ code: "tooLarge", severity: "error", values: { limit: LARGEST_DRAWING / 1e6 } });
@@ -82,5 +82,5 @@ export async function readDrawing(file: DrawingFile, unit?: "mm" | "inch"): Prom
     format = Object.values(FORMATS).find((f) => f.begins.test(head)) ?? (named && FORMATS[named]);
   if (!format) return refused({ code: "unknownKind", severity: "error", values: { kinds: DRAWING_KINDS } });
   const read = await format.load();
-  return finished(read(bytes, unit));
+  return finished(read(bytes, given));
 }

@@ -36,9 +36,12 @@ const WEIGHTS = {
   lineOnAxis: 1.2,
   halfSection: 1.2,
   zeroAtEnd: 2.5,
+  openEnds: 1,
   upperSide: 0.2,
   horizontal: 0.4,
 };
+/** A part farther from the origin than this many times its own height is drawn anywhere: the origin is no axis. */
+const FAR_OFF = 10;
 /** Long lines, as those of a frame, count no more than this many times the middle length. */
 const LONGEST_COUNTS = 3;
 
@@ -121,6 +124,16 @@ function mirroredShare(groups: readonly (readonly Along[])[], at: number, from: 
   return paired > LEAST_PAIRED * all ? (paired + own) / all : 0;
 }
 
+/** Points in which only one curve ends. */
+function looseEnds(segments: readonly Segment[]): readonly Pt[] {
+  const found = new Map<string, Pt | null>();
+  for (const p of segments.flatMap((s) => [s.from, s.to])) {
+    const name = `${key(p.z)} ${key(p.r)}`;
+    found.set(name, found.has(name) ? null : p);
+  }
+  return [...found.values()].filter((p) => p !== null);
+}
+
 interface Candidate {
   readonly axis: "x" | "y";
   readonly at: number;
@@ -136,6 +149,8 @@ function candidates(drawing: Drawing, axis: "x" | "y"): Candidate[] {
   const least = (place: (c: Along) => number) => outline.reduce((l, c) => Math.min(l, place(c)), Infinity),
     most = (place: (c: Along) => number) => outline.reduce((m, c) => Math.max(m, place(c)), -Infinity),
     [low, high, from, to] = [least((c) => c.low), most((c) => c.high), least((c) => c.from), most((c) => c.to)];
+  const isFarOff = Math.max(low, -high) > FAR_OFF * (high - low),
+    ends = looseEnds(of("outline")).map((p) => (axis === "x" ? p.r : p.z));
   const groups = groupsOf(outline),
     places = new Map<number, number>();
   for (const at of [0, low, high, ...centres.map((c) => c.low), ...symmetries(groups)])
@@ -154,7 +169,8 @@ function candidates(drawing: Drawing, axis: "x" | "y"): Candidate[] {
       (centre ? (WEIGHTS.centreLine * (centre.to - centre.from)) / (longest || 1) : 0) +
       (share > 0.5 ? WEIGHTS.symmetry * share : 0) +
       (isPairApart ? WEIGHTS.pairApart * share : 0) +
-      (isOneSided && at === 0 ? WEIGHTS.oneSided : 0) +
+      (isOneSided && at === 0 && !isFarOff ? WEIGHTS.oneSided : 0) +
+      (isOneSided && span === 0 && ends.filter((place) => near(place, at)).length > 1 ? WEIGHTS.openEnds : 0) +
       (isOneSided ? WEIGHTS.lineOnAxis * span : 0) +
       (isOneSided && at === 0 && span > 0.9 ? WEIGHTS.halfSection : 0) +
       (isOneSided && at === 0 && near(to, 0) ? WEIGHTS.zeroAtEnd : 0) +

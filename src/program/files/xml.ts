@@ -152,8 +152,11 @@ class Reader {
 /** Whether a text begins as XML does, with its declaration, a comment, a document type or an element. */
 export const isXml = (text: string) => /^\uFEFF?\s*<(?:\?xml|!--|!DOCTYPE|[A-Za-z_])/.test(text.slice(0, 1000));
 
-/** Reads a file as far as it goes. Never throws; within XML_LIMITS; loads nothing and expands no entity. */
-export function readXml(text: string): XmlFile {
+/**
+ * Reads a file as far as it goes. Never throws; within XML_LIMITS; loads nothing and expands no entity. `spaces`: whether
+ * texts of nothing but white space are kept; they are for files whose elements are running text.
+ */
+export function readXml(text: string, spaces: "dropped" | "kept" = "dropped"): XmlFile {
   const reader = new Reader(text),
     faults: XmlFault[] = [],
     open: Open[] = [];
@@ -225,7 +228,7 @@ export function readXml(text: string): XmlFile {
     const start = text.indexOf("<", reader.at);
     if (start < 0 || (root && open.length === 0)) break;
     const before = text.slice(reader.at, start);
-    if (open.length > 0 && before.trim() !== "") put(xmlText(before));
+    if (open.length > 0 && (spaces === "kept" ? before !== "" : before.trim() !== "")) put(xmlText(before));
     if (!markup(start)) {
       fault("cut", start);
       break;
@@ -243,6 +246,10 @@ export function readXml(text: string): XmlFile {
 /** Elements directly inside one, those of a local name if one is given. */
 export const elementsIn = (e: XmlElement, local?: string): readonly XmlElement[] =>
   e.content.filter((c): c is XmlElement => typeof c !== "string" && (local === undefined || c.local === local));
+
+/** Elements of one of the local names, in their order; those inside one that is found are not looked at. */
+export const elementsOf = (e: XmlElement, ...locals: readonly string[]): readonly XmlElement[] =>
+  elementsIn(e).flatMap((inner) => (locals.includes(inner.local) ? [inner] : elementsOf(inner, ...locals)));
 
 /** Text of an element and of all inside it. */
 export const textInside = (e: XmlElement): string =>

@@ -99,17 +99,17 @@ const sizesOfHolder = ({ shank, reach, head, overall }: Facts): readonly string[
   [shank, reach, head, overall].flatMap((fact) => (fact ? [fact.from] : []));
 
 /**
- * Shank from its sizes: `reach` is measured from the back of a shank, and from the axis of a bar (WF of ISO 13399).
- * Properties that do not place it are returned.
+ * Shank from its sizes: `reach` is measured from the back of a shank, and from the axis of a bar (WF of ISO 13399), to
+ * the tip, of a blade to the middle of its edge. Properties that do not place it are returned.
  */
-function putHolder(row: Row, facts: Facts): readonly string[] {
+function putHolder(row: Row, facts: Facts, isBlade: boolean): readonly string[] {
   const { shank, reach, head, overall, hand } = facts;
   const to = Number(row.cells.TO);
   const left = sizesOfHolder(facts);
   if (!shank || !reach || !head || !overall || overall.value <= head.value) return left;
   const place = placeOf(to, shank.value, reach.value, hand?.value);
   if (!place) return left;
-  const origin = joined([shank, reach, head, overall]);
+  const origin = joined([shank, reach, head, overall], ...(isBlade ? (["middleAssumed"] as const) : []));
   row.set("width", shank.value, origin);
   row.set("length", overall.value - head.value, origin);
   const [z, x] = place;
@@ -128,8 +128,8 @@ function placeOf(
   const near = reach - shank;
   if (to === 1) return [near, null];
   if (to === 3) return [-near, null];
-  if (to === 2 && hand === "N") return [-radiusOf(shank), null];
-  return to === 7 ? [null, radiusOf(shank) - reach] : null;
+  if (to === 2 && hand) return [{ N: -radiusOf(shank), R: near, L: -reach }[hand], null];
+  return to === 6 || to === 7 ? [null, radiusOf(shank) - reach] : null;
 }
 
 function putTurning(row: Row, tool: FileTool, kind: Fact<FileToolKind>): readonly string[] {
@@ -147,15 +147,16 @@ function putTurning(row: Row, tool: FileTool, kind: Fact<FileToolKind>): readonl
   if (round) {
     const across = circle ?? edge;
     if (!nose && across) row.set("RS", radiusOf(across.value), joined([across]));
-    return putHolder(row, facts);
+    return putHolder(row, facts, false);
   }
   if (kind.value === "threading") row.put("P-ANGLE", profile);
   if (Number(row.cells.TO) > 3) row.put("DMIN", facts.bore);
-  if (kind.value === "grooving" || kind.value === "parting") {
+  const isBlade = kind.value === "grooving" || kind.value === "parting";
+  if (isBlade) {
     row.put("CUTWIDTH", width);
     for (const [cell, name] of LIMITS) row.put(cell, facts[name]);
   }
-  if (kind.value !== "turning") return sizesOfHolder(facts);
+  if (kind.value !== "turning") return putHolder(row, facts, isBlade);
   row.put("T-ANGLE", setting);
   const angle = INSERT_SHAPES[shape?.value ?? ""]?.angle;
   if (point) row.put("P-ANGLE", point);
@@ -163,7 +164,7 @@ function putTurning(row: Row, tool: FileTool, kind: Fact<FileToolKind>): readonl
   const length = circle && shape ? edgeOf(shape.value, circle.value) : null;
   if (edge) row.put("CUTLENGTH", edge);
   else if (length !== null) row.set("CUTLENGTH", Math.round(length * 100) / 100, joined([circle, shape]));
-  return putHolder(row, facts);
+  return putHolder(row, facts, false);
 }
 
 const AXIAL: Partial<Record<FileToolKind, string>> = { drill: "DRILL", center: "CENTER", tap: "TAP", mill: MILL };

@@ -24,7 +24,7 @@ export const TOOL_FILE_FORMATS = {
   propertyXml: { endings: [".xml"], foreign: readPropertyXml },
   linuxcnc: { endings: [".tbl"], foreign: readLinuxCnc },
   properties: { endings: [".csv", ".txt"], foreign: readPropertyList },
-  own: { endings: [".trn", ".t", ".tab", ".json", ".csv", ".tsv", ".txt", ".xlsx"], own: readToolFile },
+  own: { endings: [".trn", ".t", ".tab", ".json", ".csv", ".tsv", ".txt", ".xlsx", ".ods"], own: readToolFile },
 } as const satisfies Readonly<Record<string, ToolFileFormat>>;
 
 export type ToolFormatName = keyof typeof TOOL_FILE_FORMATS;

@@ -120,6 +120,37 @@ const CASES: readonly (readonly [what: string, text: string, cells: readonly Cel
     ],
   ],
   [
+    "Fusion: shanks of a left-hand blade, a thread tool and a grooving bar",
+    fusion(
+      ...(
+        [
+          ["turning grooving", "groove external", "L", { tool_grooveWidth: 3 }, 32],
+          ["turning threading", "external", "R", { "thread-profile-angle": 60 }, 32],
+          ["turning grooving", "groove internal", "R", { tool_grooveWidth: 2 }, 17],
+        ] as const
+      ).map(([type, THSC, HAND, geometry, CW]) => ({
+        type,
+        unit: "millimeters",
+        geometry: { RE: 0.2, ...geometry },
+        holder: { THSC, HAND, W: 25, CW, LH: 30, OAL: 150 },
+      })),
+    ),
+    [
+      {
+        ...{ NAME: "TURNING-GROOVING", TYPE: "RECESS", TO: "2", RS: "0.2", CUTWIDTH: "3" },
+        ...{ width: "25", length: "120", offsetZ: "-32", offsetX: "30" },
+      },
+      {
+        ...{ NAME: "TURNING-THREADING", TYPE: "THREAD", TO: "2", RS: "0.2", "P-ANGLE": "60" },
+        ...{ width: "25", length: "120", offsetZ: "7", offsetX: "30" },
+      },
+      {
+        ...{ NAME: "TURNING-GROOVING", TYPE: "RECESS", TO: "6", RS: "0.2", CUTWIDTH: "2" },
+        ...{ width: "25", length: "120", offsetZ: "30", offsetX: "-4.5" },
+      },
+    ],
+  ],
+  [
     "HSMWorks: bar in inches",
     HSM,
     [

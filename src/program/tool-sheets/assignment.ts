@@ -14,7 +14,7 @@ import {
 } from "../tools/tool-columns.ts";
 import { meaningOfTitle, plainTitle, saysDiameter, unitIn, type SheetCell } from "./column-words.ts";
 import type { Sheet } from "./sheet.ts";
-import { orientationOfWord, typeOfWord } from "./value-words.ts";
+import { orientationOfWord, supportOfWord, typeOfWord } from "./value-words.ts";
 
 /** How a column of a sheet is read. */
 export interface ColumnChoice {
@@ -169,7 +169,8 @@ function cellsOf(line: readonly string[], { columns, words }: Assignment): Cells
     if (cell === "CODE") code = text;
     else if (cell === "TYPE" || cell === "TO") cells[cell] = ownValue(words[cell], text) || text;
     else if (cell === "T") cells.T = text.replace(/^[Tt]\s*(?=\d)/, "").replace(",", ".");
-    else if (cell === "NAME" || cell === "SUPPORT") cells[cell] = text;
+    else if (cell === "NAME") cells.NAME = text;
+    else if (cell === "SUPPORT") cells.SUPPORT = supportOfWord(text);
     else cells[cell] = numberText(text, column);
   });
   const filled = code === "" ? [] : fillingOf(readToolCodes(code.slice(0, 80)), { id: "", cells }).cells;

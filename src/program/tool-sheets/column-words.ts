@@ -79,7 +79,10 @@ const TITLES: readonly (readonly [SheetCell, string])[] = [
     "DMIN",
     "dmin; kleinste bohrung; mindestbohrung; min bore; minimum bore; min bore diameter; alesage min; alesage minimum; foro minimo; 最小孔径",
   ],
-  ["SUPPORT", "support"],
+  [
+    "SUPPORT",
+    "support; abstutzung; unterstutzung; blade support; insert support; soutien; supporto; soporte; 支撑; 刀板支撑",
+  ],
   ["PL", "pl; spitzenlange; point length; longueur de pointe"],
   ["width", "holder width; schaftbreite; shank width; largeur du corps; 刀杆宽度"],
   ["length", "holder length; schaftlange; shank length; longueur du corps; 刀杆长度"],

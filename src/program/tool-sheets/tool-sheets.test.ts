@@ -2,7 +2,7 @@ import fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import { readEntry } from "../tools/tool-entry.ts";
 import { proposedAssignment, signatureOf, toolsOfSheet, withWords, wordsIn } from "./assignment.ts";
-import { readSheet } from "./sheet.ts";
+import { MOST_COLUMNS, MOST_LINES, readSheet } from "./sheet.ts";
 import { orientationOfWord, typeOfWord } from "./value-words.ts";
 import { sheetOfWorkbook } from "./workbook.ts";
 
@@ -64,10 +64,11 @@ describe("titles and tools of sheets", () => {
     ],
     [
       "limits of blades and bars",
-      "Nr;Name;Typ;Breite;Stechtiefe;Abstech-⌀;Kleinste Bohrung\n1;A;Abstechen;3;20 mm;40;\n2;B;Bohrstange;;;;25\n",
+      "Nr;Name;Typ;Breite;Stechtiefe;Abstech-⌀;Kleinste Bohrung;Abstützung\n1;A;Abstechen;3;20 mm;40;;gerade\n2;B;Bohrstange;;;;25;\n3;C;Stechen;4;;;;gebogen\n",
       [
-        { T: "1", NAME: "A", TYPE: "RECESS", CUTWIDTH: "3", CDX: "20", CUTDIA: "40" },
+        { T: "1", NAME: "A", TYPE: "RECESS", CUTWIDTH: "3", CDX: "20", CUTDIA: "40", SUPPORT: "STRAIGHT" },
         { T: "2", NAME: "B", TYPE: "ROUGH", DMIN: "25" },
+        { T: "3", NAME: "C", TYPE: "RECESS", CUTWIDTH: "4", SUPPORT: "CURVED" },
       ],
     ],
   ])("%s", (_, text, rows) => expect(proposed(text)?.rows.map(({ cells }) => cells)).toEqual(rows));
@@ -159,6 +160,40 @@ describe("workbooks", () => {
       titles: ["Nr", "Radius", "", "Typ"],
       lines: [["1", "0.8", "", "Schruppen <außen>"]],
     }));
+
+  const openSheet = (rows: string) =>
+    `<office:document-content><office:body><office:spreadsheet><table:table/><table:table>${rows}</table:table></office:spreadsheet></office:body></office:document-content>`;
+  const EMPTY_ROWS = `<table:table-row table:number-rows-repeated="1048000"><table:table-cell table:number-columns-repeated="16384"/></table:table-row>`;
+  const said = (text: string) =>
+    `<table:table-cell office:value-type="string"><text:p>${text}</text:p></table:table-cell>`;
+  const counted = (value: string, text: string) =>
+    `<table:table-cell office:value-type="float" office:value="${value}"><text:p>${text}</text:p></table:table-cell>`;
+  test.each([
+    [
+      "grouped rows, runs of text, saved numbers, notes left out",
+      `<table:table-header-rows><table:table-row>${said("Nr")}${said("<text:span>Nose</text:span> <text:span>radius</text:span>")}${said("Typ<office:annotation><text:p>old</text:p></office:annotation>")}</table:table-row></table:table-header-rows>${EMPTY_ROWS}<table:table-row-group><table:table-row>${counted("1", "1")}${counted("0.80000000000000004", "0,8 mm")}${said("Schruppen<text:s/>außen")}</table:table-row></table:table-row-group>`,
+      [["1", "0.8", "Schruppen außen"]],
+    ],
+    [
+      "equal cells and rows are stored once",
+      `<table:table-row>${said("Nr")}${said("Nose radius")}${said("Typ")}</table:table-row><table:table-row table:number-rows-repeated="2">${counted("4", "4").replace("<table:table-cell", `<table:table-cell table:number-columns-repeated="2"`)}<table:covered-table-cell/></table:table-row>`,
+      [
+        ["4", "4", ""],
+        ["4", "4", ""],
+      ],
+    ],
+  ])("a workbook of OpenDocument: %s", (_, rows, lines) =>
+    expect(sheetOfWorkbook((path) => (path === "content.xml" ? openSheet(rows) : null))).toEqual({
+      titles: ["Nr", "Nose radius", "Typ"],
+      lines,
+    }),
+  );
+  test("what is stored once for a thousand million rows or columns stays bounded", () => {
+    const many = "1000000000";
+    const rows = `<table:table-row>${said("Nr")}${said("Typ")}</table:table-row><table:table-row table:number-rows-repeated="${many}"><table:table-cell table:number-columns-repeated="${many}" office:value-type="float" office:value="1"/></table:table-row>`;
+    const sheet = sheetOfWorkbook((path) => (path === "content.xml" ? openSheet(rows) : null));
+    expect([sheet?.lines.length, sheet?.lines[0]?.length]).toEqual([MOST_LINES - 1, MOST_COLUMNS]);
+  });
   test("without parts there is none, and no part makes it throw", () => {
     expect(sheetOfWorkbook(() => null)).toBeNull();
     const piece = fc.constantFrom(
@@ -173,6 +208,11 @@ describe("workbooks", () => {
       "<",
       '"',
       "a",
+      "<table>",
+      "<table-row number-rows-repeated='1e9'>",
+      "<table-cell number-columns-repeated='-3' value-type='float' value='NaN'>",
+      "<p>b<s c='9e99'/>",
+      "</p></table-cell>",
     );
     fc.assert(
       fc.property(fc.array(piece, { maxLength: 40 }), (pieces) => {

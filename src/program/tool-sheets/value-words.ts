@@ -1,4 +1,4 @@
-import type { DrillType, ToolType } from "../../kernel/plan/tool.ts";
+import type { BladeSupport, DrillType, ToolType } from "../../kernel/plan/tool.ts";
 import { isMillType, isToolType, type MILL } from "../tools/tool-columns.ts";
 
 /*
@@ -33,6 +33,16 @@ export function typeOfWord(word: string): AnyType | null {
   if (isToolType(upper) || isMillType(upper)) return upper as AnyType;
   return TYPES.find(([, words]) => words.test(word.slice(0, 200)))?.[0] ?? null;
 }
+
+const SUPPORTS: readonly (readonly [BladeSupport, RegExp])[] = [
+  ["NONE", /^(?:no|none|ohne|keine?|sans|aucun|senza|nessuno|sin|ninguno|无|-)$/i],
+  ["CURVED", /curv|courb|gebogen|gekrümm|axial|弧|弯/i],
+  ["STRAIGHT", /straight|gerade|droit|dritt|recto|radial|直/i],
+];
+
+/** Support of a blade in the words of a shop; any other text stays as it is, to be refused by the table. */
+export const supportOfWord = (word: string): string =>
+  SUPPORTS.find(([, words]) => words.test(word.trim().slice(0, 200)))?.[0] ?? word;
 
 /** An arrow for each orientation, as it points on the lathe: Z to the right, X up. */
 export const ARROWS = ["↙", "↓", "↘", "→", "↗", "↑", "↖", "←", "○"] as const;

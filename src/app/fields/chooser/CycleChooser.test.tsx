@@ -90,6 +90,21 @@ describe("cycles that cannot be chosen here are found with the reason", () => {
     await searchFor("800", true);
     expect(screen.getByRole("button", { name: /^Cycle 800, .*: Take$/ })).toBeDefined();
   });
+  test("what is found besides cycles is counted without the word cycle", async () => {
+    const user = userEvent.setup();
+    changeSettings({ language: "en" });
+    const more = (sought: string | null) => ({
+      count: sought === null ? 0 : 1,
+      best: { name: "Undercut by name", go: () => undefined },
+      isNamed: true,
+      shown: null,
+    });
+    render(<CycleChooser more={more} ways={[{ name: "Take", short: "Take", go: () => undefined }]} />);
+    await user.type(screen.getByRole("searchbox"), "DIN 76-B 2");
+    const said = screen.getByRole("status").textContent ?? "";
+    expect(said).toContain("Undercut by name");
+    expect(said).not.toMatch(/cycle/i);
+  });
   test("a program says that 880 is not simulated", async () => {
     await searchFor("880", true);
     expect(screen.getByRole("status").textContent?.trim()).toMatch(

@@ -39,7 +39,6 @@ export interface ChooserOptions {
   readonly more?: OtherRows;
   /** Label of a search that finds more than cycles. */
   readonly search?: string;
-  readonly found?: (n: number) => string;
   /** Shown under the search while nothing is typed. */
   readonly hint?: string;
 }
@@ -76,7 +75,6 @@ export function useCycleChooser({
   focus = false,
   more,
   search: searchName,
-  found: foundWords,
   hint,
 }: ChooserOptions): CycleChooserParts {
   const {
@@ -150,9 +148,7 @@ export function useCycleChooser({
           />
         </div>
         <div className="small soft cycle-found" role="status">
-          {found &&
-            taken &&
-            `${(others?.count ? foundWords : undefined)?.(count) ?? t.found(count)} ${t.enter(taken.name)}`}
+          {found && taken && `${(others?.count ? start.found : t.found)(count)} ${t.enter(taken.name)}`}
           {found && !taken && beside.length === 0 && t.none}
           {beside.map(({ number, why }) => (
             <Message key={number} tone="info">

@@ -18,6 +18,8 @@ const reasons: MessagesTexts["reasons"] = {
   smoothing: "Stufen zwischen den Schnitten",
   correction: "Werkzeugkorrektur",
   overCrest: "Material über der Gewindespitze",
+  behindContour:
+    "Einstich hinter der Kontur, den dieser Zyklus nicht erreicht; für Form F „Freistich nach Norm“ als Bearbeitung einfügen",
 };
 
 const ELEMENT = { angle: "Winkel", length: "Länge", radius: "Radius" };

@@ -20,6 +20,8 @@ const reasons: MessagesTexts["reasons"] = {
   smoothing: "steps between passes",
   correction: "tool compensation",
   overCrest: "material above the thread crest",
+  behindContour:
+    "recess behind the contour, which this cycle does not reach; for form F insert “Undercut by name” as an operation",
 };
 
 const ELEMENT = { angle: "angle", length: "length", radius: "radius" };

@@ -19,6 +19,8 @@ const reasons: MessagesTexts["reasons"] = {
   smoothing: "marches entre les passes",
   correction: "correction de l’outil",
   overCrest: "matière au-dessus du sommet du filet",
+  behindContour:
+    "creux derrière le contour, hors d’atteinte de ce cycle ; pour la forme F, insérer « Dégagement normalisé » comme opération",
 };
 
 const ELEMENT = { angle: "angle", length: "longueur", radius: "rayon" };

@@ -18,6 +18,7 @@ const reasons: MessagesTexts["reasons"] = {
   smoothing: "各刀之间的台阶",
   correction: "刀具补偿",
   overCrest: "螺纹牙顶以上的材料",
+  behindContour: "轮廓背后的凹槽，该循环切不到；F 型请插入工序“按标准的退刀槽”",
 };
 
 const ELEMENT = { angle: "角度", length: "长度", radius: "半径" };

@@ -1,6 +1,6 @@
 import { INCH } from "../../../kernel/units.ts";
 import { part } from "../../../kernel/geometry/point.ts";
-import type { Drawing, DrawingNote, DrawingUnit, DrawnCurve } from "../drawing.ts";
+import type { Drawing, DrawingGiven, DrawingNote, DrawingUnit, DrawnCurve } from "../drawing.ts";
 import { FIT, plainCurve } from "../fit.ts";
 import { viewOf } from "../plane.ts";
 import { rolesByWeight } from "../roles.ts";
@@ -86,7 +86,7 @@ const refused = (note: DrawingNote): Drawing => ({
 });
 
 /** Reads a DXF file, text or binary, of any release. Never throws for what a file contains; bounded in size and time. */
-export function readDxfFile(bytes: Uint8Array, chosen?: "mm" | "inch"): Drawing {
+export function readDxfFile(bytes: Uint8Array, { unit: chosen }: DrawingGiven = {}): Drawing {
   const tags = readTags(bytes);
   if (!tags) return refused({ code: "unreadable", severity: "error", values: { kind: "DXF" } });
   const doc = readDocument(tags),

@@ -1,16 +1,17 @@
 import { SAME_STEP } from "../../../kernel/tolerance.ts";
 import { at, part } from "../../../kernel/geometry/point.ts";
+import { radius, toDiameter } from "../../../kernel/units.ts";
 import { referenceIn } from "../../files/part21-values.ts";
 import { PART21_LIMITS, readPart21, type Part21Fault } from "../../files/part21.ts";
 import { decoded } from "../decode.ts";
-import type { Drawing, DrawingNote, DrawingUnit, DrawnCurve } from "../drawing.ts";
+import type { Drawing, DrawingGiven, DrawingNote, DrawingUnit, DrawnBody, DrawnCurve } from "../drawing.ts";
 import { FIT } from "../fit.ts";
 import { axisOfBody } from "./axis-of-body.ts";
 import { halfSection, type HalfSection, type SectionCurve } from "./half-section.ts";
 import { leftOutOf } from "./left-out.ts";
 import { mended } from "./mend.ts";
-import type { Axis3 } from "./meridian.ts";
-import { STEP_LIMITS, stepBodies, type StepBody } from "./step-body.ts";
+import { sectionPoint, type Axis3 } from "./meridian.ts";
+import { pointsOfFace, STEP_LIMITS, stepBodies, type StepBody } from "./step-body.ts";
 import { stepSurface, type StepSurface, type SurfacedFace } from "./step-surface.ts";
 
 /** The centre line stands out of the part by this share of its length, and at least so far, mm. */
@@ -31,11 +32,10 @@ interface Turned {
   readonly area: number;
 }
 
-/** The body with the largest turned area; null where none has a face of revolution. */
-function turnedBody(bodies: readonly StepBody[]): Turned | null {
-  let best: Turned | null = null;
-  for (const body of bodies) {
-    if (body.faces.length > STEP_LIMITS.faces) continue;
+/** The bodies with faces of revolution, that with the largest turned area first. */
+function turnedBodies(bodies: readonly StepBody[]): readonly Turned[] {
+  const turned = bodies.flatMap((body): Turned[] => {
+    if (body.faces.length > STEP_LIMITS.faces) return [];
     const surfaces = new Map<number, StepSurface>();
     const faces = body.faces.map((face) => {
         const corner = face.bounds[0]?.[0]?.points[0] ?? null,
@@ -47,9 +47,21 @@ function turnedBody(bodies: readonly StepBody[]): Turned | null {
         return { face, surface };
       }),
       found = axisOfBody(faces);
-    if (found && (!best || found.area > best.area)) best = { body, faces, ...found };
-  }
-  return best;
+    return found ? [{ body, faces, ...found }] : [];
+  });
+  return turned.toSorted((a, b) => b.area - a.area);
+}
+
+/** Name and size of a body, by the edges of its faces. */
+function drawnBody({ body, faces, axis }: Turned, factor: number): DrawnBody {
+  let [left, right, high] = [Infinity, -Infinity, 0];
+  for (const { face } of faces)
+    for (const p of pointsOfFace(face)) {
+      const { z, r } = sectionPoint(axis, p);
+      [left, right, high] = [Math.min(left, z), Math.max(right, z), Math.max(high, r)];
+    }
+  const length = Math.max(right - left, 0) * factor;
+  return { name: body.name, across: toDiameter(radius(high * factor)), length };
 }
 
 /** Notes on what the file lacks. A file that ends early is read as far as it goes. */
@@ -114,10 +126,10 @@ function sectionNotes({ body, axis }: Turned, section: HalfSection, fitted: numb
 
 /**
  * Half section of the turned part in a STEP file (AP203, AP214, AP242), above its axis; z along the axis as in the file. Of
- * several bodies the one with the largest turned surface. The unit replaces the one of the file. Never throws; what was
- * left out is in the notes.
+ * several bodies the given one, else that with the largest turned surface. The unit replaces the one of the file. Never
+ * throws; what was left out is in the notes.
  */
-export function readStep(bytes: Uint8Array, unit?: DrawingUnit["unit"]): Drawing {
+export function readStep(bytes: Uint8Array, { unit, body }: DrawingGiven = {}): Drawing {
   const file = readPart21(decoded(bytes));
   if (file.faults.some((f) => f.code === "notPart21"))
     return refused({ code: "unreadable", severity: "error", values: { kind: "STEP" } });
@@ -126,7 +138,9 @@ export function readStep(bytes: Uint8Array, unit?: DrawingUnit["unit"]): Drawing
   const notes = faultNotes(file.faults, file.faultCount),
     { bodies, more } = stepBodies(file);
   if (bodies.length === 0) return refused({ code: "noSolid", severity: "error", values: {} }, ...notes);
-  const turned = turnedBody(bodies);
+  const all = turnedBodies(bodies),
+    taken = body !== undefined && all[body] ? body : 0,
+    turned = all[taken];
   if (!turned && bodies.some((b) => b.faces.length > STEP_LIMITS.faces))
     return refused({ code: "tooMany", severity: "error", values: { limit: STEP_LIMITS.faces } });
   if (!turned) return refused({ code: "noRevolved", severity: "error", values: {} }, ...notes);
@@ -134,12 +148,16 @@ export function readStep(bytes: Uint8Array, unit?: DrawingUnit["unit"]): Drawing
     curves = mended(section.curves),
     fitted = curves.filter((c) => c.isFitted).length,
     count = bodies.length + more - 1;
-  if (count > 0) notes.push({ code: "otherBodies", severity: "warning", values: { name: turned.body.name, count } });
+  if (count > 0) {
+    const values = { name: turned.body.name, count, turned: all.length - 1 };
+    notes.push({ code: "otherBodies", severity: "warning", values });
+  }
   return {
     curves: drawn(curves, turned.body.name, factorOf(turned.body, unit)),
     unit: unitOf(turned.body, unit),
     texts: [],
     tolerance: fitted > 0 ? FIT : 0,
     notes: [...notes, ...sectionNotes(turned, section, fitted)],
+    bodies: { all: all.map((each) => drawnBody(each, factorOf(each.body, unit))), drawn: taken },
   };
 }

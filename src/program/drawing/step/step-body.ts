@@ -2,6 +2,7 @@ import type { Part21Entity, Part21File, Part21Value } from "../../files/part21.t
 import { enumerationIn, listIn, recordOf, referenceIn } from "../../files/part21-values.ts";
 import { stepCurve, turnBetween } from "./step-curve.ts";
 import { StepGeometry, type StepUnits } from "./step-geometry.ts";
+import { productNames } from "./step-names.ts";
 import { stepUnits } from "./step-units.ts";
 import { type V3 } from "../space.ts";
 import { JOINED } from "../../../kernel/tolerance.ts";
@@ -167,6 +168,7 @@ const nameOf = (entity: Part21Entity) => {
 /** Bodies of a file, and the number of those above the limit. */
 export function stepBodies(file: Part21File): { readonly bodies: readonly StepBody[]; readonly more: number } {
   const units = stepUnits(file),
+    names = productNames(file),
     found: { id: number; entity: Part21Entity; shells: readonly Part21Value[] }[] = [];
   for (const [id, entity] of file.entities) {
     const shells = shellsOf(entity);
@@ -177,7 +179,7 @@ export function stepBodies(file: Part21File): { readonly bodies: readonly StepBo
       reader = new Shells(geometry);
     const faces = shells.flatMap((s) => reader.shell(s));
     const isSolid = entity.some((r) => /(^|_)BREP(_|$)/.test(r.type));
-    return { name: nameOf(entity), units: units(id), geometry, faces, isSolid, broken: reader.broken };
+    return { name: names(id, nameOf(entity)), units: units(id), geometry, faces, isSolid, broken: reader.broken };
   });
   return { bodies, more: found.length - bodies.length };
 }

@@ -3,7 +3,7 @@ import { describe, expect, test } from "vitest";
 import { at, part } from "../../../kernel/geometry/point.ts";
 import { readSvg } from "./read-svg.ts";
 
-const read = (text: string, unit?: "mm" | "inch") => readSvg(new TextEncoder().encode(text), unit);
+const read = (text: string, unit?: "mm" | "inch") => readSvg(new TextEncoder().encode(text), unit && { unit });
 /** A drawing of 100 × 100 mm whose user unit is 1 mm. */
 const svg = (inside: string, attributes = 'width="100mm" height="100mm" viewBox="0 0 100 100"') =>
   `<?xml version="1.0"?><svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="i" ${attributes}>${inside}</svg>`;

@@ -1,7 +1,7 @@
 import { at, part } from "../../../kernel/geometry/point.ts";
 import { attributeOf, elementsIn, readXml, textInside, type XmlElement } from "../../files/xml.ts";
 import { decoded } from "../decode.ts";
-import type { Drawing, DrawingNote, DrawingUnit, DrawnCurve, DrawnText, LineRole } from "../drawing.ts";
+import type { Drawing, DrawingGiven, DrawingNote, DrawingUnit, DrawnCurve, DrawnText, LineRole } from "../drawing.ts";
 import { FIT, plainCurve } from "../fit.ts";
 import { roleOfName, roleOfPattern, rolesByWeight } from "../roles.ts";
 import { after, placed, placedCurve, shift, stretch, UNPLACED, type Curve3, type Placing } from "../space.ts";
@@ -238,7 +238,7 @@ function notesOf(walk: Walk, isCut: boolean, fitted: ReadonlyMap<string, number>
  * Reads an SVG file: basic shapes and paths with their transforms, x of the file as z and y, which points downwards there,
  * as -r; in mm by its width and height. Hidden elements are left out and named. Never throws.
  */
-export function readSvg(bytes: Uint8Array, chosen?: DrawingUnit["unit"]): Drawing {
+export function readSvg(bytes: Uint8Array, { unit: chosen }: DrawingGiven = {}): Drawing {
   const { root, faults, faultCount } = readXml(decoded(bytes));
   if (!root || root.local !== "svg") return refused({ code: "unreadable", severity: "error", values: { kind: "SVG" } });
   const walk = new Walk(root).all(root);
