@@ -8,7 +8,7 @@ import { actionOf, fitted, notDone, ranked, toolsOf } from "./candidates.ts";
 import { contourJob } from "./contour-job.ts";
 import { finestOf } from "./finest.ts";
 import { sectionWorks } from "./rest-rough.ts";
-import { outsideWork, workUpTo, type OutsideWork } from "./outside-work.ts";
+import { isInGroove, outsideWork, workUpTo, type OutsideWork } from "./outside-work.ts";
 import { cutOf, turnedChain, turningCycles, typesFirst } from "./turned-contour.ts";
 
 /** Tools to finish with. */
@@ -27,11 +27,11 @@ export const finishOutside: ActionSource = {
     const last = work.pieces.toSorted((a, b) => b.span[1] - a.span[1])[0];
     if (!last) return [];
     const rest = work.pieces.length > 1 || state.done.some(({ action }) => action.kind === "finishOutside");
-    const single = rest ? work.pieces.slice(0, MOST_PIECES) : [];
+    const single = rest ? work.pieces.filter((piece) => !isInGroove(piece, work)).slice(0, MOST_PIECES) : [];
     return notDone(
       [
         ...finishings(workUpTo(work, last), state.stock, request),
-        ...single.flatMap((piece) => sectionWorks(piece, "finishOutside", "finish", { work, stock: state.stock, request })),
+        ...single.flatMap((piece) => sectionWorks(piece, "finishOutside", "finish", { stock: state.stock, request })),
       ],
       state,
     );
@@ -51,7 +51,6 @@ function finishings(work: OutsideWork, stock: readonly Ring[], request: PlanRequ
       const fits = tools.flatMap((tool) => {
         const chain = turnedChain(
           work,
-          tool,
           (segments) => fitted({ cycle, cut, job: jobOf({ segments, marks: [] }) }, tool, request)?.plan ?? null,
         );
         return (chain.segments.length > 0 && fitted({ cycle, cut, job: jobOf(chain) }, tool, request)) || [];

@@ -1,4 +1,4 @@
-import { boxAround, boxOf } from "../../kernel/area/box.ts";
+import { boxAround, boxOf, inBox } from "../../kernel/area/box.ts";
 import { difference, intersection, isInside, offset, opened } from "../../kernel/area/clip.ts";
 import { at, part, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import type { Box } from "../../kernel/geometry/segments.ts";
@@ -6,7 +6,7 @@ import { CHORD, SAME, SLIVER } from "../../kernel/tolerance.ts";
 import { perSide, diameter } from "../../kernel/units.ts";
 import { regionsOf } from "../../sim/region.ts";
 import { LEAST_REGION, type OpenRegion } from "../open-regions.ts";
-import { pocketsOf, type Pocket } from "./pockets.ts";
+import { isValley, pocketsOf, type Pocket } from "./pockets.ts";
 import type { Chain, ElementMark, PlannedPart, PlanRequest, PlanState } from "../types.ts";
 
 /** A piece of material to remove, with the section of the chain that bounds it, from the front to the rear. */
@@ -158,9 +158,18 @@ function workIn(stock: readonly Ring[], request: PlanRequest): OutsideWork {
     chain,
     pockets: [...pocketsOf(chain, "r"), ...pocketsOf(chain, "z")],
     pieces: piecesOf(opened(inFrontOf(left, rearOfPart(request)), SLIVER), chain, SLIVER),
-    rough: piecesOf(opened(difference(left, grown), THIN), chain, over + SLIVER),
+    rough: piecesOf(opened(difference(left, grown), THIN), chain, over + SLIVER).map((piece) => ({
+      ...piece,
+      opensAhead: piece.opensAhead && standsOver(piece, chain),
+    })),
     over,
   };
+}
+
+/** Whether more than remains of a piece stands over all of the chain in front of it: else it lies in a valley. */
+function standsOver({ rings, box, borders: [first] }: Piece, { segments }: Chain): boolean {
+  const front = Math.max(0, ...segments.slice(0, first).map(({ to }) => to.r));
+  return front < box.high && opened(inBox(rings, { ...box, low: front }), THIN).length > 0;
 }
 
 /** The innermost pocket that a piece lies in; null for none. */
@@ -171,6 +180,12 @@ export function pocketOf(
   const [from, to] = piece.borders;
   const around = pockets.find((p) => (p.first <= from && to <= p.last) || isWithin(piece.box, p, over));
   return around ? (pocketOf(piece, { pockets: around.inner, over }) ?? around) : null;
+}
+
+/** Whether a piece lies in a groove, which is left to blades. */
+export function isInGroove(piece: Piece, work: OutsideWork): boolean {
+  const pocket = pocketOf(piece, work);
+  return pocket !== null && !isValley(pocket);
 }
 
 /** Whether a box lies in that of a pocket, up to `over` mm above its mouth: oversize may stand there, and on its walls. */

@@ -1,16 +1,15 @@
 import type { Cycle } from "../../cycles/define.ts";
 import type { ShapeRequest } from "../../cycles/shape-request.ts";
 import type { Plan } from "../../kernel/plan/plan.ts";
-import { part, type Segment } from "../../kernel/geometry/point.ts";
-import { CHORD, SAME } from "../../kernel/tolerance.ts";
+import type { Segment } from "../../kernel/geometry/point.ts";
+import { SAME } from "../../kernel/tolerance.ts";
 import { toDiameter, radius } from "../../kernel/units.ts";
-import { tipOffset } from "../../kernel/cutter/insert.ts";
 import { boxAroundContour } from "../../program/job/requested-shape.ts";
 import { cyclesFor } from "../../report/which/ways.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import type { Chain, PlanRequest } from "../types.ts";
 import type { OutsideWork, Piece } from "./outside-work.ts";
-import { bridgedOver, type Pocket } from "./pockets.ts";
+import { bridgedOver, isValley, type Pocket } from "./pockets.ts";
 import { workOf, type CutRequest } from "./values-of-job.ts";
 
 /** A chain without the faces in front of it, which facing takes. */
@@ -39,30 +38,24 @@ export function turningCycles(
   );
 }
 
-/** Area between the mouth of a pocket and a path that is `shift` mm behind its points, mm². */
-function areaUnder({ segments, level }: Pocket, path: readonly Segment[], shift = 0): number {
-  const [front, rear] = [segments[0]?.from.z ?? 0, segments.at(-1)?.to.z ?? 0];
-  const within = (z: number) => Math.min(front, Math.max(rear, z + shift));
-  const points = part.flattenedChain(path, CHORD);
-  return points.slice(1).reduce((sum, to, i) => {
-    const from = points[i] ?? to;
-    return sum + Math.abs(within(to.z) - within(from.z)) * Math.max(0, level - (from.r + to.r) / 2);
-  }, 0);
-}
+/** Share of a pocket's wall that a tool may miss and still be sent into it. */
+const MOST_MISSED = 0.5;
+const BY_TOOL: ReadonlySet<string | null> = new Set(["mainEdge", "secondaryEdge", "toolWidth", "cutLength"]);
 
-/** Share of a pocket that the nose of a tool has to reach for the tool to be sent into it. */
-const LEAST_REACHED = 0.6;
-
-/** Whether a tool reaches enough of a pocket to be sent into it: a narrow groove is left to blades. */
-export function suits({ reach }: Plan, tool: Tool, pocket: Pocket): boolean {
-  const { u } = tipOffset(tool);
-  const reached = reach.reduce((sum, { path }) => sum + areaUnder(pocket, [path], -u), 0);
-  return reached > LEAST_REACHED * areaUnder(pocket, pocket.segments);
+/** Length of the path over a pocket that the shape of a tool keeps off its contour, as a share of its mouth. */
+function missed({ reach }: Plan, { segments }: Pocket): number {
+  const [from, to] = [segments[0]?.from.z ?? 0, segments.at(-1)?.to.z ?? 0];
+  const over = ({ path }: Plan["reach"][number]) =>
+    Math.max(0, Math.min(from, Math.max(path.from.z, path.to.z)) - Math.max(to, Math.min(path.from.z, path.to.z)));
+  const width = Math.max(SAME, from - to);
+  return reach.reduce((sum, part) => sum + (BY_TOOL.has(part.reason) ? over(part) : 0), 0) / width;
 }
 
 /** The pockets that a tool is not sent into: it would not reach most of them. */
-const unsuited = (plan: Plan, tool: Tool, pockets: readonly Pocket[]): readonly Pocket[] =>
-  pockets.flatMap((pocket) => (suits(plan, tool, pocket) ? unsuited(plan, tool, pocket.inner) : [pocket]));
+const unsuited = (plan: Plan, pockets: readonly Pocket[]): readonly Pocket[] =>
+  pockets.flatMap((pocket) =>
+    !isValley(pocket) || missed(plan, pocket) > MOST_MISSED ? [pocket] : unsuited(plan, pocket.inner),
+  );
 
 /**
  * The chain as a tool turns it: without the grooves in its faces, those with nothing left in them, and those that it
@@ -70,7 +63,6 @@ const unsuited = (plan: Plan, tool: Tool, pockets: readonly Pocket[]): readonly 
  */
 export function turnedChain(
   { chain, pockets, pieces }: OutsideWork,
-  tool: Tool,
   planWith: (segments: readonly Segment[]) => Plan | null,
 ): Chain {
   const radial = pockets.filter(({ axis }) => axis === "r");
@@ -79,7 +71,7 @@ export function turnedChain(
   const open = radial.filter((pocket) => !done.includes(pocket));
   if (open.length === 0) return plain;
   const plan = planWith(plain.segments);
-  const skipped = plan ? unsuited(plan, tool, open) : open;
+  const skipped = plan ? unsuited(plan, open) : open;
   return skipped.length === 0
     ? plain
     : withoutFront(bridgedOver(chain, [...pockets.filter(({ axis }) => axis === "z"), ...done, ...skipped]));
