@@ -37,7 +37,7 @@ const rearOfPart = ({ part: { outside } }: PlanRequest): number =>
   boxOf(part.flattenedChain(outside.segments, CHORD)).left;
 
 /** The finished part under a chain, without its bore. */
-function solidOf({ segments }: Chain): Ring {
+export function solidOf({ segments }: Chain): Ring {
   const points = part.flattenedChain(segments, CHORD);
   const [first, last] = [points[0], points.at(-1)];
   return first && last ? [at(last.z, 0), at(first.z, 0), ...points].reverse() : [];
