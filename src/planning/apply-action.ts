@@ -74,7 +74,7 @@ export function applyAction(action: Action, { stock }: Pick<PlanState, "stock">,
   const { part, shop, clamping } = request;
   const program = withAction(parse(emptyProgram("PLAN", null)), action, request);
   const made = runOn(stock, program, shop);
-  const simulation = simulateCuts({ ...made, clamping });
+  const simulation = simulateCuts({ ...made, clamping, held: request.blank });
   const faults = verdictOf(made, simulation).reasons.filter(({ kind }) => !NO_FAULT.has(kind));
   const own = intersection(stock, part.rings);
   const left = leftBy(simulation, [action], own);

@@ -208,6 +208,7 @@ function runSimulation(
     blank,
     input.clamping?.clamping ?? null,
     former && from ? former.parted.filter(({ step }) => step < from.step) : [],
+    input.held,
   );
   const damage =
     former && resume ? damageBefore(resume, former, input, look) : new Map<number, readonly AnyFinding[]>();
