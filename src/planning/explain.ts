@@ -78,7 +78,9 @@ function unfinished({ open, threads }: PlanNode, { request: { part } }: Searchin
   const missed = [part.outside, part.inside].flatMap((chain) =>
     threadsOf(chain).flatMap((place) => (threads.has(threadId(chain, place)) ? [] : [place.designation])),
   );
-  return area < LEAST_REGION && missed.length === 0 ? [] : [{ kind: "unfinished", area: area < LEAST_REGION ? 0 : area, threads: missed }];
+  return area < LEAST_REGION && missed.length === 0
+    ? []
+    : [{ kind: "unfinished", area: area < LEAST_REGION ? 0 : area, threads: missed }];
 }
 
 /** What speaks for a step beside the next way; null where nothing does. */

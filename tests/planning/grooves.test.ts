@@ -61,5 +61,9 @@ test("the second clamping states its jaws, calls its own tools, and cuts the thr
   expect(second.text).toMatch(/; CLAMPING SOFT JAWS D26/);
   expect(second.text.match(/TOOL CALL/g)).toHaveLength(second.steps.length);
   expect(second.steps.flatMap(({ tried }) => tried.action.threads)).toEqual(["M30x1.5 0"]);
-  expect(plan.residue.map(({ site, why }) => `${site} ${why}`)).toEqual(["inside tool", "outside rear", "outside rear"]);
+  expect(plan.residue.map(({ site, why }) => `${site} ${why}`)).toEqual([
+    "inside tool",
+    "outside rear",
+    "outside rear",
+  ]);
 });
