@@ -78,7 +78,7 @@ export function applyAction(action: Action, { stock }: Pick<PlanState, "stock">,
   const program = withAction(parse(emptyProgram("PLAN", null)), action, request);
   const made = runOn(stock, program, shop);
   const most = perSide(diameter(request.rules.allowance.diameter)) + THICKEST;
-  const simulation = simulateCuts({ ...made, clamping, gripped: request.blank }, most);
+  const simulation = simulateCuts({ ...made, clamping, held: request.blank }, most);
   // Only the cut of a thread is no area.
   const isArea = action.threads.length === 0;
   const faults = verdictOf(made, simulation).reasons.filter(

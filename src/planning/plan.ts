@@ -7,7 +7,7 @@ import { actionsIn, compareEnds, firstNode, nodeBehind, nodesOf, type PlanNode, 
 import { residueOf } from "./residue.ts";
 import { retooled } from "./retooled.ts";
 import { beam, pruned } from "./search.ts";
-import { secondClamping } from "./second-clamping.ts";
+import { secondClamping, withRear } from "./second-clamping.ts";
 import { Trade } from "./trade-rules.ts";
 import { Tries } from "./tries.ts";
 import type { ActionSource, PlanRequest } from "./types.ts";
@@ -89,9 +89,7 @@ export function* planning(
   const other = hasRegion && !request.begun ? secondClamping(asked, end, parse(whole.text)) : null;
   const turned = other && (yield* unseen(planning(other, {}, sources), progressOf(end, s)));
   const second = turned && turned.steps.length > 0 ? turned : null;
-  const residue = second?.isComplete
-    ? found.map((each) => (each.region ? { ...each, why: "rear" as const } : each))
-    : found;
+  const residue = second ? withRear(found, second, request.part) : found;
   return {
     ...whole,
     setup: { part: request.part, blank: request.blank, clamping: request.clamping },

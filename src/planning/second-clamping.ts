@@ -1,3 +1,4 @@
+import { areaOf } from "../kernel/area/area.ts";
 import { boxAround } from "../kernel/area/box.ts";
 import { CHUCK_SIZES, clampingBodies, missesBlank, type Clamped } from "../kernel/area/clamping.ts";
 import { at, part as geometry, type Pt, type Ring, type Segment } from "../kernel/geometry/point.ts";
@@ -11,9 +12,12 @@ import type { ClampingDraft, ClampingWord } from "../program/clamping/words.ts";
 import { flippedPiece, secondSide } from "../program/edits/second-side.ts";
 import { surfacesOf, type StockSurface } from "../program/job/stock-surface.ts";
 import { NC_OUTPUTS } from "../program/machine/nc-output.ts";
-import { openRegions } from "./open-regions.ts";
+import { areaBeyond } from "./apply-action.ts";
+import { LEAST_REGION, openRegions } from "./open-regions.ts";
+import { solidOf } from "./actions/outside-work.ts";
 import { threadId, threadsOf } from "./actions/thread.ts";
 import type { Chain, ElementMark, PlannedPart, PlanRequest, PlanState } from "./types.ts";
+import type { Residue, WorkingPlan } from "./working-plan.ts";
 
 /** Turned end for end about the rear end of the part, which becomes Z0. */
 const over =
@@ -74,6 +78,24 @@ const withoutThreads = (part: PlannedPart, made: ReadonlySet<string>): PlannedPa
   inside: cut(part.inside, made),
 });
 
+/** What a first clamping leaves: a region that the second one takes is reached from the rear, a thread is made. */
+export function withRear(
+  left: readonly Residue[],
+  { stock, steps }: Pick<WorkingPlan, "stock" | "steps">,
+  part: PlannedPart,
+): readonly Residue[] {
+  const turned = over(boxAround(part.rings).left);
+  const threads = steps.flatMap(({ tried }) => tried.action.threads);
+  const isMade = ({ region, missing }: Residue): boolean => {
+    if (!region) return threads.some((id) => id.startsWith(`${missing?.thread ?? ""} `));
+    const rings = region.rings.map((ring) => ring.map(turned).reverse());
+    return areaBeyond(rings, stock) > areaOf(rings) - LEAST_REGION;
+  };
+  return left
+    .filter((each) => each.region || !isMade(each))
+    .map((each) => (isMade(each) ? { ...each, why: "rear", missing: null } : each));
+}
+
 /** Length that jaws grip: at least, in diameters, and at most, mm; clearance of their face from the cuts. */
 const GRIP = { least: 5, share: 0.25, most: 40, clear: 2 };
 /** A chuck is larger than what it grips by this factor. */
@@ -95,9 +117,10 @@ function grips(stock: readonly Ring[], { outside }: PlannedPart, behind: number)
     .toSorted((a, b) => Number(isThread(a)) - Number(isThread(b)) || lengthOf(b) * b.from.r - lengthOf(a) * a.from.r);
 }
 
-/** Soft jaws on a finished cylinder behind all that is left to cut; null where the stock has none. */
+/** Soft jaws on a finished cylinder behind all that is left to cut outside; null where the stock has none. */
 export function softJaws(stock: readonly Ring[], part: PlannedPart): ClampingDraft | null {
-  const left = openRegions(stock, part).map(({ box }) => box.left);
+  // Jaws stand beside the outside: what is left in a bore is in front of none of them.
+  const left = openRegions(stock, { ...part, rings: [solidOf(part.outside)] }).map(({ box }) => box.left);
   const behind = Math.min(boxAround(stock).right, ...left) - GRIP.clear;
   const [grip] = grips(stock, part, behind);
   if (!grip) return null;
@@ -131,7 +154,7 @@ export function secondClamping(
   const part = withoutThreads(request.part, threads);
   if (partsOff || openRegions(stock, part).length === 0) return null;
   const allowance = boxAround(part.rings).left - boxAround(stock).left;
-  const text = secondSide(program, stock, { allowance, output: NC_OUTPUTS.manual });
+  const text = secondSide(program, stock, { allowance, output: NC_OUTPUTS.manual, callsTool: false });
   if (text === "") return null;
   const [turned, blank] = [flippedPart(part), flippedPiece(stock, allowance)];
   const jaws = softJaws(blank, flippedPart(request.part));

@@ -151,7 +151,7 @@ export const hasClamping = ({ clamping }: SimulationInput): boolean => clamping 
 /** Whether two runs start with the same blank and the same grip. */
 const sameBlank = (a: SimulationInput, b: SimulationInput): boolean =>
   sameRings(a.blank, b.blank) &&
-  sameRings(a.gripped ?? a.blank, b.gripped ?? b.blank) &&
+  sameRings(a.held ?? a.blank, b.held ?? b.blank) &&
   sameHold(a.clamping?.clamping ?? null, b.clamping?.clamping ?? null);
 
 /** The first known run with the most leading steps in common with a new one. */

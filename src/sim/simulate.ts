@@ -223,9 +223,10 @@ function runSimulation(
   const resume = former && resumePoint(former, input, setups.atFirst, outlines);
   const from = resume?.from;
   const held = holding(
-    input.gripped ?? blank,
+    blank,
     input.clamping?.clamping ?? null,
     former && from ? former.parted.filter(({ step }) => step < from.step) : [],
+    input.held,
   );
   const damage =
     former && resume ? damageBefore(resume, former, input, look) : new Map<number, readonly AnyFinding[]>();

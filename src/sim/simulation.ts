@@ -19,8 +19,8 @@ export interface SimulatedOperation {
 /** Inputs of a simulation. The blank is the one in the chuck at the first step. */
 export interface SimulationInput {
   readonly blank: readonly Ring[];
-  /** What is gripped, where the run begins with a stock that was cut from it. */
-  readonly gripped?: readonly Ring[];
+  /** What is held, where the blank is what operations before this run left of it; absent: the blank. */
+  readonly held?: readonly Ring[];
   /** Blanks that are stated later, in the order of their steps; none where absent. */
   readonly stated?: readonly StatedBlank[];
   /** The clamping, where stated. */

@@ -142,9 +142,14 @@ export interface Holding {
   parted(): readonly Parted[];
 }
 
-/** Starts with a blank; `before`: splits in steps that are not simulated again. */
-export function holding(blank: readonly Ring[], clamping: Clamping | null, before: readonly Parted[]): Holding {
-  let [now, hold] = [blank, holdOf(blank, clamping)];
+/** Starts with a blank, held as `piece`; `before`: splits in steps that are not simulated again. */
+export function holding(
+  blank: readonly Ring[],
+  clamping: Clamping | null,
+  before: readonly Parted[],
+  piece: readonly Ring[] = blank,
+): Holding {
+  let [now, hold] = [blank, holdOf(piece, clamping)];
   const parted = [...before];
   let since = 0;
   let known: { readonly count: number; readonly loose: Loose } | null = null;

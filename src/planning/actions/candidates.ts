@@ -24,8 +24,6 @@ export interface Candidate {
   readonly box: Box;
   /** Tells candidates of one cycle in one place apart. */
   readonly variant?: string;
-  /** Whether the path of a tool does enough; absent: any path. */
-  readonly accepts?: (plan: Plan, tool: Tool) => boolean;
 }
 
 /** Tools that may be used, checked once for a table. */
@@ -142,7 +140,7 @@ export function bestWays(
     candidates.flatMap((candidate) =>
       some.flatMap((tool) => {
         const fit = fitted(candidate, tool, request);
-        if (!fit || candidate.accepts?.(fit.plan, tool) === false) return [];
+        if (!fit) return [];
         const cost = secondsOfPlan(fit, request) + PER_UNREACHED * fit.unreached;
         return [{ candidate, fit, cost: cost + (fit.makesContour ? 0 : request.rules.toolChange) }];
       }),

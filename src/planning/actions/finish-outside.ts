@@ -8,7 +8,7 @@ import { actionOf, fitted, notDone, ranked, toolsOf, deepest } from "./candidate
 import { contourJob } from "./contour-job.ts";
 import { finestOf } from "./finest.ts";
 import { sectionWorks } from "./rest-rough.ts";
-import { outsideWork, workUpTo, type OutsideWork, type Piece } from "./outside-work.ts";
+import { isInGroove, outsideWork, workUpTo, type OutsideWork, type Piece } from "./outside-work.ts";
 import { cutOf, turnedChain, turningCycles, typesFirst, withoutFront } from "./turned-contour.ts";
 
 /** Tools to finish with. */
@@ -29,7 +29,7 @@ export const finishOutside: ActionSource = {
     const isAlone = (piece: Piece) => isRest || (!piece.opensAhead && work.pieces.length > 1);
     const single = work.pieces
       .filter((piece) => piece !== last || !piece.opensAhead)
-      .filter(isAlone)
+      .filter((piece) => isAlone(piece) && !isInGroove(piece, work))
       .slice(0, MOST_PIECES);
     return notDone(
       [
@@ -37,7 +37,7 @@ export const finishOutside: ActionSource = {
         ...single.flatMap((piece) =>
           piece.opensAhead
             ? finishings(workUpTo(work, piece), state.stock, request)
-            : sectionWorks(piece, "finishOutside", "finish", { work, stock: state.stock, request }),
+            : sectionWorks(piece, "finishOutside", "finish", { stock: state.stock, request }),
         ),
       ],
       state,
@@ -60,7 +60,6 @@ function finishings(work: OutsideWork, stock: readonly Ring[], request: PlanRequ
         const chain = withoutFront(
           turnedChain(
             work,
-            tool,
             (segments) => fitted({ cycle, cut, job: jobOf({ segments, marks: [] }) }, tool, request)?.plan ?? null,
             worksAcross(cycle),
           ),

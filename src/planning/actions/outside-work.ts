@@ -1,4 +1,4 @@
-import { boxAround, boxOf } from "../../kernel/area/box.ts";
+import { boxAround, boxOf, inBox } from "../../kernel/area/box.ts";
 import { difference, intersection, isInside, offset, opened } from "../../kernel/area/clip.ts";
 import { at, part, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import type { Box } from "../../kernel/geometry/segments.ts";
@@ -6,7 +6,7 @@ import { CHORD, SAME, SLIVER } from "../../kernel/tolerance.ts";
 import { perSide, diameter } from "../../kernel/units.ts";
 import { regionsOf } from "../../sim/region.ts";
 import { LEAST_REGION, type OpenRegion } from "../open-regions.ts";
-import { pocketsOf, type Pocket } from "./pockets.ts";
+import { isValley, pocketsOf, type Pocket } from "./pockets.ts";
 import { ofPieces } from "../stock-key.ts";
 import type { Chain, ElementMark, PlannedPart, PlanRequest, PlanState } from "../types.ts";
 
@@ -37,8 +37,8 @@ const inFrontOf = (area: readonly Ring[], left: number): Ring[] =>
 const rearOfPart = ({ part: { outside } }: PlanRequest): number =>
   boxOf(part.flattenedChain(outside.segments, CHORD)).left;
 
-/** The finished part under a chain up to the rearmost cut, without its bore. */
-function solidOf({ segments }: Chain, rear: number): Ring {
+/** The finished part under a chain, up to the rearmost cut where one is given, without its bore. */
+export function solidOf({ segments }: Chain, rear = Infinity): Ring {
   const points = part.flattenedChain(segments, CHORD);
   const [first, last] = [points[0], points.at(-1)];
   if (!first || !last) return [];
@@ -194,9 +194,18 @@ function workIn(stock: readonly Ring[], request: PlanRequest, all: KnownWork): O
     chain,
     pockets,
     pieces: piecesOf(inFrontOf(left, rearOfPart(request)), SLIVER, chain, [SLIVER, 0], request),
-    rough: piecesOf(difference(left, grown), THIN, chain, [over + SLIVER, THIN], request),
+    rough: piecesOf(difference(left, grown), THIN, chain, [over + SLIVER, THIN], request).map((piece) => ({
+      ...piece,
+      opensAhead: piece.opensAhead && standsOver(piece, chain),
+    })),
     over,
   };
+}
+
+/** Whether more than remains of a piece stands over all of the chain in front of it: else it lies in a valley. */
+function standsOver({ rings, box, borders: [first] }: Piece, { segments }: Chain): boolean {
+  const front = Math.max(0, ...segments.slice(0, first).map(({ to }) => to.r));
+  return front < box.high && opened(inBox(rings, { ...box, low: front }), THIN).length > 0;
 }
 
 /** The innermost pocket that a piece lies in; null for none. */
@@ -207,6 +216,12 @@ export function pocketOf(
   const [from, to] = piece.borders;
   const around = pockets.find((p) => (p.first <= from && to <= p.last) || isWithin(piece.box, p, over));
   return around ? (pocketOf(piece, { pockets: around.inner, over }) ?? around) : null;
+}
+
+/** Whether a piece lies in a groove, which is left to blades. */
+export function isInGroove(piece: Piece, work: OutsideWork): boolean {
+  const pocket = pocketOf(piece, work);
+  return pocket !== null && !isValley(pocket);
 }
 
 /**

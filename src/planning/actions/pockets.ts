@@ -1,5 +1,6 @@
 import { at, part, type Segment } from "../../kernel/geometry/point.ts";
-import { SAME } from "../../kernel/tolerance.ts";
+import { CHORD, SAME } from "../../kernel/tolerance.ts";
+import { radians } from "../../kernel/units.ts";
 import type { Chain, ElementMark } from "../types.ts";
 
 /** A part of the chain below the level of its surroundings: a groove or a valley, radial or in a face. */
@@ -15,6 +16,8 @@ export interface Pocket extends Chain {
   readonly inner: readonly Pocket[];
 }
 
+/** Steps across a pocket, mm. */
+const FINE = 0.1;
 /** Shallower ones are no pockets, mm. */
 const SHALLOWEST = 0.02;
 
@@ -72,13 +75,42 @@ function pocketBetween(
   return { axis, first, last, level, segments, marks, inner };
 }
 
+/** Slope at which the usual pointed insert descends (35°, set at 93°), and the share of a valley that it reaches. */
+const [DESCENT, LEAST_REACHED] = [Math.tan(radians(180 - 93 - 35)), 0.9];
+
+/**
+ * Whether a turning tool that comes from the front reaches nearly all of a pocket. Others are grooves: a turning tool
+ * leaves the wall in front, which a blade cuts from the mouth down anyway.
+ */
+export function isValley({ segments, axis, level }: Pocket): boolean {
+  const across = axis === "r" ? "z" : "r";
+  const points = part.flattenedChain(segments, CHORD);
+  let [reach, reached, all] = [level, 0, 0];
+  points.slice(1).forEach((to, i) => {
+    const from = points[i] ?? to;
+    const width = Math.abs(to[across] - from[across]);
+    const steps = Math.ceil(width / FINE);
+    for (let n = 0; n < steps; n += 1) {
+      const floor = from[axis] + ((to[axis] - from[axis]) * (n + 0.5)) / steps;
+      reach = Math.max(floor, reach - (DESCENT * width) / steps);
+      reached += level - reach;
+      all += level - floor;
+    }
+  });
+  return reached >= LEAST_REACHED * all;
+}
+
 /** The piece of a wall below a level, from its end `keep` on. */
 function below(s: Segment, axis: Pocket["axis"], level: number, keep: "from" | "to"): Segment {
   const other = keep === "to" ? "from" : "to";
   if (s[other][axis] <= level + SAME) return s;
   const far = 10_000;
   const along = axis === "r" ? part.line(at(-far, level), at(far, level)) : part.line(at(level, -far), at(level, far));
-  const crossing = part.meetings(along, s).toSorted((p, q) => part.apart(p, s[keep]) - part.apart(q, s[keep]))[0];
+  // The circle of an arc crosses the level twice.
+  const crossing = part
+    .meetings(along, s)
+    .filter((p) => part.apart(p, part.nearestOn(s, p)) < SAME)
+    .toSorted((p, q) => part.apart(p, s[keep]) - part.apart(q, s[keep]))[0];
   return crossing ? { ...s, [other]: crossing } : s;
 }
 

@@ -4,8 +4,9 @@ import { withValue } from "../../program/job/requested-job.ts";
 import type { Action, ActionKind, ActionSource, PlanRequest } from "../types.ts";
 import { bestWays, notDone, toolsOf, type Candidate } from "./candidates.ts";
 import { contourJob, type Way } from "./contour-job.ts";
-import { outsideWork, pocketOf, type OutsideWork, type Piece } from "./outside-work.ts";
-import { cutOf, suits, turningCycles, typesFirst } from "./turned-contour.ts";
+import { isInGroove, outsideWork, type Piece } from "./outside-work.ts";
+import { bridgedOver, isValley, pocketsOf } from "./pockets.ts";
+import { cutOf, turningCycles, typesFirst } from "./turned-contour.ts";
 import { finestOf } from "./finest.ts";
 
 /** Pieces to work on, and ways to work on each. */
@@ -18,32 +19,28 @@ export const restRough: ActionSource = {
   kind: "restRough",
   actions(state, request) {
     const work = outsideWork(state, request);
+    const { rough } = work;
     return notDone(
-      work.rough
-        .filter(({ opensAhead }) => !opensAhead)
+      rough
+        .filter((piece) => !piece.opensAhead && !isInGroove(piece, work))
         .slice(0, MOST_PIECES)
-        .flatMap((piece) => sectionWorks(piece, "restRough", "rough", { work, stock: state.stock, request })),
+        .flatMap((piece) => sectionWorks(piece, "restRough", "rough", { stock: state.stock, request })),
       state,
     );
   },
 };
 
-interface Around {
-  readonly work: OutsideWork;
-  readonly stock: readonly Ring[];
-  readonly request: PlanRequest;
-}
-
-/** Turns the section of a piece, from its front and from its rear, with tools that reach most of its groove. */
+/** Turns the section of a piece over its grooves, from its front and from its rear. */
 export function sectionWorks(
-  piece: Piece,
+  { section, box }: Piece,
   kind: ActionKind,
   operation: "rough" | "finish",
-  { work, stock, request }: Around,
+  { stock, request }: { readonly stock: readonly Ring[]; readonly request: PlanRequest },
 ): readonly Action[] {
-  const { section, box } = piece;
-  const { segments } = section;
-  const pocket = pocketOf(piece, work);
+  const { segments } = bridgedOver(
+    section,
+    pocketsOf(section, "r").filter((pocket) => !isValley(pocket)),
+  );
   const tools = toolsOf(request).filter(({ TYPE }) => TYPE === "ROUGH" || TYPE === "FINISH" || TYPE === "BUTTON");
   const roughness = finestOf(section);
   const candidates = turningCycles(segments, request)
@@ -57,7 +54,6 @@ export function sectionWorks(
         cut: cutOf(cycle, operation, { box, stock, ...(roughness !== undefined && { roughness }) }),
         box,
         variant: way,
-        ...(pocket && { accepts: (plan, tool) => suits(plan, tool, pocket) }),
       })),
     );
   return bestWays(candidates, tools, MOST_WAYS, request, operation === "finish" ? finishing : undefined);

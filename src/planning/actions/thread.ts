@@ -122,8 +122,8 @@ function threadings(
         const root = named.taper > 0 ? box.low - fill.cut.depth : radiusOf(fill.cut.root);
         const relief = reliefFrom(chain, place, root);
         const deep = relief ?? box.left;
-        // In a short relief the tooth stops in front of the shoulder, and rises on the way to that place.
-        const shoulder = relief !== null ? shoulderBehind(chain, place) : null;
+        // In a short relief, or without one, the tooth stops in front of the shoulder, and rises on the way to that place.
+        const shoulder = shoulderBehind(chain, place);
         const tooth = Math.min(cutLength(tool) ?? USUAL_TOOTH, (shoulder?.r ?? root) - root);
         const half = Math.tan(radians(named.angle) / 2) * tooth + noseRadius(tool);
         const end = shoulder ? Math.max(deep, shoulder.z + named.pitch + half) : deep;

@@ -22,6 +22,8 @@ export interface SecondSideOptions {
   readonly allowance: number;
   /** NC output where the first program does not show it. */
   readonly output: NcOutput;
+  /** False where the operations that follow call their own tools: the program calls none. Absent: it does. */
+  readonly callsTool?: boolean;
 }
 
 /** Label of the outline of the blank. */
@@ -165,7 +167,7 @@ function turningOf({ blocks }: Program): Statement[] {
 export function secondSide(
   program: Program,
   piece: readonly Ring[],
-  { allowance, output: otherwise }: SecondSideOptions,
+  { allowance, output: otherwise, callsTool = true }: SecondSideOptions,
 ): string {
   const begin = program.blocks.find(({ statement: s }) => s.kind === "begin")?.statement;
   const [name, unit] =
@@ -181,23 +183,24 @@ export function secondSide(
     value: roundedTo(Math.ceil(mm) / per, POSITION_DECIMALS),
     incremental: false,
   });
+  const clear: Statement = {
+    kind: "path",
+    path: "L",
+    words: {
+      ...noWords,
+      axes: [
+        away("X", toDiameter(radius(high)) + SAFE_DISTANCE.x),
+        away("Z", Math.max(allowance, 0) + SAFE_DISTANCE.z),
+      ],
+      compensation: "R0",
+      feed: "max",
+    },
+  };
   const all: Statement[] = [
     { kind: "begin", name, unit },
     { kind: "blankRotation", axis: "Z", measure: "D", outline: { label: BLANK_LABEL }, inner: null },
-    ...turningOf(program),
-    {
-      kind: "path",
-      path: "L",
-      words: {
-        ...noWords,
-        axes: [
-          away("X", toDiameter(radius(high)) + SAFE_DISTANCE.x),
-          away("Z", Math.max(allowance, 0) + SAFE_DISTANCE.z),
-        ],
-        compensation: "R0",
-        feed: "max",
-      },
-    },
+    ...turningOf(program).filter(({ kind }) => callsTool || kind === "mode"),
+    ...(callsTool ? [clear] : []),
     { kind: "functions", words: { ...noWords, functions: [output.end] } },
     { kind: "label", label: BLANK_LABEL },
     ...outline,
