@@ -1,5 +1,5 @@
-import { actionsIn, compareEnds, isInPlace, nodeBehind, nodesOf, type PlanNode, type Searching } from "./plan-node.ts";
-import { followed } from "./search.ts";
+import { actionsIn, compareEnds, nodeBehind, nodesOf, type PlanNode, type Searching } from "./plan-node.ts";
+import { followed, isSameWork } from "./search.ts";
 import type { Action } from "./types.ts";
 
 /** Steps one after the other with one tool: the indices of the first and of the one behind the last. */
@@ -8,8 +8,6 @@ function runsOf(nodes: readonly PlanNode[]): readonly (readonly [from: number, t
   const starts = nodes.flatMap((_, i) => (i === 0 || toolOf(i) !== toolOf(i - 1) ? [i] : []));
   return starts.map((from, i) => [from, starts[i + 1] ?? nodes.length]);
 }
-
-const isSameWork = (a: Action, b: Action): boolean => a.kind === b.kind && a.site === b.site && isInPlace(a, b);
 
 /** The state behind the same work with another tool: of several ways the one that takes most. Null where it has none. */
 function* withTool(
