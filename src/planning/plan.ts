@@ -67,7 +67,7 @@ export function* planning(
   for (const width of WIDTHS) {
     const found = yield* reported(beam(from, width, s), s, () => best);
     const least = yield* reported(pruned(found, s), s, () => best);
-    const end = yield* reported(retooled(least, s), s, () => best);
+    const end = yield* reported(retooled(least, from.done.length, s), s, () => best);
     if (!best || compareEnds(end, best) < 0) best = end;
   }
   const end = best ?? from;

@@ -34,15 +34,15 @@ function* withTool(
 
 /**
  * A plan in which the work that one tool does at a stretch is done by another one where the whole is better for it: a
- * beam keeps few states with the tool that only a later step needs. Yields before every try.
+ * beam keeps few states with the tool that only a later step needs. The first `kept` steps stay. Yields before every try.
  */
-export function* retooled(end: PlanNode, s: Searching): Generator<PlanNode, PlanNode> {
+export function* retooled(end: PlanNode, kept: number, s: Searching): Generator<PlanNode, PlanNode> {
   let best = end;
   for (let i = runsOf(nodesOf(best)).length - 1; i >= 0; i -= 1) {
     const nodes = nodesOf(best);
     const [from, to] = runsOf(nodes)[i] ?? [0, 0];
     const [start, first] = [nodes[from]?.before, nodes[from]?.tried?.action];
-    if (!start || !first) continue;
+    if (!start || !first || from < kept) continue;
     const actions = nodes.flatMap(({ tried }) => tried?.action ?? []);
     const tools = new Set(
       actionsIn(start, s).flatMap((a) => (a.tool.T !== first.tool.T && isSameWork(a, first) ? [a.tool.T] : [])),
