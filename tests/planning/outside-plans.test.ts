@@ -30,7 +30,7 @@ const lettered = (tools: readonly number[]): string =>
 describe("a plan as a setter makes it", () => {
   const plans: readonly (readonly [says: string, part: FinishedPart, kinds: string, tools: string])[] = [
     [
-      "one insert faces and roughs into the valley, another finishes",
+      "one insert faces, roughs into the valley and finishes",
       partOfTrade("spool"),
       "face roughOutside finishOutside partOff",
       "AAAB",
