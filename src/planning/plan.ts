@@ -70,8 +70,8 @@ export function* planning(
   for (const width of WIDTHS) {
     const found = yield* reported(beam(from, width, s), s, () => best);
     const needed = yield* reported(pruned(found, s), s, () => best);
-    const changed = yield* reported(retooled(needed, s), s, () => best);
-    const end = yield* reported(ordered(changed, s), s, () => best);
+    const changed = yield* reported(retooled(needed, from.done.length, s), s, () => best);
+    const end = yield* reported(ordered(changed, from.done.length, s), s, () => best);
     if (!best || compareEnds(end, best) < 0) best = end;
   }
   const end = best ?? from;

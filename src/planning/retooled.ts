@@ -1,5 +1,5 @@
-import { actionsIn, compareEnds, isInPlace, nodeBehind, nodesOf, type PlanNode, type Searching } from "./plan-node.ts";
-import { followed } from "./search.ts";
+import { actionsIn, compareEnds, nodeBehind, nodesOf, type PlanNode, type Searching } from "./plan-node.ts";
+import { followed, isSameWork } from "./search.ts";
 import type { Action } from "./types.ts";
 
 /** Steps one after the other with one tool: the indices of the first and of the one behind the last. */
@@ -8,8 +8,6 @@ function runsOf(nodes: readonly PlanNode[]): readonly (readonly [from: number, t
   const starts = nodes.flatMap((_, i) => (i === 0 || toolOf(i) !== toolOf(i - 1) ? [i] : []));
   return starts.map((from, i) => [from, starts[i + 1] ?? nodes.length]);
 }
-
-const isSameWork = (a: Action, b: Action): boolean => a.kind === b.kind && a.site === b.site && isInPlace(a, b);
 
 /** The state behind the same work with another tool: of several ways the one that takes most. Null where it has none. */
 function* withTool(
@@ -36,15 +34,15 @@ function* withTool(
 
 /**
  * A plan in which the work that one tool does at a stretch is done by another one where the whole is better for it: a
- * beam keeps few states with the tool that only a later step needs. Yields before every try.
+ * beam keeps few states with the tool that only a later step needs. The first `kept` steps stay. Yields before every try.
  */
-export function* retooled(end: PlanNode, s: Searching): Generator<PlanNode, PlanNode> {
+export function* retooled(end: PlanNode, kept: number, s: Searching): Generator<PlanNode, PlanNode> {
   let best = end;
   for (let i = runsOf(nodesOf(best)).length - 1; i >= 0; i -= 1) {
     const nodes = nodesOf(best);
     const [from, to] = runsOf(nodes)[i] ?? [0, 0];
     const [start, first] = [nodes[from]?.before, nodes[from]?.tried?.action];
-    if (!start || !first) continue;
+    if (!start || !first || from < kept) continue;
     const actions = nodes.flatMap(({ tried }) => tried?.action ?? []);
     const tools = new Set(
       actionsIn(start, s).flatMap((a) => (a.tool.T !== first.tool.T && isSameWork(a, first) ? [a.tool.T] : [])),

@@ -243,6 +243,9 @@ export function* pruned(end: PlanNode, s: Searching): Generator<PlanNode, PlanNo
   return best;
 }
 
+/** Whether two actions do the same in the same place, with whatever tool. */
+export const isSameWork = (a: Action, b: Action): boolean => a.kind === b.kind && a.site === b.site && isInPlace(a, b);
+
 /** Whether an action does with the same tool and cycle more or less of another. */
 const isLike = (a: Action, b: Action): boolean =>
   a.kind === b.kind && a.cycle === b.cycle && a.tool.T === b.tool.T && isInPlace(a, b);
@@ -252,7 +255,10 @@ export function* followed(from: PlanNode, actions: readonly Action[], s: Searchi
   let node = from;
   for (const wanted of actions) {
     const open = actionsIn(node, s, wanted.kind);
-    const action = open.find(({ key }) => key === wanted.key) ?? open.find((a) => isLike(a, wanted));
+    const action =
+      open.find(({ key }) => key === wanted.key) ??
+      open.find((a) => isLike(a, wanted)) ??
+      open.find((a) => isSameWork(a, wanted) && actions.some(({ tool }) => tool.T === a.tool.T));
     if (!action) continue;
     yield node;
     const tried = s.tries.of(action, node);

@@ -27,6 +27,8 @@ const BESIDE_JAWS = 1;
 const BEHIND_REAR = 2;
 /** Thinner material is left to finishing, mm. */
 const THIN = 1;
+/** Height that a nose leaves in the corner beside a piece, mm: it does not open the piece ahead. */
+const IN_CORNER = 0.25;
 /** Farther than any stock, mm. */
 const FAR = 10_000;
 
@@ -194,7 +196,7 @@ function workIn(stock: readonly Ring[], request: PlanRequest, all: KnownWork): O
     chain,
     pockets,
     pieces: piecesOf(inFrontOf(left, rearOfPart(request)), SLIVER, chain, [SLIVER, 0], request),
-    rough: piecesOf(difference(left, grown), THIN, chain, [over + SLIVER, THIN], request).map((piece) => ({
+    rough: piecesOf(difference(left, grown), THIN, chain, [over + SLIVER, IN_CORNER], request).map((piece) => ({
       ...piece,
       opensAhead: piece.opensAhead && standsOver(piece, chain),
     })),
@@ -230,7 +232,7 @@ export function isInGroove(piece: Piece, work: OutsideWork): boolean {
  */
 function isWithin({ left, right, low, high }: Box, { segments, axis }: Pocket, over: number): boolean {
   const around = boxOf(part.flattenedChain(segments, CHORD));
-  const most = over + THIN;
+  const most = over + IN_CORNER;
   const [ahead, above] = axis === "z" ? [most, 0] : [0, most];
   return (
     left > around.left - SAME &&
@@ -245,7 +247,7 @@ function piecesOf(
   area: readonly Ring[],
   thick: number,
   chain: Chain,
-  beside: readonly [near: number, thin: number],
+  beside: readonly [near: number, corner: number],
   request: PlanRequest,
 ): readonly Piece[] {
   const made = (piece: readonly Ring[]) =>
@@ -265,12 +267,12 @@ const BESIDE = 1;
 
 /**
  * The section of a chain that bounds a region at most `near` mm away. It goes on to both sides until the part is as
- * high as the region but for what is `thin`, so that a cycle knows what stands beside it.
+ * high as the region, but for `corner` mm, so that a cycle knows what stands beside it.
  */
 function sectionAt(
   { segments, marks }: Chain,
   { rings, box }: OpenRegion,
-  [near, thin]: readonly [number, number],
+  [near, corner]: readonly [number, number],
 ): Pick<Piece, "section" | "opensAhead" | "borders" | "span"> | null {
   const wide = offset(rings, near + 2 * SLIVER);
   const isNear = (p: Pt) => wide.filter((ring) => isInside(ring, p)).length % 2 === 1;
@@ -283,7 +285,7 @@ function sectionAt(
   const touched = [hit[0] ?? -1, hit.at(-1) ?? -1] as const;
   let [first, last] = touched;
   if (first < 0) return null;
-  const level = box.high - near - thin - 2 * SLIVER;
+  const level = box.high - near - corner - 2 * SLIVER;
   while (first > 0 && (segments[first]?.from.r ?? 0) < level) first -= 1;
   while (last < segments.length - 1 && (segments[last]?.to.r ?? 0) < level) last += 1;
   const section = segments.slice(first, last + 1);
