@@ -4,7 +4,7 @@ import { actionSources } from "./actions/index.ts";
 import { explained } from "./explain.ts";
 import { actionsIn, compareEnds, firstNode, nodeBehind, nodesOf, type PlanNode, type Searching } from "./plan-node.ts";
 import { residueOf } from "./residue.ts";
-import { beam, pruned } from "./search.ts";
+import { beam, pruned, sharing } from "./search.ts";
 import { secondClamping } from "./second-clamping.ts";
 import { Trade } from "./trade-rules.ts";
 import { Tries } from "./tries.ts";
@@ -70,7 +70,7 @@ export function* planning(
     const end = yield* reported(pruned(found, s), s, () => best);
     if (!best || compareEnds(end, best) < 0) best = end;
   }
-  const end = best ?? from;
+  const end = yield* reported(sharing(best ?? from, from.done.length, s), s, () => best);
   const whole = wholeProgram(
     nodesOf(end).flatMap(({ tried }) => tried?.action ?? []),
     request,

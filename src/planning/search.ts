@@ -215,6 +215,28 @@ export function* pruned(end: PlanNode, s: Searching): Generator<PlanNode, PlanNo
   return best;
 }
 
+/**
+ * A plan whose steps, from the one at `first` on, are made with the tool of the step before or behind them where that is
+ * better. Yields before every try.
+ */
+export function* sharing(end: PlanNode, first: number, s: Searching): Generator<PlanNode, PlanNode> {
+  let best = end;
+  for (let i = first; i < best.done.length; i += 1) {
+    const nodes = nodesOf(best);
+    const actions = nodes.flatMap(({ tried }) => tried?.action ?? []);
+    const [action, start] = [actions[i], nodes[i]?.before];
+    if (!action || !start) continue;
+    const beside = [actions[i - 1], actions[i + 1]].flatMap((a) => (a ? [a.tool.T] : []));
+    if (beside.includes(action.tool.T)) continue;
+    for (const other of actionsIn(start, s, action.kind)) {
+      if (!beside.includes(other.tool.T) || !areRivals(other, action)) continue;
+      const shared = yield* followed(start, [other, ...actions.slice(i + 1)], s);
+      if (compareEnds(shared, best) < 0) best = shared;
+    }
+  }
+  return best;
+}
+
 /** Whether an action does with the same tool and cycle more or less of another. */
 const isLike = (a: Action, b: Action): boolean =>
   a.kind === b.kind && a.cycle === b.cycle && a.tool.T === b.tool.T && isInPlace(a, b);
