@@ -5,7 +5,8 @@ import { regionsOf } from "../sim/region.ts";
 import type { Action, PlanRequest } from "./types.ts";
 
 /** The rings of connected pieces as they are: equal texts are equal rings. */
-const exactly = (rings: readonly Ring[]): string => rings.map((ring) => ring.map(({ z, r }) => `${z},${r}`).join(" ")).join("|");
+const exactly = (rings: readonly Ring[]): string =>
+  rings.map((ring) => ring.map(({ z, r }) => `${z},${r}`).join(" ")).join("|");
 
 /**
  * Asks for each connected piece of an area larger than `least` mm² once in a request: most pieces of a stock stay as

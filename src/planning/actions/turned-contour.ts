@@ -71,10 +71,7 @@ const bridgedWorks = new WeakMap<OutsideWork, Map<string, Chain>>();
  * The chain as a tool turns it: without the grooves in its faces, those with nothing left in them, and those that it
  * does not reach.
  */
-export function turnedChain(
-  work: OutsideWork,
-  planWith: (segments: readonly Segment[]) => Plan | null,
-): Chain {
+export function turnedChain(work: OutsideWork, planWith: (segments: readonly Segment[]) => Plan | null): Chain {
   const { pockets, pieces } = work;
   const radial = pockets.filter(({ axis }) => axis === "r");
   const done = radial.filter(({ first, last }) => !pieces.some(({ borders: [a, b] }) => a < last && b > first));
