@@ -1,6 +1,8 @@
 import { spawnSync } from "node:child_process";
 import { ncLabels } from "../src/i18n/nc-labels.ts";
 import { parse } from "../src/nc/parse.ts";
+import { planning } from "../src/planning/plan.ts";
+import type { PlanRequest } from "../src/planning/types.ts";
 import type { SetJob } from "../src/program/job/job.ts";
 import { printJob } from "../src/program/job/print-job.ts";
 import { run } from "../src/program/run/run.ts";
@@ -11,6 +13,8 @@ import { simulate, incrementalSimulator } from "../src/sim/simulate.ts";
 import { stockAt } from "../src/sim/stock.ts";
 import { ringData } from "../src/view/path.ts";
 import { sceneOf } from "../src/view/scene.ts";
+import { partOfTrade } from "../tests/planning/parts.ts";
+import { requestOf } from "../tests/planning/plan-laws.ts";
 import { changedAt, changedOperations, PLACES, planningAgain } from "./bench-again.ts";
 import { longContour, printedExample } from "./long-contour.ts";
 import { grownProgram, type largePrograms } from "./large-programs.ts";
@@ -167,12 +171,31 @@ function* grownCases(): Generator<BenchCase> {
   );
 }
 
+/** Parts of the trade whose working plans are measured. */
+const PLANNED_PARTS = ["shaft", "pulley", "piston"] as const;
+
+/** A search up to its first whole plan, or to its end. */
+function searched(request: PlanRequest, toFirst: boolean): void {
+  const search = planning(request);
+  for (let next = search.next(); !next.done; next = search.next()) if (toFirst && next.value.isWhole) return;
+}
+
+function* workingPlans(): Generator<BenchCase> {
+  for (const name of PLANNED_PARTS) {
+    const request = requestOf(partOfTrade(name));
+    if (!request) throw new Error(name);
+    yield benchCase(`working plan ${name}, first`, () => searched(request, true), FEW);
+    yield benchCase(`working plan ${name}`, () => searched(request, false), FEW);
+  }
+}
+
 function* allCases(): Generator<BenchCase> {
   const program10000 = longProgram(10_000);
   yield benchCase("parse 10000", () => parse(program10000));
   yield* printedCases();
   yield* grownCases();
   for (const [name, work] of changedOperations()) yield benchCase(name, work);
+  yield* workingPlans();
 }
 
 /** All cases whose names contain a word, or all. */
@@ -220,6 +243,8 @@ function large(name: (typeof LARGE)[number]): Large | null {
 const FRAME = 16;
 /** Limits of the median, ms, by the beginning of the name; all other cases must fit in one frame. */
 const LIMITS: readonly (readonly [string, number])[] = [
+  ["working plan shaft, first", 200],
+  ["working plan", 3000],
   ["parse", 50],
   ["verify", 30],
   ["plan 820 1000", 50],

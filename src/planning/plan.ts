@@ -87,7 +87,7 @@ export function* planning(
   // What is left may be for the other end; a second clamping has no third.
   const hasRegion = found.some(({ region }) => region !== null);
   const other = hasRegion && !request.begun ? secondClamping(asked, end, parse(whole.text)) : null;
-  const turned = other && (yield* unseen(planning(other, {}, sources), progressOf(end, s)));
+  const turned = other && (yield* unseen(planning(other, {}, sources), progressOf(end, s, true)));
   const second = turned && turned.steps.length > 0 ? turned : null;
   const residue = second ? withRear(found, second, request.part) : found;
   return {
@@ -110,7 +110,8 @@ function* reported<T>(
   for (;;) {
     const next = part.next();
     if (next.done) return next.value;
-    yield progressOf(best() ?? next.value, s);
+    const whole = best();
+    yield progressOf(whole ?? next.value, s, whole !== null);
   }
 }
 
@@ -124,9 +125,14 @@ function* unseen<T>(search: Generator<PlanProgress, T>, told: PlanProgress): Gen
 }
 
 /** What a search tells about where it is. */
-const progressOf = ({ done, stock, seconds, left }: PlanNode, { tries, most }: Searching): PlanProgress => ({
+const progressOf = (
+  { done, stock, seconds, left }: PlanNode,
+  { tries, most }: Searching,
+  isWhole: boolean,
+): PlanProgress => ({
   tries: tries.count,
   most,
+  isWhole,
   done,
   stock,
   seconds,

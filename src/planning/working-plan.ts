@@ -135,6 +135,8 @@ export interface PlanProgress {
   /** Simulated actions, and the bound at which the search ends. */
   readonly tries: number;
   readonly most: number;
+  /** False until the first whole plan: from then on it is the best one so far. */
+  readonly isWhole: boolean;
   /** The best plan so far: its actions, stock, time, and the material outside the part, mm² of the half plane. */
   readonly done: readonly TriedAction[];
   readonly stock: readonly Ring[];
