@@ -88,7 +88,7 @@ function trade(writes: boolean): number {
     rows.push(row);
     console.log(`${row.join(" | ")} | ${ms.toFixed(0)} ms`);
   }
-  if (writes) writeIntoPage("plans", markdownTable(3, PLAN_COLUMNS, rows), "docs/planning.md");
+  if (writes) writeIntoPage("plans", markdownTable(5, PLAN_COLUMNS, rows), "docs/planning.md");
   else for (const line of handTable()) console.log(line);
   return 0;
 }

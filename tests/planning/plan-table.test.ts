@@ -25,6 +25,6 @@ test("the page has a row for each part", () => {
 });
 
 test.each(planned)("the page states the plan of the %s", (name, lines) => {
-  const [, , operations, tools, seconds] = rows.get(name) ?? [];
+  const [, , tools, , operations, seconds] = rows.get(name) ?? [];
   expect([operations, `${seconds} s`, tools]).toEqual([String(lines.length - 2), ...lines.slice(-2)]);
 });

@@ -22,12 +22,12 @@ export type PlanRow = readonly [
   part: string,
   verdict: string,
   complete: string,
-  steps: string,
   tools: string,
-  s: string,
   left: string,
+  steps: string,
+  s: string,
 ];
-export const PLAN_COLUMNS: PlanRow = ["part", "verdict", "complete", "operations", "tools", "s", "left"];
+export const PLAN_COLUMNS: PlanRow = ["part", "verdict", "complete", "tools", "left", "operations", "s"];
 
 const completeWord = ({ isComplete, second }: WorkingPlan): string => {
   if (isComplete) return second ? "in two clampings" : "in one clamping";
@@ -39,10 +39,10 @@ export const planRow = (name: string, plan: WorkingPlan): PlanRow => [
   name,
   plan.judged.verdict,
   completeWord(plan),
-  String(plan.steps.length),
   plan.tools.map((T) => `T${T}`).join(" "),
-  plan.seconds.toFixed(0),
   leftWords(plan),
+  String(plan.steps.length),
+  plan.seconds.toFixed(0),
 ];
 
 /** The plans of the parts of the trade and of other controls with the processor time of each, ms. Yields as it plans them. */
