@@ -53,12 +53,15 @@ function remember(element: HTMLElement): Focused {
 /** The element of a part of the page that gets the focus: the same control, the marked one, or the first one. */
 function targetIn(part: Element | null, name: string): HTMLElement | null {
   if (!part || !isShown(part)) return null;
-  const all = [...part.querySelectorAll(FOCUSABLE)].filter(isFocusable);
+  const all = [...part.querySelectorAll(FOCUSABLE)];
+  // Whether an element is shown is asked last: it costs a layout, and a table has thousands of fields.
+  const first = (is: (each: Element) => boolean) =>
+    all.find((each): each is HTMLElement => is(each) && isFocusable(each));
   const marked = part.querySelector(`[${FIRST_FOCUS}]`) ?? part.querySelector(MAIN);
   return (
-    all.find((each) => name !== "" && nameOf(each) === name && each.matches("button, a")) ??
-    all.find((each) => marked?.contains(each)) ??
-    all[0] ??
+    (name === "" ? undefined : first((each) => each.matches("button, a") && nameOf(each) === name)) ??
+    (marked ? first((each) => marked.contains(each)) : undefined) ??
+    first(() => true) ??
     null
   );
 }
