@@ -193,7 +193,7 @@ export const plan = {
     },
     right: "右手",
     left: "左手",
-    rises: (angle) => `可切至 ${angle} 的台肩`,
+    rises: (angle) => `可切至 ${angle} 的台阶`,
     descends: (angle) => `可避让 ${angle} 的侧面`,
     mostNose: (size) => `刀尖半径不大于 ${size}`,
     mostWidth: (size) => `宽度不大于 ${size}`,
