@@ -2,11 +2,12 @@ import { boxAround } from "../kernel/area/box.ts";
 import { difference, intersection } from "../kernel/area/clip.ts";
 import { at, type Ring } from "../kernel/geometry/point.ts";
 import { SAME } from "../kernel/tolerance.ts";
+import { radius, rounded, toDiameter } from "../kernel/units.ts";
 import { missingFor, sideOf } from "./missing.ts";
 import { openRegions, type OpenRegion } from "./open-regions.ts";
 import { actionsIn, type PlanNode, type Searching } from "./plan-node.ts";
 import type { Action, ElementMark, PlanRequest } from "./types.ts";
-import type { Residue } from "./working-plan.ts";
+import type { MissingTool, Residue } from "./working-plan.ts";
 
 /** Jaws keep a tool this far away, mm. */
 const BESIDE = 2;
@@ -54,6 +55,14 @@ const threadsOf = ({ part: { outside, inside } }: PlanRequest) =>
     ),
   );
 
+/** The bore that a bar for an internal thread enters, and its length in it. */
+function threadBore(row: string, { part: { inside }, blank }: PlanRequest): Partial<MissingTool> {
+  const points = inside.segments.flatMap((s, i) => (inside.marks[i]?.row === row ? [s.from, s.to] : []));
+  const least = Math.min(...points.map(({ r }) => r));
+  const rear = Math.min(...points.map(({ z }) => z));
+  return { mostDiameter: rounded(toDiameter(radius(least))), leastReach: rounded(boxAround(blank).right - rear) };
+}
+
 /** Threads that no step makes. */
 function threadsLeft({ done }: PlanNode, request: PlanRequest): readonly Residue[] {
   const made = done.flatMap(({ action }) => action.threads);
@@ -68,7 +77,7 @@ function threadsLeft({ done }: PlanNode, request: PlanRequest): readonly Residue
       site,
       rows: [row],
       why: "tool",
-      missing: { form: "thread", site, thread },
+      missing: { form: "thread", site, thread, ...(site === "inside" && threadBore(row, request)) },
     }));
 }
 

@@ -29,7 +29,6 @@ describe("a tool with the data that are missing takes what is left", () => {
   test.each([
     ["bush", []],
     ["piston", []],
-    ["npt-fitting", []],
     ["face-groove", [8]],
     ["sleeve", []],
     ["cone-pin", [1, 2, 3, 4, 7, 15]],
