@@ -1,10 +1,5 @@
-import { durationText, type DurationWords } from "../src/app/base/clock-text.ts";
-import { page as de } from "../src/i18n/de/first/page.ts";
-import { plan as planDe } from "../src/i18n/de/plan.ts";
-import { page as en } from "../src/i18n/en/first/page.ts";
-import { plan as planEn, type PlanTexts } from "../src/i18n/en/plan.ts";
-import { page as fr } from "../src/i18n/fr/first/page.ts";
-import { plan as planFr } from "../src/i18n/fr/plan.ts";
+import { durationText } from "../src/app/base/clock-text.ts";
+import { loadTexts } from "../src/i18n/parts.ts";
 import {
   missingToolText,
   planActionText,
@@ -14,25 +9,16 @@ import {
   residueText,
   type PlanWriter,
 } from "../src/i18n/plan-text.ts";
-import { page as zh } from "../src/i18n/zh/first/page.ts";
-import { plan as planZh } from "../src/i18n/zh/plan.ts";
 import type { NcLanguage } from "../src/nc/nc-languages.ts";
 import type { PlanStep, Residue, WorkingPlan } from "../src/planning/working-plan.ts";
 
 /* What `npm run plan` says about a plan on standard error, in the words of the page. */
 
-const TEXTS: Readonly<Record<NcLanguage, { readonly t: PlanTexts; readonly duration: DurationWords }>> = {
-  en: { t: planEn, duration: en.effect.duration },
-  de: { t: planDe, duration: de.effect.duration },
-  fr: { t: planFr, duration: fr.effect.duration },
-  zh: { t: planZh, duration: zh.effect.duration },
-};
-
 /** The words of the command in a language. */
-export const planTextsOf = (language: NcLanguage): PlanWriter => {
-  const { t, duration } = TEXTS[language];
-  return { t, language, time: (seconds) => durationText(duration, language, seconds) };
-};
+export async function planTextsOf(language: NcLanguage): Promise<PlanWriter> {
+  const [t, { page }] = [await loadTexts(language, "plan"), await loadTexts(language, "first")];
+  return { t, language, time: (seconds) => durationText(page.effect.duration, language, seconds) };
+}
 
 function stepLines({ tried, seconds, why, others }: PlanStep, i: number, w: PlanWriter): readonly string[] {
   const { kinds, steps } = w.t;

@@ -254,7 +254,7 @@ export async function main(args: readonly string[], called = "npm run --silent p
       const part = await partOf(asked);
       const made = part && plan(asked, part);
       if (!made) return 1;
-      const texts = planTextsOf(asked.language);
+      const texts = await planTextsOf(asked.language);
       const clampings = [made, ...(made.second ? [made.second] : [])];
       clampings.forEach((one, i) => {
         if (clampings.length > 1) say(`${i === 0 ? texts.t.result.first : texts.t.result.second}:`);

@@ -14,7 +14,7 @@ import {
   type PlanNode,
   type Searching,
 } from "./plan-node.ts";
-import type { Action, TriedAction } from "./types.ts";
+import type { Action, PlanRequest, TriedAction } from "./types.ts";
 import type { OtherWay, PlanStep, StepReason } from "./working-plan.ts";
 
 /** Most other ways that a step shows. */
@@ -42,11 +42,57 @@ function wayOf(rival: TriedAction, chosen: TriedAction, state: PlanNode, { reque
   return { tried: rival, seconds, longer, leaves };
 }
 
+/** Most tries that look for another tool, or another cycle, before a step says that there is none. */
+const MOST_CLAIMED = 8;
+
+/**
+ * A way with another tool or another cycle that no source proposed beside the better ones; null where none works, and
+ * undefined where not all were tried. Yields before every try.
+ */
+function* hiddenWay(
+  chosen: TriedAction,
+  state: PlanNode,
+  by: "tool" | "cycle",
+  s: Searching,
+): Generator<PlanNode, OtherWay | null | undefined> {
+  const valueOf = ({ tool, cycle }: Action) => (by === "tool" ? tool.T : cycle);
+  const tried = new Set([valueOf(chosen.action)]);
+  for (let count = 0; ;) {
+    const without = [...tried].flatMap((n) => n ?? []);
+    const { withoutTools, withoutCycles } = s.request;
+    const request: PlanRequest = {
+      ...s.request,
+      ...(by === "tool"
+        ? { withoutTools: [...withoutTools, ...without] }
+        : { withoutCycles: [...withoutCycles, ...without] }),
+    };
+    const rivals = s.sources
+      .flatMap((source) => source.actions(state, request))
+      .filter((a) => areRivals(a, chosen.action) && !tried.has(valueOf(a)));
+    if (rivals.length === 0) return null;
+    for (const rival of rivals) {
+      if ((count += 1) > MOST_CLAIMED) return undefined;
+      yield state;
+      const way = wayOf(s.tries.of(rival, state), chosen, state, s);
+      if (way) return way;
+      tried.add(valueOf(rival));
+    }
+  }
+}
+
 /** Ways that leave no more than others come first, then the quicker ones. */
 const compareWays = (a: OtherWay, b: OtherWay): number =>
   (Math.abs(a.leaves - b.leaves) < LEAST_REGION ? 0 : a.leaves - b.leaves) || a.longer - b.longer;
 
-function reasonsOf(node: PlanNode, ways: readonly OtherWay[], isByHand: boolean, s: Searching): readonly StepReason[] {
+/** What is the same in a step and all its other ways, tried: its tool, else its cycle; null where neither is. */
+type Sole = "tool" | "cycle" | null;
+
+function reasonsOf(
+  node: PlanNode,
+  ways: readonly OtherWay[],
+  { sole: same, isByHand }: { readonly sole: Sole; readonly isByHand: boolean },
+  s: Searching,
+): readonly StepReason[] {
   const { tried, before } = node;
   if (!tried || !before) return [];
   const { action } = tried;
@@ -55,12 +101,11 @@ function reasonsOf(node: PlanNode, ways: readonly OtherWay[], isByHand: boolean,
   const [next] = ways;
   const rule = last && s.trade.between(last, action);
   const rest = done.findLastIndex((d) => d.site === action.site && isInPlace(d, action));
-  const sole: readonly StepReason[] = ways.every((w) => w.tried.action.tool.T === action.tool.T)
-    ? [{ kind: "onlyTool", tool: action.tool.T }]
-    : ways.every((w) => w.tried.action.cycle === action.cycle)
-      ? [{ kind: "onlyCycle", cycle: action.cycle }]
-      : [];
-  const way = [...sole, ...(next ? [comparedWith(next, tried)] : [])].flatMap((r) => r ?? []);
+  const sole: readonly StepReason[] = [
+    ...(same === "tool" ? [{ kind: "onlyTool" as const, tool: action.tool.T }] : []),
+    ...(same === "cycle" ? [{ kind: "onlyCycle" as const, cycle: action.cycle }] : []),
+  ];
+  const way = [...sole, ...(next ? [comparedWith(next, tried, s)] : [])].flatMap((r) => r ?? []);
   return [
     ...(isByHand ? [{ kind: "byHand" as const }] : []),
     ...way,
@@ -84,9 +129,15 @@ function unfinished({ open, threads }: PlanNode, { request: { part } }: Searchin
 }
 
 /** What speaks for a step beside the next way; null where nothing does. */
-function comparedWith({ tried: { action }, longer, leaves }: OtherWay, { seconds }: TriedAction): StepReason | null {
+function comparedWith(
+  { tried: { action }, longer, leaves }: OtherWay,
+  { action: chosen, seconds }: TriedAction,
+  { request: { usualTools = [] } }: Searching,
+): StepReason | null {
   const other = { cycle: action.cycle, tool: action.tool.T };
   if (leaves >= LEAST_REGION) return { kind: "takesMore", area: leaves, ...other };
+  if (longer < NO_TIME && usualTools.includes(action.tool.T) && !usualTools.includes(chosen.tool.T))
+    return { kind: "ownTool", ...other };
   const isLonger = Math.abs(longer) > Math.max(NO_TIME, NO_SHARE * seconds);
   if (!isLonger) return { kind: "equal", ...other };
   return longer > 0 ? { kind: "faster", seconds: longer, ...other } : null;
@@ -108,6 +159,14 @@ export function* explained(
       const way = wayOf(s.tries.of(rival, state), tried, state, s);
       if (way) ways.push(way);
     }
+    let sole: Sole = null;
+    for (const by of ["tool", "cycle"] as const) {
+      const valueOf = ({ action: { tool, cycle } }: TriedAction) => (by === "tool" ? tool.T : cycle);
+      if (sole !== null || ways.some((w) => valueOf(w.tried) !== valueOf(tried))) continue;
+      const way = yield* hiddenWay(tried, state, by, s);
+      if (way) ways.push(way);
+      else if (way === null) sole = by;
+    }
     ways.sort(compareWays);
     const seconds = node.seconds - state.seconds;
     const isByHand = byHand.has(tried.action.key);
@@ -115,7 +174,7 @@ export function* explained(
       tried,
       seconds,
       penalty: node.cost - state.cost - seconds,
-      why: reasonsOf(node, ways, isByHand, s),
+      why: reasonsOf(node, ways, { sole, isByHand }, s),
       others: ways.slice(0, MOST_OTHERS),
       isByHand,
     });

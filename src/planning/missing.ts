@@ -1,5 +1,5 @@
 import type { Site } from "../cycles/shape-request.ts";
-import { boxAround, boxOf } from "../kernel/area/box.ts";
+import { boxAround, boxOf, inBox } from "../kernel/area/box.ts";
 import { part, type Segment } from "../kernel/geometry/point.ts";
 import { CHORD, SAME } from "../kernel/tolerance.ts";
 import { inDegrees, toDiameter, radius } from "../kernel/units.ts";
@@ -20,32 +20,47 @@ const whole = (n: number, digits = 2) => Number(n.toFixed(digits));
 /** The side of the part on which a region lies, and its elements there. */
 export function sideOf(
   region: OpenRegion,
-  { outside, inside }: PlannedPart,
+  { outside, inside, rings }: PlannedPart,
 ): { site: Site; border: readonly number[] } {
   const [out, into] = [borderOf(outside, region), borderOf(inside, region)];
   const indices = (b: readonly [number, number] | null) =>
     b ? Array.from({ length: b[1] - b[0] + 1 }, (_, i) => b[0] + i) : [];
   if (into && !out) return { site: "inside", border: indices(into) };
   const border = indices(out);
-  const isFace = border.length > 0 && border.every((i) => isAcross(outside.segments[i]));
+  const isFace = border.length > 0 && (border.every((i) => isAcross(outside.segments[i])) || isInFace(region, rings));
   return { site: isFace ? "face" : "outside", border };
 }
 
 const isAcross = (s: Segment | undefined) => s !== undefined && Math.abs(s.to.z - s.from.z) < SAME;
 
+/** Farther than any part, mm. */
+const FAR = 10_000;
+
+/** Whether a region is a groove in a face: the part stands on its outer side, and nothing of it in front. */
+function isInFace({ box }: OpenRegion, rings: PlannedPart["rings"]): boolean {
+  const middle = (box.left + box.right) / 2;
+  const outer = inBox(rings, { left: middle - SAME, right: middle + SAME, low: box.high, high: FAR });
+  const front = inBox(rings, { left: box.right + SAME, right: FAR, low: box.low + SAME, high: box.high - SAME });
+  return outer.length > 0 && front.length === 0;
+}
+
 /** Width of a region where it is narrowest between two walls, mm; Infinity where one side is open at every level. */
-function narrowest({ rings, box }: Pick<OpenRegion, "rings" | "box">): number {
-  const heights = Array.from({ length: LEVELS }, (_, i) => box.low + ((i + 0.5) * (box.high - box.low)) / LEVELS);
-  const widths = heights.flatMap((r) => {
+function narrowest({ rings, box }: Pick<OpenRegion, "rings" | "box">, site: Site): number {
+  // Levels are radii for a groove from outside or from the bore, and Z for one in a face.
+  const [level, width] = site === "face" ? (["z", "r"] as const) : (["r", "z"] as const);
+  const [from, to] = site === "face" ? [box.left, box.right] : [box.low, box.high];
+  const levels = Array.from({ length: LEVELS }, (_, i) => from + ((i + 0.5) * (to - from)) / LEVELS);
+  const widths = levels.flatMap((at) => {
     const crossed = rings
       .flatMap((ring) =>
         ring.flatMap((b, i) => {
           const a = ring.at(i - 1) ?? b;
-          return a.r <= r === b.r <= r ? [] : [a.z + ((b.z - a.z) * (r - a.r)) / (b.r - a.r)];
+          if (a[level] <= at === b[level] <= at) return [];
+          return [a[width] + ((b[width] - a[width]) * (at - a[level])) / (b[level] - a[level])];
         }),
       )
       .sort((a, b) => a - b);
-    return crossed.flatMap((z, i) => (i % 2 === 1 ? [z - (crossed[i - 1] ?? z)] : []));
+    return crossed.flatMap((w, i) => (i % 2 === 1 ? [w - (crossed[i - 1] ?? w)] : []));
   });
   return Math.min(Infinity, ...widths);
 }
@@ -102,7 +117,32 @@ function pieceOf({ segments }: Pocket): Pick<OpenRegion, "rings" | "box"> {
   return { rings: [ring], box: boxOf(ring) };
 }
 
-/** The smallest data of a tool that takes a region, from the shape of the region and of the elements around it. */
+/** The blade of a region between two steep walls: narrower than it and as long as it is deep, from its mouth. */
+function blade(region: OpenRegion, chain: Chain, site: Site, pocket: Pocket | null): Partial<MissingTool> {
+  const { box } = region;
+  const near = chain.segments
+    .flatMap((s) => [s.from, s.to])
+    .filter(({ z }) => z >= box.left - 1 && z <= box.right + 1)
+    .map(({ r }) => r);
+  const depth = {
+    inside: box.high - Math.min(box.low, ...near),
+    outside: Math.max(box.high, ...near) - box.low,
+    face: box.right - box.left,
+  }[site];
+  const width = narrowest(pocket ? pieceOf(pocket) : region, site);
+  return {
+    ...(Number.isFinite(width) ? { mostWidth: whole(width) } : {}),
+    leastDepth: whole(depth),
+    ...(site === "face" && { across: [whole(acrossOf(box.low)), whole(acrossOf(box.high))] as const }),
+  };
+}
+
+const acrossOf = (r: number): number => toDiameter(radius(r));
+
+/**
+ * The smallest data of a tool that takes a region, from the shape of the region and of the elements around it. A tool
+ * with these data takes it (`tests/planning/missing.test.ts`).
+ */
 export function missingFor(region: OpenRegion, { part: planned, blank }: PlanRequest): MissingTool {
   const { site, border } = sideOf(region, planned);
   const chain: Chain = site === "inside" ? planned.inside : planned.outside;
@@ -115,30 +155,18 @@ export function missingFor(region: OpenRegion, { part: planned, blank }: PlanReq
   const { ahead, back } = descents(elements, site === "inside" ? -1 : 1);
   if (site === "inside" && box.low < SAME) return { form: "drill", site, ...inside };
   const isPocket = site !== "inside" || box.low > leastRadius(region, planned) - SAME;
-  if (isPocket && Math.min(ahead, back) > WALL) {
-    const around = chain.segments
-      .flatMap((s) => [s.from, s.to])
-      .filter(({ z }) => z >= box.left - 1 && z <= box.right + 1);
-    const edge = around.map(({ r }) => r);
-    const open = site === "inside" ? Math.min(box.low, ...edge) : Math.max(box.high, ...edge);
-    const depth = site === "inside" ? box.high - open : open - box.low;
-    const width = narrowest(pocket ? pieceOf(pocket) : region);
-    return {
-      form: "recessing",
-      site,
-      ...(Number.isFinite(width) ? { mostWidth: whole(width) } : {}),
-      leastDepth: whole(depth),
-      ...nose,
-      ...inside,
-    };
-  }
+  const isInFaceGroove = site === "face" && !elements.every(isAcross);
+  if ((isPocket && Math.min(ahead, back) > WALL) || isInFaceGroove)
+    return { form: "recessing", site, ...blade(region, chain, site, pocket), ...nose, ...inside };
+  // The edge behind the tip stays clear of what descends, the main edge cuts up to what rises.
   const hand = ahead <= back ? "right" : "left";
-  const descends = whole(Math.min(ahead, back), 1);
   const edge = whole(steepest(elements, hand, site), 1);
+  const [descends, rises] = [whole(Math.min(ahead, back), 1), whole(Math.max(ahead, back), 1)];
   return {
     form: site === "inside" ? "boring" : "turning",
     site,
     hand,
+    ...(rises > 0 && edge <= UPRIGHT && { rises }),
     ...(descends > 0 && descends <= WALL && { descends }),
     ...(edge > UPRIGHT && { leastEdge: edge }),
     ...nose,
@@ -162,7 +190,7 @@ function boring(region: OpenRegion, planned: PlannedPart, blank: PlanRequest["bl
   const least = leastRadius(region, planned);
   const most = box.low < SAME ? least : Math.min(least, box.low);
   return {
-    ...(Number.isFinite(most) ? { mostDiameter: whole(toDiameter(radius(most))) } : {}),
+    ...(Number.isFinite(most) ? { mostDiameter: whole(acrossOf(most)) } : {}),
     leastReach: whole(boxAround(blank).right - box.left),
   };
 }

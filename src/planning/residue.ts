@@ -2,7 +2,7 @@ import { boxAround } from "../kernel/area/box.ts";
 import { difference, intersection } from "../kernel/area/clip.ts";
 import { at, type Ring } from "../kernel/geometry/point.ts";
 import { SAME } from "../kernel/tolerance.ts";
-import { rounded } from "../kernel/units.ts";
+import { radius, rounded, toDiameter } from "../kernel/units.ts";
 import { parting } from "./actions/part-off.ts";
 import { missingFor, sideOf } from "./missing.ts";
 import { areaBeyond, LEAST_GOUGE } from "./apply-action.ts";
@@ -63,6 +63,14 @@ const threadsOf = ({ part: { outside, inside } }: PlanRequest) =>
     ),
   );
 
+/** The bore that a bar for an internal thread enters, and its length in it. */
+function threadBore(row: string, { part: { inside }, blank }: PlanRequest): Partial<MissingTool> {
+  const points = inside.segments.flatMap((s, i) => (inside.marks[i]?.row === row ? [s.from, s.to] : []));
+  const least = Math.min(...points.map(({ r }) => r));
+  const rear = Math.min(...points.map(({ z }) => z));
+  return { mostDiameter: rounded(toDiameter(radius(least))), leastReach: rounded(boxAround(blank).right - rear) };
+}
+
 /** Threads that no step makes. */
 function threadsLeft({ done }: PlanNode, request: PlanRequest): readonly Residue[] {
   const made = done.flatMap(({ action }) => action.threads);
@@ -77,7 +85,7 @@ function threadsLeft({ done }: PlanNode, request: PlanRequest): readonly Residue
       site,
       rows: [row],
       why: "tool",
-      missing: { form: "thread", site, thread },
+      missing: { form: "thread", site, thread, ...(site === "inside" && threadBore(row, request)) },
     }));
 }
 

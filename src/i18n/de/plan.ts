@@ -200,7 +200,7 @@ export const plan = {
     },
     right: "rechts",
     left: "links",
-    rises: (angle) => `schneidet bis an eine Schulter von ${angle}`,
+    rises: (angle) => `schneidet bis an einen Absatz von ${angle}`,
     descends: (angle) => `frei an einer Flanke von ${angle}`,
     leastEdge: (angle) => `Einstellwinkel mindestens ${angle}`,
     mostNose: (size) => `Schneidenradius bis ${size}`,

@@ -194,7 +194,7 @@ export const plan = {
     },
     right: "右手",
     left: "左手",
-    rises: (angle) => `可切至 ${angle} 的台肩`,
+    rises: (angle) => `可切至 ${angle} 的台阶`,
     descends: (angle) => `可避让 ${angle} 的侧面`,
     leastEdge: (angle) => `主偏角至少 ${angle}`,
     mostNose: (size) => `刀尖半径不大于 ${size}`,

@@ -271,7 +271,10 @@ function staysClear({ moves }: Plan, tool: Tool, stock: readonly Ring[]): boolea
     if (kind !== "rapid" && to.z < front) nearest.set(step, Math.min(to.r, nearest.get(step) ?? Infinity));
   }
   return holderOutlines(tool).every((ring) => {
-    const behind = Math.min(...ring.map(({ z }) => z));
+    // Where it stands out most.
+    const behind = ring.reduce((lowest, p) =>
+      p.r < lowest.r - SAME || (p.r < lowest.r + SAME && p.z < lowest.z) ? p : lowest,
+    ).z;
     return [...nearest].every(([step, r]) => {
       const z = step * MEASURED_EACH + behind + WIDER;
       return z >= front || r + clearRadius(stock, z, front) + WIDER >= standsOut(ring);

@@ -1,4 +1,4 @@
-import { rounded } from "../../kernel/units.ts";
+import { diameter, rounded, toRadius } from "../../kernel/units.ts";
 import { writeHead } from "../tools/holder-cells.ts";
 import type { ToolEntry } from "../tools/tool-entry.ts";
 import { freeNumber, type ToolList } from "../tools/tool-list.ts";
@@ -25,19 +25,19 @@ const BORING: readonly (readonly [code: string, leastBore: number, type: "ROUGH"
   ["A08H-SCLCR 06 CCMT 060202", 11, "ROUGH"],
 ];
 
-/** A bar along the spindle, mm: its diameter, the distance of its tip from its axis, its length, its least bore. */
+/** A bar along the spindle, mm: its diameter, how far its tip stands out of its side, its length, its least bore. */
 interface Bar {
   readonly d: number;
-  readonly f: number;
+  readonly out: number;
   readonly length: number;
   readonly leastBore: number;
 }
 
-const shank = ({ d, f, length, leastBore }: Bar, from: number, head: readonly (readonly Corner[])[]): Cells => ({
+const shank = ({ d, out, length, leastBore }: Bar, from: number, head: readonly (readonly Corner[])[]): Cells => ({
   width: String(d),
   length: String(rounded(length - from)),
   offsetZ: String(rounded(from)),
-  offsetX: String(rounded(d / 2 - f)),
+  offsetX: String(-out),
   head: writeHead(head as unknown as Parameters<typeof writeHead>[0]),
   DMIN: String(leastBore),
 });
@@ -47,16 +47,18 @@ const shank = ({ d, f, length, leastBore }: Bar, from: number, head: readonly (r
  * Sizes as makers of such bars usually have them (recalled, tag K).
  */
 const SOLID: readonly (Bar & { readonly reach: number })[] = [
-  { d: 7, f: 3.7, leastBore: 8, reach: 40, length: 40 },
-  { d: 5.2, f: 2.9, leastBore: 6, reach: 35, length: 35 },
-  { d: 3.6, f: 2, leastBore: 4.2, reach: 18, length: 18 },
+  { d: 7, out: 0.2, leastBore: 8, reach: 40, length: 40 },
+  { d: 5.2, out: 0.3, leastBore: 6, reach: 35, length: 35 },
+  { d: 3.6, out: 0.2, leastBore: 4.2, reach: 18, length: 18 },
 ];
 /** Diameter of the sleeve of a solid bar, the length of it that matters, and how far the neck begins behind its edge, mm. */
 const [SLEEVE, HELD, EDGE] = [16, 40, 1.5];
 
 function solidBar(bar: (typeof SOLID)[number]): Cells {
-  const { d, f, reach } = bar;
-  const [near, far] = [SLEEVE / 2 - f, -SLEEVE / 2 - f];
+  const { d, out, reach } = bar;
+  // Both have one axis.
+  const near = toRadius(diameter(SLEEVE)) - toRadius(diameter(d)) - out;
+  const far = near - SLEEVE;
   const sleeve: readonly Corner[] = [
     [reach, near],
     [reach + HELD, near],
@@ -71,25 +73,25 @@ function solidBar(bar: (typeof SOLID)[number]): Cells {
     "T-ANGLE": "95",
     "P-ANGLE": "75",
     CUTLENGTH: String(EDGE),
-    ...shank({ ...bar, d }, EDGE, [sleeve]),
+    ...shank(bar, EDGE, [sleeve]),
   };
 }
 
 /** Grooving bars: a blade stands out of the bar by its depth, so that the least bore has room for both (recalled, tag K). */
 const GROOVING: readonly (Bar & { readonly cutWidth: number })[] = [
-  { d: 25, f: 17.5, leastBore: 31, length: 200, cutWidth: 3 },
-  { d: 20, f: 14.5, leastBore: 25, length: 180, cutWidth: 2 },
-  { d: 16, f: 11.5, leastBore: 20, length: 160, cutWidth: 2 },
-  { d: 12, f: 8, leastBore: 15, length: 150, cutWidth: 2 },
-  { d: 20, f: 12, leastBore: 23, length: 180, cutWidth: 1.1 },
-  { d: 12, f: 7.5, leastBore: 14, length: 150, cutWidth: 1.1 },
+  { d: 25, out: 5, leastBore: 31, length: 200, cutWidth: 3 },
+  { d: 20, out: 4.5, leastBore: 25, length: 180, cutWidth: 2 },
+  { d: 16, out: 3.5, leastBore: 20, length: 160, cutWidth: 2 },
+  { d: 12, out: 2, leastBore: 15, length: 150, cutWidth: 2 },
+  { d: 20, out: 2, leastBore: 23, length: 180, cutWidth: 1.1 },
+  { d: 12, out: 1.5, leastBore: 14, length: 150, cutWidth: 1.1 },
 ];
 /** Clearance of a blade behind its edge on each side, mm. */
 const RELIEF = 0.2;
 
 function groovingBar(bar: (typeof GROOVING)[number]): Cells {
-  const { d, f, cutWidth } = bar;
-  const [half, depth] = [cutWidth / 2 - RELIEF, f - d / 2];
+  const { d, out: depth, cutWidth } = bar;
+  const half = cutWidth / 2 - RELIEF;
   const blade: readonly Corner[] = [
     [-half, -depth / 2],
     [half, -depth / 2],
@@ -112,17 +114,16 @@ function groovingBar(bar: (typeof GROOVING)[number]): Cells {
  * beside it, mm (recalled, tag K).
  */
 const THREADING: readonly (Bar & { readonly tooth: number; readonly beside: number })[] = [
-  { d: 20, f: 14, leastBore: 25, length: 180, tooth: 2.5, beside: 1.4 },
-  { d: 16, f: 11.5, leastBore: 20, length: 170, tooth: 2.5, beside: 1.4 },
-  { d: 13, f: 10.2, leastBore: 17, length: 150, tooth: 2.5, beside: 1.4 },
-  { d: 10, f: 7.4, leastBore: 13, length: 125, tooth: 1.2, beside: 0.9 },
+  { d: 20, out: 4, leastBore: 25, length: 180, tooth: 2.5, beside: 1.4 },
+  { d: 16, out: 3.5, leastBore: 20, length: 170, tooth: 2.5, beside: 1.4 },
+  { d: 13, out: 3.7, leastBore: 17, length: 150, tooth: 2.5, beside: 1.4 },
+  { d: 10, out: 2.4, leastBore: 13, length: 125, tooth: 1.2, beside: 0.9 },
 ];
 /** Angles of usual threads: metric, unified and NPT; pipe threads. */
 const ANGLES = [60, 55] as const;
 
 function threadingBar(bar: (typeof THREADING)[number], angle: number): Cells {
-  const { d, f, tooth, beside } = bar;
-  const root = f - d / 2;
+  const { d, out: root, tooth, beside } = bar;
   const seat: readonly Corner[] = [
     [-beside, -tooth],
     [beside, -tooth],
