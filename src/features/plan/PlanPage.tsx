@@ -20,7 +20,7 @@ import { ToolsTab } from "./ToolsTab.tsx";
 import { tableRows, withTableRows } from "./part-rows.ts";
 import { PLAN_TABS, sayOpened, showClamping, showTab, usePlanPlace, type PlanSection } from "./plan-place.ts";
 import { resumePlan, usePlanOf, usePlans } from "./plan-store.ts";
-import type { PlanWords } from "./plan-words.ts";
+import type { PlanWords } from "../../app/fields/plan/plan-words.ts";
 import "./plan.css";
 
 const ContourStage = lazyPart(async () => {

@@ -3,16 +3,15 @@ import type { PlanStep } from "../../planning/working-plan.ts";
 import type { StoredPart } from "../../app/records/part-store.ts";
 import { exclude, takeWay, toggleLock } from "./plan-store.ts";
 import { openStep, pointAtStep } from "./plan-place.ts";
+import { StepLine } from "../../app/fields/plan/StepLine.tsx";
 import {
   actionWords,
   areaWords,
-  cycleWords,
-  reasonWords,
-  threadName,
+  cycleName,
   timeWords,
   valueWords,
   type PlanWords,
-} from "./plan-words.ts";
+} from "../../app/fields/plan/plan-words.ts";
 
 interface Props {
   readonly words: PlanWords;
@@ -36,7 +35,7 @@ export function StepItem({ words, stored, step, index, isOpen, isLocked, isSecon
   const { t } = words,
     { steps: w } = t,
     id = useId();
-  const { tried, others, why, seconds, penalty } = step;
+  const { tried, others, penalty } = step;
   const { action } = tried;
   const tool = w.tool(String(action.tool.T), action.tool.NAME ?? "");
   return (
@@ -55,24 +54,7 @@ export function StepItem({ words, stored, step, index, isOpen, isLocked, isSecon
           onBlur={() => pointAtStep(null)}
           onClick={() => openStep(index)}
         >
-          <span className="plan-step-number number">{index + 1}</span>
-          <span className="plan-step-what">
-            <b>{t.kinds[action.kind]}</b>
-            <span className="small soft">
-              {cycleWords(words, action.cycle)} · {tool}
-            </span>
-            {why.length > 0 && (
-              <span className="small plan-step-why">{why.map((reason) => reasonWords(words, reason)).join(" · ")}</span>
-            )}
-          </span>
-          <span className="plan-step-takes">
-            <b className="number">{timeWords(words, seconds)}</b>
-            <span className="small soft">
-              {action.threads.length > 0
-                ? action.threads.map(threadName).join(", ")
-                : w.takes(areaWords(words, tried.cut))}
-            </span>
-          </span>
+          <StepLine words={words} step={step} index={index} />
         </button>
         {!isSecond && (
           <button
@@ -120,7 +102,7 @@ export function StepItem({ words, stored, step, index, isOpen, isLocked, isSecon
                   name = actionWords(words, way);
                 return (
                   <li key={way.key}>
-                    <b>{cycleWords(words, way.cycle)}</b>
+                    <b>{cycleName(words, way.cycle)}</b>
                     <span className="small">{w.tool(String(way.tool.T), way.tool.NAME ?? "")}</span>
                     <span className="small number">
                       {timeWords(words, other.seconds)}

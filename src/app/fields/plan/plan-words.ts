@@ -1,15 +1,15 @@
-import { cycleByNumber, type CycleNumber } from "../../cycles/index.ts";
-import { VALUE_FORMULAS, type ValueFormula } from "../../planning/values/formulas.ts";
-import type { PartProblem } from "../../planning/part/part-problem.ts";
-import type { Action, ReasonedValue } from "../../planning/types.ts";
-import type { MissingTool, StepReason, WorkingPlan } from "../../planning/working-plan.ts";
-import type { PlanTexts } from "../../i18n/en/plan.ts";
-import type { Texts } from "../../i18n/index.ts";
-import type { Language } from "../../i18n/languages.ts";
-import { partProblemText, type PartProblemTexts } from "../../i18n/part-problem.ts";
-import { writer } from "../../i18n/write.ts";
-import { issueText } from "../../app/calculation/issue-text.ts";
-import { durationText } from "../../app/base/clock-text.ts";
+import { cycleByNumber, type CycleNumber } from "../../../cycles/index.ts";
+import { VALUE_FORMULAS, type ValueFormula } from "../../../planning/values/formulas.ts";
+import type { PartProblem } from "../../../planning/part/part-problem.ts";
+import type { Action, ReasonedValue } from "../../../planning/types.ts";
+import type { MissingTool, StepReason, WorkingPlan } from "../../../planning/working-plan.ts";
+import type { PlanTexts } from "../../../i18n/en/plan.ts";
+import type { Texts } from "../../../i18n/index.ts";
+import type { Language } from "../../../i18n/languages.ts";
+import { partProblemText, type PartProblemTexts } from "../../../i18n/part-problem.ts";
+import { writer } from "../../../i18n/write.ts";
+import { issueText } from "../../calculation/issue-text.ts";
+import { durationText } from "../../base/clock-text.ts";
 
 /** The words of the page: its own texts, those of the workplaces and of problems of a part, and the screen language. */
 export interface PlanWords {
@@ -24,7 +24,7 @@ export const timeWords = ({ work, language }: PlanWords, seconds: number): strin
 export const areaWords = ({ language }: PlanWords, area: number): string => writer(language).area(area);
 
 /** The cycle with its name, or path blocks. */
-export function cycleWords({ t, work }: PlanWords, cycle: number | null): string {
+export function cycleName({ t, work }: PlanWords, cycle: number | null): string {
   if (cycle === null) return t.steps.pathBlocks;
   const name = cycleByNumber(cycle) ? work.cycles.of[cycle as CycleNumber].name : "";
   return `${cycle} ${name}`.trim();
@@ -37,7 +37,7 @@ export const threadName = (id: string): string => id.replace(/ -?[\d.]+$/, "");
 const wayWords = ({ t }: PlanWords, cycle: number | null, tool: number): string =>
   `${cycle === null ? t.steps.pathBlocks : t.steps.cycle(String(cycle))}, ${t.steps.tool(String(tool), "")}`;
 export const actionWords = (words: PlanWords, { cycle, tool }: Action): string =>
-  `${cycleWords(words, cycle)}, ${words.t.steps.tool(String(tool.T), tool.NAME ?? "")}`;
+  `${cycleName(words, cycle)}, ${words.t.steps.tool(String(tool.T), tool.NAME ?? "")}`;
 
 /** Why a step is what it is, in words. */
 export function reasonWords(words: PlanWords, reason: StepReason): string {
