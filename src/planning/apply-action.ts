@@ -69,12 +69,24 @@ export function leftBy(
   return threaded.length > 0 ? union(left, intersection(crests, threaded)) : left;
 }
 
-/** Runs one action on the stock of a state and measures what it takes. After parting off the stock is the part. */
-export function applyAction(action: Action, { stock }: Pick<PlanState, "stock">, request: PlanRequest): TriedAction {
-  const { part, shop, clamping } = request;
-  const program = withAction(parse(emptyProgram("PLAN", null)), action, request);
-  const made = runOn(stock, program, shop);
-  const simulation = simulateCuts({ ...made, clamping });
+/** Runs one action on the stock of a state. */
+export function runAction(action: Action, { stock }: Pick<PlanState, "stock">, request: PlanRequest) {
+  const made = runOn(stock, withAction(parse(emptyProgram("PLAN", null)), action, request), request.shop);
+  return { made, simulation: simulateCuts({ ...made, clamping: request.clamping }) };
+}
+
+/**
+ * Runs one action on the stock of a state and measures what it takes. After parting off the stock is the part. `ran`:
+ * where it was run before.
+ */
+export function applyAction(
+  action: Action,
+  state: Pick<PlanState, "stock">,
+  request: PlanRequest,
+  { made, simulation }: ReturnType<typeof runAction> = runAction(action, state, request),
+): TriedAction {
+  const { part } = request,
+    { stock } = state;
   const faults = verdictOf(made, simulation).reasons.filter(({ kind }) => !NO_FAULT.has(kind));
   const own = intersection(stock, part.rings);
   const left = leftBy(simulation, [action], own);

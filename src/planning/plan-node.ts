@@ -3,11 +3,12 @@ import { inBox } from "../kernel/area/box.ts";
 import { difference, opened } from "../kernel/area/clip.ts";
 import type { Ring } from "../kernel/geometry/point.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
+import { withHandValues } from "./hand-values.ts";
 import { LEAST_REGION } from "./open-regions.ts";
 import { turnedVolume } from "./stock-key.ts";
 import type { Trade } from "./trade-rules.ts";
 import type { Tries } from "./tries.ts";
-import type { Action, ActionSource, PlanRequest, PlanState, TriedAction } from "./types.ts";
+import type { Action, ActionSource, HandValues, PlanRequest, PlanState, TriedAction } from "./types.ts";
 
 /** A state of the search with the way to it. */
 export interface PlanNode extends PlanState {
@@ -29,8 +30,8 @@ export interface Searching {
   readonly sources: readonly ActionSource[];
   readonly tries: Tries;
   readonly trade: Trade;
-  /** Actions with values by hand: each takes the place of the action with its key and of others in its place. */
-  readonly locked: readonly Action[];
+  /** Values by hand of the operations with these keys: each takes the place of other ways to do the same. */
+  readonly hand: ReadonlyMap<string, HandValues>;
   /** Bound of tries. */
   readonly most: number;
   /** Actions of states, by the stock and what was done. */
@@ -57,7 +58,7 @@ export const areRivals = (a: Action, b: Action): boolean =>
   (FAMILY[a.kind] ?? a.kind) === (FAMILY[b.kind] ?? b.kind) &&
   (a.threads.length > 0 ? b.threads.some((t) => a.threads.includes(t)) : isInPlace(a, b));
 
-function actionsOf(state: PlanState, { request, sources, locked }: Searching): readonly Action[] {
+function actionsOf(state: PlanState, { request, sources, hand }: Searching): readonly Action[] {
   const { withoutCycles, withoutTools } = request;
   if (state.done.some(({ action }) => action.kind === "partOff")) return [];
   const all = sources
@@ -68,10 +69,12 @@ function actionsOf(state: PlanState, { request, sources, locked }: Searching): r
         !withoutTools.includes(tool.T) &&
         (threads.length === 0 || threads.some((t) => !state.threads.has(t))),
     );
-  if (locked.length === 0) return all;
-  const byKey = new Map(locked.map((l) => [l.key, l]));
-  const own = all.map((a) => byKey.get(a.key) ?? a);
-  const here = own.filter((a) => byKey.get(a.key) === a);
+  if (hand.size === 0) return all;
+  const own = all.map((a) => {
+    const set = hand.get(a.key);
+    return set ? withHandValues(a, set) : a;
+  });
+  const here = own.filter((a) => hand.has(a.key));
   return own.filter((a) => here.includes(a) || !here.some((l) => areRivals(l, a)));
 }
 

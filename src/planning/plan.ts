@@ -10,7 +10,7 @@ import { Trade } from "./trade-rules.ts";
 import { Tries } from "./tries.ts";
 import type { ActionSource, PlanRequest } from "./types.ts";
 import { wholeProgram } from "./whole-program.ts";
-import type { PlanChanges, PlanProgress, WorkingPlan } from "./working-plan.ts";
+import type { ClampingChanges, PlanChanges, PlanProgress, WorkingPlan } from "./working-plan.ts";
 
 /** Widths of the beam, one pass each: the first gives a plan at once, the others use its tries. */
 const WIDTHS = [1, 3] as const;
@@ -20,11 +20,9 @@ const MOST = 1500;
 const MEMORY = 50_000_000;
 
 /** The state behind the steps that an operator keeps or has chosen, as far as they are possible and work. */
-function* replayed({ keep = [], again, instead }: PlanChanges, s: Searching): Generator<PlanNode, PlanNode> {
+function* replayed({ keep = [], instead }: ClampingChanges, s: Searching): Generator<PlanNode, PlanNode> {
   let node = firstNode(s);
-  const kept = instead ? keep.slice(0, instead.at) : keep;
-  const keys = again?.keys ?? kept.map(({ tried }) => tried.action.key);
-  for (const key of instead ? [...keys, instead.actionKey] : keys) {
+  for (const key of instead ? [...keep.slice(0, instead.at), instead.actionKey] : keep) {
     const action = actionsIn(node, s).find((a) => a.key === key);
     if (!action) return node;
     yield node;
@@ -44,23 +42,18 @@ export function* planning(
   changes: PlanChanges = {},
   sources: readonly ActionSource[] = actionSources,
 ): Generator<PlanProgress, WorkingPlan> {
-  const { keep = [], again, instead, locked = [] } = changes;
+  const { instead, hand = {}, second: changesOfSecond = {} } = changes;
   const request: PlanRequest = { ...asked, shop: { ...asked.shop, memory: new AnswerCache(MEMORY) } };
-  const byHand = keep.filter((step, i) => step.isByHand && i !== instead?.at).map(({ tried }) => tried.action);
   const s: Searching = {
     request,
     sources,
     tries: new Tries(request),
     trade: new Trade(request),
     known: new Map(),
-    locked: [...locked, ...byHand.filter(({ key }) => !locked.some((l) => l.key === key))],
+    hand: new Map(Object.entries(hand)),
     most: MOST,
   };
-  const hand = new Set([
-    ...s.locked.map(({ key }) => key),
-    ...(again?.byHand ?? []),
-    ...(instead ? [instead.actionKey] : []),
-  ]);
+  const byHand = new Set([...s.hand.keys(), ...(instead ? [instead.actionKey] : [])]);
   const from = yield* reported(replayed(changes, s), s, () => null);
   let best: PlanNode | null = null;
   for (const width of WIDTHS) {
@@ -69,7 +62,7 @@ export function* planning(
     if (!best || compareEnds(end, best) < 0) best = end;
   }
   const end = best ?? from;
-  const steps = yield* reported(explained(end, hand, s), s, () => end);
+  const steps = yield* reported(explained(end, byHand, s), s, () => end);
   const found = yield* reported(residueOf(end, s), s, () => end);
   const whole = wholeProgram(
     nodesOf(end).flatMap(({ tried }) => tried?.action ?? []),
@@ -78,7 +71,7 @@ export function* planning(
   // What is left may be for the other end; a second clamping has no third.
   const hasRegion = found.some(({ region }) => region !== null);
   const other = hasRegion && !request.begun ? secondClamping(asked, end, parse(whole.text)) : null;
-  const turned = other && (yield* unseen(planning(other, {}, sources), progressOf(end, s)));
+  const turned = other && (yield* unseen(planning(other, changesOfSecond, sources), progressOf(end, s)));
   const second = turned && turned.steps.length > 0 ? turned : null;
   const residue = second?.isComplete
     ? found.map((each) => (each.region ? { ...each, why: "rear" as const } : each))

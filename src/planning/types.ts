@@ -117,6 +117,9 @@ export interface ReasonedValue {
   readonly inputs: Readonly<Record<string, number | string>>;
 }
 
+/** Values of an operation that an operator sets, by parameter ("Q463") or place of the set-up ("speed", "start.x"). */
+export type HandValues = Readonly<Record<string, number>>;
+
 /** One operation that could be next: nothing has been tried yet. */
 export interface Action {
   readonly kind: ActionKind;
@@ -134,6 +137,8 @@ export interface Action {
   /** Threads that it makes, by their designation and place: they are no area. */
   readonly threads: readonly string[];
   readonly values: readonly ReasonedValue[];
+  /** What was planned for the values that an operator has set; absent where none is. */
+  readonly planned?: HandValues;
 }
 
 /** What an action did to a stock. */

@@ -115,7 +115,7 @@ function PlanStage({
   readonly planned: PlannedPartResult;
   readonly onPart: (part: FinishedPart, place: string | null) => void;
 }) {
-  const { tab, side, open, pointed, rows, clamping } = usePlanPlace();
+  const { tab, side, open, pointed, preview, rows, clamping } = usePlanPlace();
   const { made, isOutdated } = usePlanOf(stored);
   const progress = usePlans((s) => (s.running?.id === stored.id ? s.running.progress : null));
   const { part } = stored;
@@ -138,6 +138,7 @@ function PlanStage({
     setup = tab === "plan" && clamping === "second" && plan ? plan.setup : planned,
     shown = tab === "plan" ? (pointed ?? open) : null,
     step = shown === null ? undefined : plan?.steps[shown];
+  const stockOfStep = shown === open && preview ? preview : step?.tried.stock;
   const before = step && shown !== null ? (plan?.steps[shown - 1]?.tried.stock ?? setup.blank) : null;
   const isPlan = tab === "plan" && plan !== null;
   const chains = setup.part ? [setup.part.outside, setup.part.inside] : [];
@@ -155,7 +156,7 @@ function PlanStage({
         part={chains.flatMap(({ segments }) => segments)}
         blank={setup.blank}
         clamping={setup.clamping}
-        stock={progress?.stock ?? step?.tried.stock ?? (isPlan ? plan.stock : setup.blank)}
+        stock={progress?.stock ?? stockOfStep ?? (isPlan ? plan.stock : setup.blank)}
         before={progress ? null : before}
         residue={isPlan && !progress && !step ? plan.residue.flatMap(({ region }) => region?.rings ?? []) : NO_RINGS}
         chosen={chains.flatMap(({ segments, marks }) => segments.filter((_, i) => rows.includes(marks[i]?.row ?? "")))}

@@ -121,6 +121,22 @@ export const plan = {
     takes: (area) => `zerspant ${area}`,
     lock: (n) => `Bearbeitung ${n} sperren`,
     values: "Werte",
+    feed: "Vorschub",
+    valuesLong: (n) => `Werte der Bearbeitung ${n}`,
+    otherValues: (n) => `Weitere Werte (${n})`,
+    planned: (value) => `Geplant: ${value}`,
+    trying: "Wird berechnet …",
+    preview: "Mit diesen Werten:",
+    noFinding: "keine Prüfmeldungen",
+    unusable: "Mit diesen Werten geht die Bearbeitung nicht.",
+    apply: "Übernehmen und neu planen",
+    discard: "Verwerfen",
+    usePlanned: "Geplante Werte verwenden",
+    orphans: (n) =>
+      n === 1
+        ? "1 von Ihnen gesperrte oder geänderte Bearbeitung ist nicht in diesem Plan."
+        : `${n} von Ihnen gesperrte oder geänderte Bearbeitungen sind nicht in diesem Plan.`,
+    forget: "Entfernen",
     others: "Nächstbeste Wege",
     noOther: "Hier geht kein anderer Weg.",
     use: "Verwenden",
@@ -166,12 +182,6 @@ export const plan = {
       undercutBeforeThread: "Freistich vor Gewinde",
       faceFirst: "zuerst plandrehen",
     },
-  },
-  values: {
-    speed: "Schnittgeschwindigkeit / Drehzahl",
-    limit: "Drehzahlbegrenzung",
-    feed: "Vorschub",
-    infeed: "Zustellung",
   },
   left: {
     title: "Nicht gefertigt",

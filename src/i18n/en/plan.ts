@@ -122,6 +122,22 @@ export const plan = {
     takes: (area: string) => `removes ${area}`,
     lock: (n: number) => `Lock operation ${n}`,
     values: "Values",
+    feed: "Feed",
+    valuesLong: (n: number) => `Values of operation ${n}`,
+    otherValues: (n: number) => `Other values (${n})`,
+    planned: (value: string) => `Planned: ${value}`,
+    trying: "Calculating …",
+    preview: "With these values:",
+    noFinding: "no findings",
+    unusable: "The operation does not work with these values.",
+    apply: "Apply and plan again",
+    discard: "Discard",
+    usePlanned: "Use planned values",
+    orphans: (n: number) =>
+      n === 1
+        ? "1 operation that you locked or changed is not in this plan."
+        : `${n} operations that you locked or changed are not in this plan.`,
+    forget: "Remove",
     others: "Next best",
     noOther: "No other way works here.",
     use: "Use",
@@ -168,7 +184,6 @@ export const plan = {
       faceFirst: "face first",
     },
   },
-  values: { speed: "Spindle speed", limit: "Speed limit", feed: "Feed", infeed: "Infeed" },
   left: {
     title: "Not made",
     where: { outside: "outside", inside: "in the bore", face: "on the face" },

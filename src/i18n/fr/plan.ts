@@ -122,6 +122,22 @@ export const plan = {
     takes: (area) => `enlève ${area}`,
     lock: (n) => `Verrouiller l’opération ${n}`,
     values: "Valeurs",
+    feed: "Avance",
+    valuesLong: (n) => `Valeurs de l’opération ${n}`,
+    otherValues: (n) => `Autres valeurs (${n})`,
+    planned: (value) => `Prévu : ${value}`,
+    trying: "Calcul en cours …",
+    preview: "Avec ces valeurs :",
+    noFinding: "aucun message de contrôle",
+    unusable: "L’opération n’est pas possible avec ces valeurs.",
+    apply: "Appliquer et replanifier",
+    discard: "Annuler la saisie",
+    usePlanned: "Reprendre les valeurs prévues",
+    orphans: (n) =>
+      n === 1
+        ? "1 opération verrouillée ou modifiée par vous n’est pas dans ce plan."
+        : `${n} opérations verrouillées ou modifiées par vous ne sont pas dans ce plan.`,
+    forget: "Retirer",
     others: "Solutions suivantes",
     noOther: "Aucune autre solution ne convient ici.",
     use: "Utiliser",
@@ -167,12 +183,6 @@ export const plan = {
       undercutBeforeThread: "dégagement avant filetage",
       faceFirst: "dressage d’abord",
     },
-  },
-  values: {
-    speed: "Vitesse de coupe / rotation",
-    limit: "Limite de rotation",
-    feed: "Avance",
-    infeed: "Prise de passe",
   },
   left: {
     title: "Non usiné",

@@ -1,5 +1,6 @@
 import { cycleByNumber, type CycleNumber } from "../../../cycles/index.ts";
 import { VALUE_FORMULAS, type ValueFormula } from "../../../planning/values/formulas.ts";
+import type { SettableValue } from "../../../planning/hand-values.ts";
 import type { PartProblem } from "../../../planning/part/part-problem.ts";
 import type { Action, ReasonedValue } from "../../../planning/types.ts";
 import type { MissingTool, StepReason, WorkingPlan } from "../../../planning/working-plan.ts";
@@ -8,6 +9,7 @@ import type { Texts } from "../../../i18n/index.ts";
 import type { Language } from "../../../i18n/languages.ts";
 import { partProblemText, type PartProblemTexts } from "../../../i18n/part-problem.ts";
 import { writer } from "../../../i18n/write.ts";
+import { unitOf } from "../dialog/write-value.ts";
 import { issueText } from "../../calculation/issue-text.ts";
 import { durationText } from "../../base/clock-text.ts";
 
@@ -66,21 +68,46 @@ export function reasonWords(words: PlanWords, reason: StepReason): string {
 
 const isFormula = (key: string): key is ValueFormula => Object.hasOwn(VALUE_FORMULAS, key);
 
-/** A value of a step: its name, the value, and the formula with its numbers. */
-export function valueWords(
-  { t, work, language }: PlanWords,
-  cycle: number | null,
-  { q, value, formula, inputs }: ReasonedValue,
-) {
+/** The formula of a value with its numbers. */
+function formulaWords({ language }: PlanWords, { formula, inputs }: ReasonedValue): string {
   const { number } = writer(language);
-  const names: Readonly<Record<string, string>> = t.values;
-  const param = cycle === null ? undefined : cycleByNumber(cycle)?.params[q];
   const put = Object.entries(inputs).map(([name, n]) => `${name} = ${typeof n === "number" ? number(n) : n}`);
+  return [isFormula(formula) ? VALUE_FORMULAS[formula] : formula, put.join(", ")].filter(Boolean).join("; ");
+}
+
+/** Label and unit of a value that is no parameter of a cycle. */
+function placeWords({ t, work: { setup, dialog } }: PlanWords, { job }: Action, q: string): readonly [string, string] {
+  const { spindle, start, units } = setup;
+  switch (q) {
+    case "speed":
+      return job.spindle.mode === "constant" ? [spindle.speed, units.rpm] : [spindle.cuttingSpeed, units.cuttingSpeed];
+    case "limit":
+      return [spindle.limit, units.rpm];
+    case "start.x":
+      return [start.x, units.diameter];
+    case "start.z":
+      return [start.z, units.mm];
+    case "feed":
+      return [t.steps.feed, dialog.units.perRevolution];
+    default:
+      return [q, ""];
+  }
+}
+
+/** A value of an operation in words: its name, unit and choices, the formula with its numbers, and what was planned. */
+export function settableWords(words: PlanWords, action: Action, { q, value, planned, reason }: SettableValue) {
+  const { t, work, language } = words;
+  const param = action.cycle === null || action.cut ? undefined : cycleByNumber(action.cycle)?.params[q];
+  const own = param && work.params[param.text as keyof Texts["params"]];
+  const meanings: Readonly<Record<number, string>> = own && "choices" in own ? own.choices : {};
+  const [label, unit] = placeWords(words, action, q);
   return {
-    name: names[q] ?? q,
-    label: param ? work.params[param.text as keyof PlanWords["work"]["params"]].label : "",
-    value: number(value),
-    formula: [isFormula(formula) ? VALUE_FORMULAS[formula] : formula, put.join(", ")].filter(Boolean).join("; "),
+    name: param ? q : "",
+    label: own ? own.label : label,
+    unit: param ? work.dialog.units[unitOf(param, action.job.perRevolution)] : unit,
+    choices: param?.choices?.map((n) => ({ value: String(n), meaning: meanings[n] ?? "" })) ?? null,
+    formula: reason ? formulaWords(words, reason) : "",
+    planned: planned === value ? "" : t.steps.planned(writer(language).number(planned)),
   };
 }
 
