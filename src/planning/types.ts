@@ -8,6 +8,7 @@ import type { SetJob } from "../program/job/job.ts";
 import type { Labels } from "../program/job/print-job.ts";
 import type { Shop } from "../program/state/shop.ts";
 import type { VerdictReason } from "../report/verdict.ts";
+import type { ValueFormula } from "./values/formulas.ts";
 
 /** What the drawing says about an element besides its geometry. */
 export interface ElementMark {
@@ -112,8 +113,8 @@ export interface ReasonedValue {
   /** The parameter ("Q463") or the place of the set-up ("speed"). */
   readonly q: string;
   readonly value: number;
-  /** Key of the formula in the texts, and its inputs. */
-  readonly formula: string;
+  readonly formula: ValueFormula;
+  /** By the symbols of the formula. */
   readonly inputs: Readonly<Record<string, number | string>>;
 }
 

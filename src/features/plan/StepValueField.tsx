@@ -1,9 +1,10 @@
-import { useId } from "react";
+import { Suspense, useId } from "react";
 import type { SettableValue } from "../../planning/hand-values.ts";
 import type { Action } from "../../planning/types.ts";
 import { Message } from "../../app/base/Message.tsx";
 import { issueText } from "../../app/calculation/issue-text.ts";
 import { LabelledInput } from "../../app/fields/number/LabelledInput.tsx";
+import { ValueReason } from "../../app/fields/said/ValueReason.tsx";
 import { settableWords, type PlanWords } from "../../app/fields/plan/plan-words.ts";
 import { readText } from "../../program/values/field.ts";
 
@@ -18,7 +19,7 @@ interface Props {
 
 /** A value of an operation, with its formula or what was planned. */
 export function StepValueField({ words, action, settable, text, isFixed, onText }: Props) {
-  const { name, label, unit, choices, formula, planned } = settableWords(words, action, settable);
+  const { name, label, unit, choices, planned } = settableWords(words, action, settable);
   const { issue } = readText(settable.field, text);
   const id = useId();
   const title = (
@@ -26,7 +27,17 @@ export function StepValueField({ words, action, settable, text, isFixed, onText 
       <span className="number">{name}</span> {label}
     </>
   );
-  const hint = [formula, planned].filter(Boolean).join(" · ");
+  const { reason } = settable;
+  const hint = (reason !== null || planned !== "") && (
+    <>
+      {planned}{" "}
+      {reason && (
+        <Suspense>
+          <ValueReason of={reason} />
+        </Suspense>
+      )}
+    </>
+  );
   if (choices)
     return (
       <div className="setup-field plan-value">

@@ -73,6 +73,7 @@ export function StepValues({ words, step, index, canChange, preview, onSet }: Pr
     ),
   );
   const isChanged = isValid && !isSameData(next, now);
+  const hasTyped = Object.keys(typed.texts).length > 0;
   const question = isChanged ? JSON.stringify(next) : "";
   // The same object while the values are the same.
   const asked = useMemo(() => (question === "" ? null : (JSON.parse(question) as HandValues)), [question]);
@@ -118,51 +119,53 @@ export function StepValues({ words, step, index, canChange, preview, onSet }: Pr
           {others.map(field)}
         </details>
       )}
-      <div className="plan-preview" role="status" aria-busy={asked !== null && seen === null}>
-        {asked && !seen && <span className="soft">{w.trying}</span>}
-        {seen && (
-          <>
-            <b>{w.preview}</b>
-            <span className="number">
-              {timeWords(words, step.seconds + longer)}
-              {Math.abs(longer) > SAME_TIME &&
-                ` (${(longer > 0 ? w.longer : w.shorter)(timeWords(words, Math.abs(longer)))})`}
-            </span>
-            <span>
-              {Math.abs(leaves) < SAME_AREA
-                ? w.sameResult
-                : (leaves > 0 ? w.leaves : w.takesMore)(areaWords(words, Math.abs(leaves)))}
-            </span>
-            {seen.issues.slice(0, MOST_FINDINGS).map((issue, i) => (
-              <Message key={i} tone={issue.severity}>
-                {issueText(work, language, issue, action.cycle)}
-              </Message>
-            ))}
-            {seen.tried.gouge > SAME_AREA && (
-              <Message tone="error">{t.result.damage(areaWords(words, seen.tried.gouge))}</Message>
-            )}
-            {!seen.tried.works && <Message tone="error">{w.unusable}</Message>}
-            {seen.tried.works && seen.issues.length === 0 && <span className="plan-good">{w.noFinding}</span>}
-          </>
+      <div className={`plan-preview${asked || hasTyped ? " shown" : ""}`}>
+        <div className="plan-previewed" role="status" aria-busy={asked !== null && seen === null}>
+          {asked && !seen && <span className="soft">{w.trying}</span>}
+          {seen && (
+            <>
+              <b>{w.preview}</b>
+              <span className="number">
+                {timeWords(words, step.seconds + longer)}
+                {Math.abs(longer) > SAME_TIME &&
+                  ` (${(longer > 0 ? w.longer : w.shorter)(timeWords(words, Math.abs(longer)))})`}
+              </span>
+              <span>
+                {Math.abs(leaves) < SAME_AREA
+                  ? w.sameResult
+                  : (leaves > 0 ? w.leaves : w.takesMore)(areaWords(words, Math.abs(leaves)))}
+              </span>
+              {seen.issues.slice(0, MOST_FINDINGS).map((issue, i) => (
+                <Message key={i} tone={issue.severity}>
+                  {issueText(work, language, issue, action.cycle)}
+                </Message>
+              ))}
+              {seen.tried.gouge > SAME_AREA && (
+                <Message tone="error">{t.result.damage(areaWords(words, seen.tried.gouge))}</Message>
+              )}
+              {!seen.tried.works && <Message tone="error">{w.unusable}</Message>}
+              {seen.tried.works && seen.issues.length === 0 && <span className="plan-good">{w.noFinding}</span>}
+            </>
+          )}
+        </div>
+        {hasTyped && (
+          <div className="plan-step-ways">
+            <button type="submit" className="button small primary" disabled={!canApply}>
+              {w.apply}
+            </button>
+            <button
+              type="button"
+              className="button small"
+              onClick={() => {
+                leave();
+                put({});
+              }}
+            >
+              {w.discard}
+            </button>
+          </div>
         )}
       </div>
-      {(isChanged || Object.keys(typed.texts).length > 0) && (
-        <div className="plan-step-ways">
-          <button type="submit" className="button small primary" disabled={!canApply}>
-            {w.apply}
-          </button>
-          <button
-            type="button"
-            className="button small"
-            onClick={() => {
-              leave();
-              put({});
-            }}
-          >
-            {w.discard}
-          </button>
-        </div>
-      )}
       {Object.keys(now).length > 0 && (
         <div className="plan-step-ways">
           <button type="button" className="button small" disabled={!canChange} onClick={() => set({})}>

@@ -1,8 +1,7 @@
 import { cycleByNumber, type CycleNumber } from "../../../cycles/index.ts";
-import { VALUE_FORMULAS, type ValueFormula } from "../../../planning/values/formulas.ts";
 import type { SettableValue } from "../../../planning/hand-values.ts";
 import type { PartProblem } from "../../../planning/part/part-problem.ts";
-import type { Action, ReasonedValue } from "../../../planning/types.ts";
+import type { Action } from "../../../planning/types.ts";
 import type { MissingTool, StepReason, WorkingPlan } from "../../../planning/working-plan.ts";
 import type { PlanTexts } from "../../../i18n/en/plan.ts";
 import type { Texts } from "../../../i18n/index.ts";
@@ -66,15 +65,6 @@ export function reasonWords(words: PlanWords, reason: StepReason): string {
   }
 }
 
-const isFormula = (key: string): key is ValueFormula => Object.hasOwn(VALUE_FORMULAS, key);
-
-/** The formula of a value with its numbers. */
-function formulaWords({ language }: PlanWords, { formula, inputs }: ReasonedValue): string {
-  const { number } = writer(language);
-  const put = Object.entries(inputs).map(([name, n]) => `${name} = ${typeof n === "number" ? number(n) : n}`);
-  return [isFormula(formula) ? VALUE_FORMULAS[formula] : formula, put.join(", ")].filter(Boolean).join("; ");
-}
-
 /** Label and unit of a value that is no parameter of a cycle. */
 function placeWords({ t, work: { setup, dialog } }: PlanWords, { job }: Action, q: string): readonly [string, string] {
   const { spindle, start, units } = setup;
@@ -94,8 +84,8 @@ function placeWords({ t, work: { setup, dialog } }: PlanWords, { job }: Action, 
   }
 }
 
-/** A value of an operation in words: its name, unit and choices, the formula with its numbers, and what was planned. */
-export function settableWords(words: PlanWords, action: Action, { q, value, planned, reason }: SettableValue) {
+/** A value of an operation in words: its name, unit and choices, and what was planned. */
+export function settableWords(words: PlanWords, action: Action, { q, value, planned }: SettableValue) {
   const { t, work, language } = words;
   const param = action.cycle === null || action.cut ? undefined : cycleByNumber(action.cycle)?.params[q];
   const own = param && work.params[param.text as keyof Texts["params"]];
@@ -106,7 +96,6 @@ export function settableWords(words: PlanWords, action: Action, { q, value, plan
     label: own ? own.label : label,
     unit: param ? work.dialog.units[unitOf(param, action.job.perRevolution)] : unit,
     choices: param?.choices?.map((n) => ({ value: String(n), meaning: meanings[n] ?? "" })) ?? null,
-    formula: reason ? formulaWords(words, reason) : "",
     planned: planned === value ? "" : t.steps.planned(writer(language).number(planned)),
   };
 }
