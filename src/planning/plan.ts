@@ -63,11 +63,11 @@ export function* planning(
   }
   const end = best ?? from;
   const steps = yield* reported(explained(end, byHand, s), s, () => end);
-  const found = yield* reported(residueOf(end, s), s, () => end);
   const whole = wholeProgram(
     nodesOf(end).flatMap(({ tried }) => tried?.action ?? []),
     request,
   );
+  const found = yield* reported(residueOf(end, whole.stock, s), s, () => end);
   // What is left may be for the other end; a second clamping has no third.
   const hasRegion = found.some(({ region }) => region !== null);
   const other = hasRegion && !request.begun ? secondClamping(asked, end, parse(whole.text)) : null;

@@ -3,6 +3,7 @@ import { Tab, TabList, TabPanel, Tabs } from "react-aria-components/Tabs";
 import { plannedPart, type PlannedPartResult } from "../../planning/part/planned-part.ts";
 import type { FinishedPart } from "../../planning/part/finished-part.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
+import { focusPart } from "../../app/base/focus-guard.ts";
 import { lazyPart } from "../../app/base/parts.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
@@ -38,6 +39,10 @@ export function PlanPage() {
     if (!stored) openFirstPart(t.part.first);
   }, [stored, t]);
   useEffect(() => () => chooseElement(null), [stored?.id]);
+  useEffect(() => {
+    // A dialog that led here has closed: the focus has nowhere to return to.
+    if (navigator.userActivation.hasBeenActive) focusPart(".plan-page", () => undefined);
+  }, []);
   return stored ? (
     <CountedIn value="mm">
       <OpenPart key={stored.id} stored={stored} />

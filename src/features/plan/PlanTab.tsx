@@ -104,6 +104,11 @@ export function PlanTab({ words, stored, made, isOutdated, isRunning }: Props) {
       )}
       {plan && (
         <>
+          {plan === second && !plan.setup.clamping && stored.part.clamping && (
+            <div className="plan-note">
+              <Message tone="warning">{t.result.unheld}</Message>
+            </div>
+          )}
           {plan.steps.length === 0 && <p className="plan-none">{t.run.none}</p>}
           <ol
             className="plan-steps"
@@ -130,7 +135,7 @@ export function PlanTab({ words, stored, made, isOutdated, isRunning }: Props) {
             ))}
           </ol>
           {orphans.length > 0 && !isRunning && (
-            <div className="plan-orphans">
+            <div className="plan-note">
               <Message tone="warning">{t.steps.orphans(orphans.length)}</Message>
               <button type="button" className="button small" onClick={() => forgetHand(shownClamping, orphans)}>
                 {t.steps.forget}

@@ -85,6 +85,7 @@ export function StockTab({ words: { t, work }, stored: { part }, planned, onPart
       <fieldset className="setup-group">
         <legend>{clamping?.title}</legend>
         <ClampingFields
+          of="plan."
           draft={part.clamping}
           set={(next, place) => onPart({ ...part, clamping: next }, place)}
           propose={() => proposedClamping(box ?? SOME_BLANK)}

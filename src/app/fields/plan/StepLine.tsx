@@ -22,7 +22,7 @@ export function StepLine({ words, step: { tried, seconds, why }, index }: Props)
           {cycleName(words, action.cycle)} · {t.steps.tool(String(action.tool.T), action.tool.NAME ?? "")}
         </span>
         {why.length > 0 && (
-          <span className="small step-why">{why.map((reason) => reasonWords(words, reason)).join(" · ")}</span>
+          <span className="small step-why">{why.map((reason) => reasonWords(words, reason, action)).join(" · ")}</span>
         )}
       </span>
       <span className="step-takes">

@@ -35,25 +35,27 @@ export function cycleName({ t, work }: PlanWords, cycle: number | null): string 
 export const threadName = (id: string): string => id.replace(/ -?[\d.]+$/, "");
 
 /** A way in a few words: its cycle and its tool. */
-const wayWords = ({ t }: PlanWords, cycle: number | null, tool: number): string =>
+const otherWords = ({ t }: PlanWords, cycle: number | null, tool: number): string =>
   `${cycle === null ? t.steps.pathBlocks : t.steps.cycle(String(cycle))}, ${t.steps.tool(String(tool), "")}`;
 export const actionWords = (words: PlanWords, { cycle, tool }: Action): string =>
   `${cycleName(words, cycle)}, ${words.t.steps.tool(String(tool.T), tool.NAME ?? "")}`;
 
-/** Why a step is what it is, in words. */
-export function reasonWords(words: PlanWords, reason: StepReason): string {
+/** Why a step is what it is, in words. `own`: its action. */
+export function reasonWords(words: PlanWords, reason: StepReason, own: Action): string {
   const { because } = words.t;
+  const wayWords = (cycle: number | null, tool: number): string =>
+    cycle === own.cycle && tool === own.tool.T ? because.samePath : otherWords(words, cycle, tool);
   switch (reason.kind) {
     case "onlyTool":
       return because.onlyTool;
     case "onlyCycle":
       return reason.cycle === null ? because.onlyPath : because.onlyCycle;
     case "faster":
-      return because.faster(timeWords(words, reason.seconds), wayWords(words, reason.cycle, reason.tool));
+      return because.faster(timeWords(words, reason.seconds), wayWords(reason.cycle, reason.tool));
     case "equal":
-      return because.equal(wayWords(words, reason.cycle, reason.tool));
+      return because.equal(wayWords(reason.cycle, reason.tool));
     case "takesMore":
-      return because.takesMore(areaWords(words, reason.area), wayWords(words, reason.cycle, reason.tool));
+      return because.takesMore(areaWords(words, reason.area), wayWords(reason.cycle, reason.tool));
     case "sameTool":
       return because.sameTool;
     case "rule":
@@ -138,8 +140,9 @@ export function verdictWords(
   const open = plan.residue.filter(({ why }) => why !== "rear" && why !== "clamping");
   const threads = open.filter(({ region }) => region === null).length,
     area = open.reduce((sum, { region }) => sum + (region?.area ?? 0), 0);
-  if (threads > 0) return bad(result.notMade(threads));
-  if (area > 0) return bad(result.left(areaWords(words, area)));
+  const what = [...(threads > 0 ? [result.threads(threads)] : []), ...(area > 0 ? [areaWords(words, area)] : [])];
+  const [first, second] = what;
+  if (first !== undefined) return bad(result.left(second === undefined ? first : result.threadsAndArea(first, second)));
   return { text: plan.residue.length > 0 ? result.rest : result.complete, isGood: plan.isComplete, isProved };
 }
 
