@@ -78,6 +78,11 @@ export function StepValues({ words, step, index, canChange, preview, onSet }: Pr
   // The same object while the values are the same.
   const asked = useMemo(() => (question === "" ? null : (JSON.parse(question) as HandValues)), [question]);
   const seen = usePreview(asked, preview);
+  // What is shown below must not cover the field that is typed.
+  useEffect(() => {
+    const { activeElement } = document;
+    if (seen && form.current?.contains(activeElement)) activeElement?.scrollIntoView({ block: "nearest" });
+  }, [seen]);
   const put = (texts: Readonly<Record<string, string>>) => type({ of: action, texts });
   const leave = () => form.current?.querySelector<HTMLElement>("input, select")?.focus({ preventScroll: true });
   const set = (values: HandValues) => {
