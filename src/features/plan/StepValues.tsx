@@ -1,6 +1,6 @@
-import { useEffect, useMemo, useRef, useState } from "react";
+import { Fragment, useEffect, useMemo, useRef, useState } from "react";
 import { handValuesOf, settableValues, type SettableValue } from "../../planning/hand-values.ts";
-import type { HandValues } from "../../planning/types.ts";
+import type { Action, HandValues } from "../../planning/types.ts";
 import type { PlanStep } from "../../planning/working-plan.ts";
 import { Message } from "../../app/base/Message.tsx";
 import { isSameData } from "../../app/base/same.ts";
@@ -21,6 +21,13 @@ interface Props {
   /** What the operation does with other values. */
   readonly preview: (values: HandValues) => Promise<ValuesTried | null>;
   readonly onSet: (values: HandValues) => void;
+}
+
+/** What is typed into the fields of an operation, by value, and the value that was typed last. */
+interface Typed {
+  readonly of: Action;
+  readonly texts: Readonly<Record<string, string>>;
+  readonly last: string | null;
 }
 
 /** Most findings that are named. */
@@ -56,13 +63,11 @@ export function StepValues({ words, step, index, canChange, preview, onSet }: Pr
     { steps: w } = t;
   const { action } = step.tried;
   const all = useMemo(() => settableValues(action), [action]);
-  const [typed, type] = useState<{ readonly of: typeof action; readonly texts: Readonly<Record<string, string>> }>({
-    of: action,
-    texts: {},
-  });
+  const [typed, type] = useState<Typed>({ of: action, texts: {}, last: null });
   // Another plan shows its own values.
-  if (typed.of !== action) type({ of: action, texts: {} });
-  const form = useRef<HTMLFormElement>(null);
+  if (typed.of !== action) type({ of: action, texts: {}, last: null });
+  const form = useRef<HTMLFormElement>(null),
+    shown = useRef<HTMLDivElement>(null);
   const textOf = ({ q, value }: SettableValue) => typed.texts[q] ?? String(value);
   const readings = all.map((each) => ({ each, reading: readText(each.field, textOf(each)) }));
   const isValid = readings.every(({ reading }) => reading.value !== null);
@@ -73,38 +78,84 @@ export function StepValues({ words, step, index, canChange, preview, onSet }: Pr
     ),
   );
   const isChanged = isValid && !isSameData(next, now);
-  const hasTyped = Object.keys(typed.texts).length > 0;
   const question = isChanged ? JSON.stringify(next) : "";
   // The same object while the values are the same.
   const asked = useMemo(() => (question === "" ? null : (JSON.parse(question) as HandValues)), [question]);
   const seen = usePreview(asked, preview);
-  // What is shown below must not cover the field that is typed.
   useEffect(() => {
-    const { activeElement } = document;
-    if (seen && form.current?.contains(activeElement)) activeElement?.scrollIntoView({ block: "nearest" });
+    if (seen) shown.current?.scrollIntoView({ block: "nearest" });
   }, [seen]);
-  const put = (texts: Readonly<Record<string, string>>) => type({ of: action, texts });
+  const put = (texts: Typed["texts"], last: string | null) => type({ of: action, texts, last });
   const leave = () => form.current?.querySelector<HTMLElement>("input, select")?.focus({ preventScroll: true });
   const set = (values: HandValues) => {
     leave();
     onSet(values);
   };
-  const field = (each: SettableValue) => (
-    <StepValueField
-      key={each.q}
-      words={words}
-      action={action}
-      settable={each}
-      text={textOf(each)}
-      isFixed={!canChange}
-      onText={(text) => put({ ...typed.texts, [each.q]: text })}
-    />
-  );
-  const reasoned = all.filter(({ reason }) => reason !== null),
-    others = all.filter(({ reason }) => reason === null);
   const longer = seen ? seen.tried.seconds - step.tried.seconds : 0,
     leaves = seen ? step.tried.cut - seen.tried.cut : 0;
   const canApply = canChange && seen?.tried.works === true;
+  const effect = (
+    <div className="plan-preview" ref={shown}>
+      <div className="plan-previewed" role="status" aria-busy={asked !== null && seen === null}>
+        {asked && !seen && <span className="soft">{w.trying}</span>}
+        {seen && (
+          <>
+            <b>{w.preview}</b>
+            <span className="number">
+              {timeWords(words, step.seconds + longer)}
+              {Math.abs(longer) > SAME_TIME &&
+                ` (${(longer > 0 ? w.longer : w.shorter)(timeWords(words, Math.abs(longer)))})`}
+            </span>
+            <span>
+              {Math.abs(leaves) < SAME_AREA
+                ? w.sameResult
+                : (leaves > 0 ? w.leaves : w.takesMore)(areaWords(words, Math.abs(leaves)))}
+            </span>
+            {seen.issues.slice(0, MOST_FINDINGS).map((issue, i) => (
+              <Message key={i} tone={issue.severity}>
+                {issueText(work, language, issue, action.cycle)}
+              </Message>
+            ))}
+            {seen.tried.gouge > SAME_AREA && (
+              <Message tone="error">{t.result.damage(areaWords(words, seen.tried.gouge))}</Message>
+            )}
+            {!seen.tried.works && <Message tone="error">{w.unusable}</Message>}
+            {seen.tried.works && seen.issues.length === 0 && <span className="plan-good">{w.noFinding}</span>}
+          </>
+        )}
+      </div>
+      <div className="plan-step-ways">
+        <button type="submit" className="button small primary" disabled={!canApply}>
+          {w.apply}
+        </button>
+        <button
+          type="button"
+          className="button small"
+          onClick={() => {
+            leave();
+            put({}, null);
+          }}
+        >
+          {w.discard}
+        </button>
+      </div>
+    </div>
+  );
+  const field = (each: SettableValue) => (
+    <Fragment key={each.q}>
+      <StepValueField
+        words={words}
+        action={action}
+        settable={each}
+        text={textOf(each)}
+        isFixed={!canChange}
+        onText={(text) => put({ ...typed.texts, [each.q]: text }, each.q)}
+      />
+      {typed.last === each.q && effect}
+    </Fragment>
+  );
+  const reasoned = all.filter(({ reason }) => reason !== null),
+    others = all.filter(({ reason }) => reason === null);
   return (
     <form
       ref={form}
@@ -124,53 +175,6 @@ export function StepValues({ words, step, index, canChange, preview, onSet }: Pr
           {others.map(field)}
         </details>
       )}
-      <div className={`plan-preview${asked || hasTyped ? " shown" : ""}`}>
-        <div className="plan-previewed" role="status" aria-busy={asked !== null && seen === null}>
-          {asked && !seen && <span className="soft">{w.trying}</span>}
-          {seen && (
-            <>
-              <b>{w.preview}</b>
-              <span className="number">
-                {timeWords(words, step.seconds + longer)}
-                {Math.abs(longer) > SAME_TIME &&
-                  ` (${(longer > 0 ? w.longer : w.shorter)(timeWords(words, Math.abs(longer)))})`}
-              </span>
-              <span>
-                {Math.abs(leaves) < SAME_AREA
-                  ? w.sameResult
-                  : (leaves > 0 ? w.leaves : w.takesMore)(areaWords(words, Math.abs(leaves)))}
-              </span>
-              {seen.issues.slice(0, MOST_FINDINGS).map((issue, i) => (
-                <Message key={i} tone={issue.severity}>
-                  {issueText(work, language, issue, action.cycle)}
-                </Message>
-              ))}
-              {seen.tried.gouge > SAME_AREA && (
-                <Message tone="error">{t.result.damage(areaWords(words, seen.tried.gouge))}</Message>
-              )}
-              {!seen.tried.works && <Message tone="error">{w.unusable}</Message>}
-              {seen.tried.works && seen.issues.length === 0 && <span className="plan-good">{w.noFinding}</span>}
-            </>
-          )}
-        </div>
-        {hasTyped && (
-          <div className="plan-step-ways">
-            <button type="submit" className="button small primary" disabled={!canApply}>
-              {w.apply}
-            </button>
-            <button
-              type="button"
-              className="button small"
-              onClick={() => {
-                leave();
-                put({});
-              }}
-            >
-              {w.discard}
-            </button>
-          </div>
-        )}
-      </div>
       {Object.keys(now).length > 0 && (
         <div className="plan-step-ways">
           <button type="button" className="button small" disabled={!canChange} onClick={() => set({})}>
