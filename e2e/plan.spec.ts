@@ -1,3 +1,5 @@
+import { readFile } from "node:fs/promises";
+import type { Locator, Page } from "@playwright/test";
 import { plan as words } from "../src/i18n/en/plan.ts";
 import { provedIn } from "./pages/effect.ts";
 import { expectAccessibleAndFits } from "./pages/layout-checks.ts";
@@ -11,6 +13,30 @@ const ROWS = [
   ["46", ""],
   ["", "-70"],
 ] as const;
+
+const button = (page: Page, name: string | RegExp) => page.getByRole("button", { name, exact: true });
+const strip = (page: Page) => page.getByRole("region", { name: words.result.title, exact: true });
+const steps = (page: Page) => page.getByRole("list", { name: words.steps.title, exact: true }).getByRole("listitem");
+
+/** Waits for the end of a search. */
+async function planned(page: Page): Promise<void> {
+  await expect(strip(page).getByRole("status")).toHaveAttribute("aria-busy", "false");
+  await expect(steps(page).first()).toBeVisible();
+}
+
+/** Moves the focus to an element with the Tab key alone; it is never lost on the way. */
+async function tabTo(target: Locator, back = false): Promise<void> {
+  const page = target.page();
+  for (let i = 0; i < 150; i += 1) {
+    if (await target.evaluate((element) => element === document.activeElement)) return;
+    await page.keyboard.press(back ? "Shift+Tab" : "Tab");
+  }
+  await expect(target).toBeFocused();
+}
+
+/** The focus is on an element of the page. */
+const expectFocus = (page: Page): Promise<void> =>
+  expect.poll(() => page.evaluate(() => document.activeElement !== document.body)).toBe(true);
 
 test("a part is typed, planned, planned again without a tool, and opened as a verified program", async ({ page }) => {
   const { contour, editor, t } = await Turnwise.open(page);
@@ -58,4 +84,103 @@ test("a part is typed, planned, planned again without a tool, and opened as a ve
   await expect(editor.total(t.findings.verdict.title)).toHaveText(provedIn(t));
   await page.goBack();
   await expect(page).toHaveURL(/#\/plan$/);
+});
+
+test("a part is planned, changed and opened by keyboard alone", async ({ page }) => {
+  const { contour, editor, t } = await Turnwise.open(page);
+  const enter = async (target: Locator, back = false) => {
+    await tabTo(target, back);
+    await page.keyboard.press("Enter");
+    await expectFocus(page);
+  };
+  const type = async (target: Locator, text: string) => {
+    await tabTo(target);
+    await page.keyboard.press("ControlOrMeta+a");
+    await page.keyboard.type(text);
+  };
+  const mark = (name: string) => page.getByRole("textbox", { name, exact: true });
+
+  await enter(page.getByRole("link", { name: "Working plan from the part", exact: true }));
+  for (const [i, [x, z]] of [
+    ["0", "0"],
+    ["20", ""],
+    ["", "-25"],
+    ["30", ""],
+    ["", "-45"],
+  ].entries()) {
+    await enter(contour.add, true);
+    if (x) await type(contour.x(i + 1), x);
+    if (z) await type(contour.z(i + 1), z);
+  }
+  await type(mark(words.mark.tolerance), "h7");
+  await page.keyboard.press("Shift+Tab");
+  await type(mark(words.mark.thread), "");
+  await enter(button(page, words.run.plan));
+  await planned(page);
+  await expectFocus(page);
+
+  // Another way, with the focus at its operation afterwards.
+  const way = button(page, /^Operation 2: use /);
+  await enter(steps(page).nth(1).getByRole("button").first(), true);
+  const name = (await way.first().getAttribute("aria-label")) ?? "";
+  await enter(way.first());
+  await planned(page);
+  await expectFocus(page);
+  await expect(steps(page).nth(1)).toContainText(/T\d+/.exec(name)?.[0] ?? "");
+  await expect(button(page, words.steps.lock(2))).toHaveAttribute("aria-pressed", "true");
+  await enter(button(page, words.steps.lock(1)), true);
+  await expect(button(page, words.steps.lock(1))).toHaveAttribute("aria-pressed", "true");
+
+  // A value: what it does is shown, then it is applied with Enter.
+  const form = page.getByRole("form", { name: words.steps.valuesLong(2), exact: true });
+  await type(form.getByRole("textbox").first(), "0.7");
+  await expect(form).toContainText(words.steps.preview);
+  await page.keyboard.press("Enter");
+  await planned(page);
+  await expectFocus(page);
+  await expect(form.getByRole("textbox").first()).toHaveValue("0.7");
+  await expect(form).toContainText(words.steps.planned("").trim());
+  await expectAccessibleAndFits(page);
+  await enter(button(page, words.result.open));
+  await expect(editor.text).toContainText("BEGIN PGM PART MM");
+  await expect(editor.total(t.findings.verdict.title)).toHaveText(provedIn(t));
+});
+
+test("a dropped part file is planned in two clampings, and both can be changed", async ({ page }) => {
+  const { editor } = await Turnwise.open(page);
+  await editor.drop({ "nozzle.json": await readFile("tests/planning/parts/nozzle.json", "utf8") });
+  await expect(page.getByRole("textbox", { name: words.part.name, exact: true })).toHaveValue("NOZZLE");
+  await button(page, words.run.plan).click();
+  await planned(page);
+  await button(page, words.result.second).click();
+  await steps(page).nth(1).getByRole("button").first().click();
+  const infeed = () => page.getByRole("form").getByRole("textbox").first();
+  const before = await infeed().inputValue();
+
+  await infeed().fill("0.9");
+  await expect(page.getByRole("form")).toContainText(words.steps.longer("").trim());
+  await button(page, words.steps.apply).click();
+  await planned(page);
+  await expect(steps(page).nth(1)).toContainText(words.because.byHand);
+  await expect(button(page, words.result.second)).toHaveAttribute("aria-pressed", "true");
+  await expectAccessibleAndFits(page);
+
+  // It stays after a reload, and can be taken back.
+  await page.reload();
+  await page.getByRole("tab", { name: words.tabs.plan, exact: true }).click();
+  await planned(page);
+  await button(page, words.result.second).click();
+  await steps(page).nth(1).getByRole("button").first().click();
+  await expect(infeed()).toHaveValue("0.9");
+  await button(page, words.steps.usePlanned).click();
+  await planned(page);
+  await expect(infeed()).toHaveValue(before);
+  await button(page, words.result.openSecond).click();
+  await expect(editor.text).toContainText("NOZZLE_2");
+
+  // The open program is a part again.
+  await page.goBack();
+  await button(page, words.part.more).click();
+  await page.getByRole("menuitem", { name: words.part.fromProgram, exact: true }).click();
+  await expect(page.getByRole("textbox", { name: words.part.name, exact: true })).toHaveValue(/^NOZZLE_2/);
 });

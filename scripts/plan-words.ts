@@ -22,7 +22,7 @@ export async function planTextsOf(language: NcLanguage): Promise<PlanWriter> {
 
 function stepLines({ tried, seconds, why, others }: PlanStep, i: number, w: PlanWriter): readonly string[] {
   const { kinds, steps } = w.t;
-  const reasons = why.map((reason) => planReasonText(w, reason)).join("; ");
+  const reasons = why.map((reason) => planReasonText(w, reason, tried.action)).join("; ");
   return [
     `${String(i + 1).padStart(2)}. ${kinds[tried.action.kind]}: ${planActionText(w, tried.action)}, ${w.time(seconds)}` +
       (reasons === "" ? "" : ` (${reasons})`),

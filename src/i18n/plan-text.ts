@@ -19,22 +19,24 @@ export const planWayText = ({ t }: PlanWriter, cycle: number | null, tool: numbe
 export const planActionText = (w: PlanWriter, { cycle, tool }: Action): string =>
   planWayText(w, cycle, tool.T, tool.NAME);
 
-/** Why a step is what it is. */
-export function planReasonText(w: PlanWriter, reason: StepReason): string {
+/** Why a step is what it is. `own`: its action. */
+export function planReasonText(w: PlanWriter, reason: StepReason, own: Action): string {
   const { because } = w.t;
+  const way = (cycle: number | null, tool: number): string =>
+    cycle === own.cycle && tool === own.tool.T ? because.samePath : planWayText(w, cycle, tool);
   switch (reason.kind) {
     case "onlyTool":
       return because.onlyTool;
     case "onlyCycle":
       return reason.cycle === null ? because.onlyPath : because.onlyCycle;
     case "faster":
-      return because.faster(w.time(reason.seconds), planWayText(w, reason.cycle, reason.tool));
+      return because.faster(w.time(reason.seconds), way(reason.cycle, reason.tool));
     case "equal":
-      return because.equal(planWayText(w, reason.cycle, reason.tool));
+      return because.equal(way(reason.cycle, reason.tool));
     case "takesMore":
-      return because.takesMore(writer(w.language).area(reason.area), planWayText(w, reason.cycle, reason.tool));
+      return because.takesMore(writer(w.language).area(reason.area), way(reason.cycle, reason.tool));
     case "ownTool":
-      return because.ownTool(planWayText(w, reason.cycle, reason.tool));
+      return because.ownTool(way(reason.cycle, reason.tool));
     case "sameTool":
       return because.sameTool;
     case "rule":
@@ -127,7 +129,7 @@ export function planVerdict({ t, language }: PlanWriter, plan: WorkingPlan): Pla
   const open = plan.residue.filter(({ why }) => why !== "rear" && why !== "clamping");
   const threads = open.filter(({ region }) => region === null).length,
     left = open.reduce((sum, { region }) => sum + (region?.area ?? 0), 0);
-  if (threads > 0) return bad(result.notMade(threads));
-  if (left > 0) return bad(result.left(area(left)));
+  const [first, second] = [...(threads > 0 ? [result.threads(threads)] : []), ...(left > 0 ? [area(left)] : [])];
+  if (first !== undefined) return bad(result.left(second === undefined ? first : result.threadsAndArea(first, second)));
   return { text: plan.residue.length > 0 ? result.rest : result.complete, isGood: plan.isComplete, isProved };
 }

@@ -72,13 +72,29 @@ export function leftBy(
   return threaded.length > 0 ? union(left, intersection(crests, threaded)) : left;
 }
 
-/** Runs one action on the stock of a state and measures what it takes. After parting off the stock is the part. */
-export function applyAction(action: Action, { stock }: Pick<PlanState, "stock">, request: PlanRequest): TriedAction {
-  const { part, shop, clamping } = request;
-  const program = withAction(parse(emptyProgram("PLAN", null)), action, request);
-  const made = runOn(stock, program, shop);
-  const most = perSide(diameter(request.rules.allowance.diameter)) + THICKEST;
-  const simulation = simulateCuts({ ...made, clamping, held: request.blank }, most);
+/** Greatest oversize that a finishing cut takes with the ground of an undercut, mm. */
+const thickestOf = ({ rules }: PlanRequest): number => perSide(diameter(rules.allowance.diameter)) + THICKEST;
+
+/** Runs one action on the stock of a state. */
+export function runAction(action: Action, { stock }: Pick<PlanState, "stock">, request: PlanRequest) {
+  const made = runOn(stock, withAction(parse(emptyProgram("PLAN", null)), action, request), request.shop);
+  const input = { ...made, clamping: request.clamping, held: request.blank };
+  return { made, simulation: simulateCuts(input, thickestOf(request)) };
+}
+
+/**
+ * Runs one action on the stock of a state and measures what it takes. After parting off the stock is the part. `ran`:
+ * where it was run before.
+ */
+export function applyAction(
+  action: Action,
+  state: Pick<PlanState, "stock">,
+  request: PlanRequest,
+  { made, simulation }: ReturnType<typeof runAction> = runAction(action, state, request),
+): TriedAction {
+  const { part } = request,
+    { stock } = state;
+  const most = thickestOf(request);
   // Only the cut of a thread is no area.
   const isArea = action.threads.length === 0;
   const faults = verdictOf(made, simulation).reasons.filter(

@@ -3,11 +3,12 @@ import { difference, offset, opened } from "../kernel/area/clip.ts";
 import type { Ring } from "../kernel/geometry/point.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
 import { diameter, perSide } from "../kernel/units.ts";
+import { withHandValues } from "./hand-values.ts";
 import { LEAST_REGION } from "./open-regions.ts";
 import { ofPieces, turnedVolume } from "./stock-key.ts";
 import type { Trade } from "./trade-rules.ts";
 import type { Tries } from "./tries.ts";
-import type { Action, ActionKind, ActionSource, PlanRequest, PlanState, TriedAction } from "./types.ts";
+import type { Action, ActionKind, ActionSource, HandValues, PlanRequest, PlanState, TriedAction } from "./types.ts";
 
 /** A state of the search with the way to it. */
 export interface PlanNode extends PlanState {
@@ -31,8 +32,8 @@ export interface Searching {
   readonly sources: readonly ActionSource[];
   readonly tries: Tries;
   readonly trade: Trade;
-  /** Actions with values by hand: each takes the place of the action with its key and of others in its place. */
-  readonly locked: readonly Action[];
+  /** Values by hand of the operations with these keys: each takes the place of other ways to do the same. */
+  readonly hand: ReadonlyMap<string, HandValues>;
   /** Bound of tries. */
   readonly most: number;
   /** What the sources propose in states, by the stock and what was done. */
@@ -59,9 +60,9 @@ export const areRivals = (a: Action, b: Action): boolean =>
   (FAMILY[a.kind] ?? a.kind) === (FAMILY[b.kind] ?? b.kind) &&
   (a.threads.length > 0 ? b.threads.some((t) => a.threads.includes(t)) : isInPlace(a, b));
 
-/** What a source proposes in a state and is neither excluded nor done. */
+/** What a source proposes in a state and is neither excluded nor done, with the values set by hand. */
 function proposedBy(source: ActionSource, state: PlanState, s: Searching): readonly Action[] {
-  const { request } = s;
+  const { request, hand } = s;
   const done = state.done.map(({ action }) => action.key).toSorted();
   const question = `${s.sources.indexOf(source)} ${done.join()}\n${s.tries.keyOf(state.stock)}`;
   const known = s.known.get(question);
@@ -73,7 +74,11 @@ function proposedBy(source: ActionSource, state: PlanState, s: Searching): reado
         (cycle === null || !request.withoutCycles.includes(cycle)) &&
         !request.withoutTools.includes(tool.T) &&
         (threads.length === 0 || threads.some((t) => !state.threads.has(t))),
-    );
+    )
+    .map((action) => {
+      const set = hand.get(action.key);
+      return set ? withHandValues(action, set) : action;
+    });
   s.known.set(question, made);
   return made;
 }
@@ -84,14 +89,11 @@ function proposedBy(source: ActionSource, state: PlanState, s: Searching): reado
  */
 export function actionsIn(state: PlanState, s: Searching, kind?: ActionKind): readonly Action[] {
   if (state.done.some(({ action }) => action.kind === "partOff")) return [];
-  const { sources, locked } = s;
-  const asked = kind && locked.length === 0 ? sources.filter((source) => source.kind === kind) : sources;
+  const { sources, hand } = s;
+  const asked = kind && hand.size === 0 ? sources.filter((source) => source.kind === kind) : sources;
   const all = asked.flatMap((source) => proposedBy(source, state, s));
-  if (locked.length === 0) return all;
-  const byKey = new Map(locked.map((l) => [l.key, l]));
-  const own = all.map((a) => byKey.get(a.key) ?? a);
-  const here = own.filter((a) => byKey.get(a.key) === a);
-  return own.filter((a) => here.includes(a) || !here.some((l) => areRivals(l, a)));
+  const here = all.filter((a) => hand.has(a.key));
+  return here.length === 0 ? all : all.filter((a) => here.includes(a) || !here.some((l) => areRivals(l, a)));
 }
 
 /** Time of a tool change on the machine, s. */

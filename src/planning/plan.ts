@@ -12,7 +12,7 @@ import { Trade } from "./trade-rules.ts";
 import { Tries } from "./tries.ts";
 import type { ActionSource, PlanRequest } from "./types.ts";
 import { wholeProgram } from "./whole-program.ts";
-import type { PlanChanges, PlanProgress, WorkingPlan } from "./working-plan.ts";
+import type { ClampingChanges, PlanChanges, PlanProgress, WorkingPlan } from "./working-plan.ts";
 
 /** Widths of the beam, one pass each: the first gives a plan at once, the others use its tries. */
 const WIDTHS = [1, 3] as const;
@@ -22,11 +22,9 @@ const MOST = 1500;
 const MEMORY = 50_000_000;
 
 /** The state behind the steps that an operator keeps or has chosen, as far as they are possible and work. */
-function* replayed({ keep = [], again, instead }: PlanChanges, s: Searching): Generator<PlanNode, PlanNode> {
+function* replayed({ keep = [], instead }: ClampingChanges, s: Searching): Generator<PlanNode, PlanNode> {
   let node = firstNode(s);
-  const kept = instead ? keep.slice(0, instead.at) : keep;
-  const keys = again?.keys ?? kept.map(({ tried }) => tried.action.key);
-  for (const key of instead ? [...keys, instead.actionKey] : keys) {
+  for (const key of instead ? [...keep.slice(0, instead.at), instead.actionKey] : keep) {
     const action = actionsIn(node, s).find((a) => a.key === key);
     if (!action) return node;
     yield node;
@@ -48,23 +46,18 @@ export function* planning(
   sources: readonly ActionSource[] = actionSources,
   former: Tries | null = null,
 ): Generator<PlanProgress, WorkingPlan> {
-  const { keep = [], again, instead, locked = [] } = changes;
+  const { instead, hand = {}, second: changesOfSecond = {} } = changes;
   const request: PlanRequest = { ...asked, shop: { ...asked.shop, memory: new AnswerCache(MEMORY) } };
-  const byHand = keep.filter((step, i) => step.isByHand && i !== instead?.at).map(({ tried }) => tried.action);
   const s: Searching = {
     request,
     sources,
     tries: new Tries(request, former),
     trade: new Trade(request),
     known: new Map(),
-    locked: [...locked, ...byHand.filter(({ key }) => !locked.some((l) => l.key === key))],
+    hand: new Map(Object.entries(hand)),
     most: MOST + (former?.count ?? 0),
   };
-  const hand = new Set([
-    ...s.locked.map(({ key }) => key),
-    ...(again?.byHand ?? []),
-    ...(instead ? [instead.actionKey] : []),
-  ]);
+  const byHand = new Set([...s.hand.keys(), ...(instead ? [instead.actionKey] : [])]);
   const from = yield* reported(replayed(changes, s), s, () => null);
   let best: PlanNode | null = null;
   for (const width of WIDTHS) {
@@ -82,12 +75,12 @@ export function* planning(
   // Stock far from the place of an action made a difference after all.
   if (end.done.length > 0 && whole.judged.verdict !== "proved" && !former)
     return yield* planning(asked, changes, sources, s.tries);
-  const steps = yield* reported(explained(end, hand, s), s, () => end);
-  const found = yield* reported(residueOf(end, s), s, () => end);
+  const steps = yield* reported(explained(end, byHand, s), s, () => end);
+  const found = yield* reported(residueOf(end, whole.stock, s), s, () => end);
   // What is left may be for the other end; a second clamping has no third.
   const hasRegion = found.some(({ region }) => region !== null);
   const other = hasRegion && !request.begun ? secondClamping(asked, end, parse(whole.text)) : null;
-  const turned = other && (yield* unseen(planning(other, {}, sources), progressOf(end, s, true)));
+  const turned = other && (yield* unseen(planning(other, changesOfSecond, sources), progressOf(end, s, true)));
   const second = turned && turned.steps.length > 0 ? turned : null;
   const residue = second ? withRear(found, second, request.part) : found;
   return {

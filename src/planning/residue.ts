@@ -112,12 +112,10 @@ function* triedReason(
 const FAR = 10_000;
 
 /** Material outside the part in connected pieces: that beside the part, and that behind its rear face. */
-function regionsLeft(end: PlanNode, { part }: PlanRequest): readonly OpenRegion[] {
+function regionsLeft(stock: readonly Ring[], { part }: PlanRequest): readonly OpenRegion[] {
   const { left } = boxAround(part.rings);
   const behind: Ring = [at(-FAR, -1), at(left, -1), at(left, FAR), at(-FAR, FAR)];
-  return [difference(end.stock, [behind]), intersection(end.stock, [behind])].flatMap((stock) =>
-    openRegions(stock, part),
-  );
+  return [difference(stock, [behind]), intersection(stock, [behind])].flatMap((piece) => openRegions(piece, part));
 }
 
 /** The tool that a region needs; behind the rear face that is a blade to part off. */
@@ -127,12 +125,18 @@ function missingOf(region: OpenRegion, { stock }: PlanNode, request: PlanRequest
   return { form: "recessing", site: "outside", leastDepth: rounded(depth) };
 }
 
-/** What the end of a search leaves, with the reason and the tool that is missing. */
-export function* residueOf(end: PlanNode, s: Searching): Generator<PlanNode, readonly Residue[]> {
+/**
+ * What the end of a search leaves, with the reason and the tool that is missing. `stock`: what its whole program leaves.
+ */
+export function* residueOf(
+  end: PlanNode,
+  stock: readonly Ring[],
+  s: Searching,
+): Generator<PlanNode, readonly Residue[]> {
   const { request } = s;
   const failed = actionsIn(end, s);
   const left: Residue[] = [];
-  for (const region of regionsLeft(end, request)) {
+  for (const region of regionsLeft(stock, request)) {
     const { site, border } = sideOf(region, request.part);
     const chain = site === "inside" ? request.part.inside : request.part.outside;
     const rows = [...new Set(border.flatMap((i) => chain.marks[i]?.row ?? []))];

@@ -8,6 +8,7 @@ import type { SetJob } from "../program/job/job.ts";
 import type { Labels } from "../program/job/print-job.ts";
 import type { Shop } from "../program/state/shop.ts";
 import type { VerdictReason } from "../report/verdict.ts";
+import type { ValueFormula } from "./values/formulas.ts";
 
 /** What the drawing says about an element besides its geometry. */
 export interface ElementMark {
@@ -116,10 +117,13 @@ export interface ReasonedValue {
   /** The parameter ("Q463") or the place of the set-up ("speed"). */
   readonly q: string;
   readonly value: number;
-  /** Key of the formula in the texts, and its inputs. */
-  readonly formula: string;
+  readonly formula: ValueFormula;
+  /** By the symbols of the formula. */
   readonly inputs: Readonly<Record<string, number | string>>;
 }
+
+/** Values of an operation that an operator sets, by parameter ("Q463") or place of the set-up ("speed", "start.x"). */
+export type HandValues = Readonly<Record<string, number>>;
 
 /** One operation that could be next: nothing has been tried yet. */
 export interface Action {
@@ -138,6 +142,8 @@ export interface Action {
   /** Threads that it makes, by their designation and place: they are no area. */
   readonly threads: readonly string[];
   readonly values: readonly ReasonedValue[];
+  /** What was planned for the values that an operator has set; absent where none is. */
+  readonly planned?: HandValues;
 }
 
 /** What an action did to a stock. */

@@ -2,7 +2,7 @@ import type { Site } from "../cycles/shape-request.ts";
 import type { Ring } from "../kernel/geometry/point.ts";
 import type { Judged } from "../report/verdict.ts";
 import type { OpenRegion } from "./open-regions.ts";
-import type { Action, PlanRequest, TriedAction } from "./types.ts";
+import type { HandValues, PlanRequest, TriedAction } from "./types.ts";
 
 /** Rules of the trade by their name: each makes a plan that breaks it dearer, none forbids. */
 export type TradeRule =
@@ -144,14 +144,17 @@ export interface PlanProgress {
   readonly left: number;
 }
 
-/** What an operator has decided about a plan that exists. */
-export interface PlanChanges {
-  /** The former plan: its steps are kept from the first one on as long as they are possible and work. */
-  readonly keep?: readonly PlanStep[];
-  /** A former plan of which only the keys of its actions are known, in their order, and of those by hand. */
-  readonly again?: { readonly keys: readonly string[]; readonly byHand: readonly string[] };
-  /** Another way (its `action.key`) in place of the step at this index; the steps before it are kept. */
+/** What an operator has decided about the operations of one clamping, each named by its `action.key`. */
+export interface ClampingChanges {
+  /** The former plan: its operations are kept from the first one on as long as they are possible and work. */
+  readonly keep?: readonly string[];
+  /** Another way in place of the step at this index; the steps before it are kept. */
   readonly instead?: { readonly at: number; readonly actionKey: string };
-  /** Actions with values changed by hand, or locked as they are: each replaces the action with its key and is done. */
-  readonly locked?: readonly Action[];
+  /** Operations that are locked, with the values set by hand: each takes the place of other ways to do the same. */
+  readonly hand?: Readonly<Record<string, HandValues>>;
+}
+
+/** What an operator has decided about a plan that exists. */
+export interface PlanChanges extends ClampingChanges {
+  readonly second?: ClampingChanges;
 }

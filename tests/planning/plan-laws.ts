@@ -51,7 +51,7 @@ export const searching = (request: PlanRequest): Searching => ({
   sources: actionSources,
   tries: new Tries(request),
   trade: new Trade(request),
-  locked: [],
+  hand: new Map(),
   most: Infinity,
   known: new Map(),
 });
@@ -116,7 +116,7 @@ export function brokenByPart(request: PlanRequest): readonly string[] {
     return tried.works && areaBeyond(end.open, tried.stock) > LEAST_REGION;
   });
   const again = planOf(request);
-  const kept = planOf(request, { keep: plan.steps });
+  const kept = planOf(request, { keep: keysOf(plan) });
   return [
     ...(plan.steps.length > 0 && plan.judged.verdict !== "proved"
       ? [`not proved: ${JSON.stringify(plan.judged.reasons[0])}`]

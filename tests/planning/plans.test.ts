@@ -1,6 +1,7 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import { planning } from "../../src/planning/plan.ts";
+import { handValuesOf } from "../../src/planning/hand-values.ts";
 import type { PlanRequest } from "../../src/planning/types.ts";
 import { arbitraryParts } from "./arbitrary-part.ts";
 import { partOfTrade } from "./parts.ts";
@@ -34,7 +35,7 @@ describe("a plan that exists", () => {
   const plan = planOf(request);
 
   test("is kept when nothing changed, with fewer tries", () => {
-    const again = planOf(request, { keep: plan.steps });
+    const again = planOf(request, { keep: keysOf(plan) });
     expect(keysOf(again)).toEqual(keysOf(plan));
     expect(again.tries).toBeLessThan(plan.tries);
   });
@@ -42,7 +43,7 @@ describe("a plan that exists", () => {
   test("is kept up to the first step that a change concerns", () => {
     const last = plan.steps.at(-1)?.tried.action.tool.T ?? 0;
     const first = plan.steps.findIndex(({ tried }) => tried.action.tool.T === last);
-    const changed = planOf({ ...request, withoutTools: [last] }, { keep: plan.steps });
+    const changed = planOf({ ...request, withoutTools: [last] }, { keep: keysOf(plan) });
     expect(keysOf(changed).slice(0, first)).toEqual(keysOf(plan).slice(0, first));
     expect(changed.tools).not.toContain(last);
   });
@@ -50,20 +51,23 @@ describe("a plan that exists", () => {
   test("takes another way, and keeps it when something else changes", () => {
     const at = plan.steps.findIndex(({ others }) => others.length > 0);
     const actionKey = plan.steps[at]?.others[0]?.tried.action.key ?? "";
-    const other = planOf(request, { keep: plan.steps, instead: { at, actionKey } });
+    const other = planOf(request, { keep: keysOf(plan), instead: { at, actionKey } });
     expect(other.steps[at]).toMatchObject({ isByHand: true, tried: { action: { key: actionKey } } });
     expect(other.steps[at]?.why).toContainEqual({ kind: "byHand" });
-    expect(keysOf(planOf(request, { keep: other.steps }))[at]).toBe(actionKey);
+    expect(keysOf(planOf(request, { keep: keysOf(other), hand: { [actionKey]: {} } }))[at]).toBe(actionKey);
   });
 
   test("keeps values that were changed by hand", () => {
-    const action = plan.steps.find(({ tried }) => tried.action.kind === "roughOutside")?.tried.action;
-    if (!action) throw new Error("no roughing");
-    const { job } = action;
-    const drafts = { ...job.drafts, [job.cycle]: { ...job.drafts[job.cycle], Q478: "0.11" } };
-    const changed = planOf(request, { locked: [{ ...action, job: { ...job, drafts } }] });
+    const key = plan.steps.find(({ tried }) => tried.action.kind === "roughOutside")?.tried.action.key ?? "";
+    const hand = { [key]: { Q478: 0.11 } };
+    const changed = planOf(request, { keep: keysOf(plan), hand });
     expect(changed.text).toContain("Q478=+0.11 ");
-    expect(changed.steps.find(({ tried }) => tried.action.key === action.key)?.isByHand).toBe(true);
+    const step = changed.steps.find(({ tried }) => tried.action.key === key);
+    expect(step?.isByHand).toBe(true);
+    expect(step && handValuesOf(step.tried.action)).toEqual(hand[key]);
+    // The same decisions make the same plan, and without them it is the former one.
+    expect(planOf(request, { keep: keysOf(changed), hand }).text).toBe(changed.text);
+    expect(planOf(request, { keep: keysOf(plan) }).text).toBe(plan.text);
   });
 });
 

@@ -1,12 +1,25 @@
 import { proxy } from "comlink";
-import type { PlanProgress } from "../../planning/working-plan.ts";
-import type { PlanAnswer, PlanOrder } from "./part-plan.ts";
+import type { PlanChanges, PlanProgress } from "../../planning/working-plan.ts";
+import type { PlanAnswer, PlanOrder, tryValues, ValuesTried } from "./part-plan.ts";
 import { askAgain } from "./worker-life.ts";
 
 /** The working plan of a part; `tell` gets the best one so far. Null if it cannot be calculated. */
-export async function askForPlan(order: PlanOrder, tell: (progress: PlanProgress) => void): Promise<PlanAnswer | null> {
+export async function askForPlan(
+  order: PlanOrder,
+  changes: PlanChanges,
+  tell: (progress: PlanProgress) => void,
+): Promise<PlanAnswer | null> {
   try {
-    return await askAgain(async (engine): Promise<PlanAnswer> => engine.planOfPart(order, proxy(tell)));
+    return await askAgain(async (engine): Promise<PlanAnswer> => engine.planOfPart(order, changes, proxy(tell)));
+  } catch {
+    return null;
+  }
+}
+
+/** What an operation with values set by hand does; null if it cannot be calculated. */
+export async function askForValues(...asked: Parameters<typeof tryValues>): Promise<ValuesTried | null> {
+  try {
+    return await askAgain(async (engine): Promise<ValuesTried> => engine.tryValues(...asked));
   } catch {
     return null;
   }

@@ -11,7 +11,7 @@ import { openWork } from "./open-work.ts";
 import type * as DrawingsPart from "./opened-drawing.ts";
 import type { Outcome } from "./outcome.ts";
 import type { PlayedCourse, PlaybackCanvas, StockPictures } from "./played.ts";
-import type { planOfPart } from "./part-plan.ts";
+import type { planOfPart, tryValues } from "./part-plan.ts";
 import type { reported } from "./reported.ts";
 import { wireOutcomes } from "./wire.ts";
 
@@ -105,6 +105,7 @@ const served = {
   keepDrawing: async (...asked: Parameters<Drawings["keepDrawing"]>) => (await fetchDrawings()).keepDrawing(...asked),
   askDrawing: async (...asked: Parameters<Drawings["askDrawing"]>) => (await fetchDrawings()).askDrawing(...asked),
   planOfPart: async (...asked: Parameters<typeof planOfPart>) => (await fetchPlan()).planOfPart(...asked),
+  tryValues: async (...asked: Parameters<typeof tryValues>) => (await fetchPlan()).tryValues(...asked),
   stopPlanning: async () => (await fetchPlan()).stopPlanning(),
   reported: async (...asked: Parameters<typeof reported>) => (await import("./reported.ts")).reported(...asked),
 };

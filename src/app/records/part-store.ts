@@ -1,5 +1,6 @@
 import { z } from "zod/mini";
 import { CLAMPING_KINDS } from "../../program/clamping/words.ts";
+import type { ClampingChanges } from "../../planning/working-plan.ts";
 import { newPart, type FinishedPart } from "../../planning/part/finished-part.ts";
 import { randomId } from "../base/random-id.ts";
 import { record } from "../base/record.ts";
@@ -15,11 +16,16 @@ export interface StoredPart {
   /** Tools by number. */
   readonly withoutTools: readonly number[];
   readonly withoutCycles: readonly number[];
-  /** Operations of its newest plan by their keys, in their order, to plan it again after a reload. */
-  readonly ways?: readonly string[];
-  /** Keys of those that the operator chose or locked. */
-  readonly locked?: readonly string[];
+  /** What its newest plan keeps of each clamping when it is planned again, as after a reload. */
+  readonly first?: PlanDecisions;
+  readonly second?: PlanDecisions;
 }
+
+/** Operations of a plan by their keys, in their order, and those that are locked with the values set by hand. */
+export type PlanDecisions = Required<Pick<ClampingChanges, "keep" | "hand">>;
+export const NO_DECISIONS: PlanDecisions = { keep: [], hand: {} };
+export type Clamping = "first" | "second";
+
 export type PartList = readonly StoredPart[];
 
 /** Most operations that are noted of a plan. */
@@ -58,14 +64,20 @@ const part = z.object({
   rules,
 });
 const excluded = z.array(z.number()).check(z.maxLength(2000));
-const keys = z.optional(z.array(z.string().check(z.maxLength(2000))).check(z.maxLength(MOST_KEYS)));
+const key = z.string().check(z.maxLength(2000));
+const decisions = z.optional(
+  z.object({
+    keep: z.array(key).check(z.maxLength(MOST_KEYS)),
+    hand: z.record(key, z.record(z.string(), z.number())),
+  }),
+);
 const stored = z.object({
   id: text,
   part,
   withoutTools: excluded,
   withoutCycles: excluded,
-  ways: keys,
-  locked: keys,
+  first: decisions,
+  second: decisions,
 });
 
 const NONE: PartList = [];
@@ -112,10 +124,25 @@ export function openPart(id: string): void {
 }
 
 /** Notes the operations of the newest plan of a part by their keys. That is no step of undo. */
-export function rememberPlan(id: string, ways: readonly string[], locked: readonly string[]): void {
-  const noted = { ways: ways.slice(0, MOST_KEYS), locked: locked.slice(0, MOST_KEYS) };
-  partRecord.put(partRecord.now().map((each) => (each.id === id ? { ...each, ...noted } : each)));
+export function rememberPlan(id: string, keys: Readonly<Record<Clamping, readonly string[]>>): void {
+  const noted = (before: PlanDecisions = NO_DECISIONS, of: readonly string[]) => ({
+    ...before,
+    keep: of.slice(0, MOST_KEYS),
+  });
+  partRecord.put(
+    partRecord.now().map((each) => {
+      if (each.id !== id) return each;
+      return { ...each, first: noted(each.first, keys.first), second: noted(each.second, keys.second) };
+    }),
+  );
 }
+
+/** Changes what is set by hand of one clamping of the open part. */
+export const editHand = (clamping: Clamping, change: (hand: PlanDecisions["hand"]) => PlanDecisions["hand"]): void =>
+  editPart((stored) => {
+    const { keep, hand } = stored[clamping] ?? NO_DECISIONS;
+    return { ...stored, [clamping]: { keep, hand: change(hand) } };
+  });
 
 /** Deletes the open part. */
 export const deletePart = (): void => editRecord(partRecord, ([, ...others]) => others);

@@ -122,7 +122,7 @@ export function DrawingDialog({ request }: { readonly request: DrawingRequest })
               onClick={() => {
                 if (!opened || !contour) return;
                 close();
-                void planContour(opened.file.name, contour);
+                void planContour(opened, contour);
               }}
             >
               {start.doors.plan}

@@ -8,6 +8,8 @@ import type { ContourTarget } from "../../app/document/drawing-request.ts";
 import { useEditor } from "../../app/document/store.ts";
 import { showPlan } from "../../app/place/place.ts";
 import { retryImport } from "../../app/base/parts.ts";
+import type { OpenedDrawing } from "../../app/document/drawing-request.ts";
+import { askDrawing } from "./read-drawing-file.ts";
 import { rowNear } from "../../program/drawing/positions.ts";
 
 /** Longest name of a part, characters. */
@@ -35,12 +37,19 @@ export function rowsWithNotes(contour: DrawnContour, choice: ContourChoice, inch
   return { rows, notes };
 }
 
-/** Starts a finished part with a contour, to plan it. */
-export async function planContour(name: string, contour: DrawnContour): Promise<void> {
-  const [{ newPart }, { addPart }] = await retryImport(() =>
-    Promise.all([import("../../planning/part/finished-part.ts"), import("../../app/records/part-store.ts")]),
-  );
-  addPart({ ...newPart(name.replace(/\.[^.]*$/, "").slice(0, LONGEST_NAME)), outside: contour.rows });
+/** Starts a finished part with the contours of a drawing, outside and bore, to plan it. */
+export async function planContour(opened: OpenedDrawing, contour: DrawnContour): Promise<void> {
+  const { choice, file } = opened,
+    side = choice.side === "bore" ? "outside" : "bore";
+  const [{ newPart }, { partRows }, { addPart }, other] = await Promise.all([
+    retryImport(() => import("../../planning/part/finished-part.ts")),
+    retryImport(() => import("../../planning/part/part-rows.ts")),
+    retryImport(() => import("../../app/records/part-store.ts")),
+    contour.hasSides ? askDrawing(opened, { ask: "contour", choice: { ...choice, side } }) : null,
+  ]);
+  const [own, others] = [contour.rows, other?.rows ?? []];
+  const rows = choice.side === "bore" && contour.hasSides ? partRows(others, own) : partRows(own, others);
+  addPart({ ...newPart(file.name.replace(/\.[^.]*$/, "").slice(0, LONGEST_NAME)), ...rows });
   showPlan();
 }
 

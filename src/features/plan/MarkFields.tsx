@@ -6,7 +6,7 @@ import { closeStep } from "../../app/document/steps.ts";
 import { goToElement } from "../../app/place/contour-place.ts";
 import { showSide } from "./plan-place.ts";
 import { SIDES, tableId, withMark, type Side } from "./part-rows.ts";
-import { problemWords, type PlanWords } from "./plan-words.ts";
+import { problemWords, type PlanWords } from "../../app/fields/plan/plan-words.ts";
 import { ValueField } from "./ValueField.tsx";
 
 interface Props {

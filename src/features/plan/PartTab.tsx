@@ -9,7 +9,7 @@ import { ProblemList } from "./ProblemList.tsx";
 import { MarkFields, ROUGHNESS } from "./MarkFields.tsx";
 import { showSide, usePlanPlace } from "./plan-place.ts";
 import { SIDES, tableRows, withTableRows } from "./part-rows.ts";
-import type { PlanWords } from "./plan-words.ts";
+import type { PlanWords } from "../../app/fields/plan/plan-words.ts";
 import { ValueField } from "./ValueField.tsx";
 
 const ContourTable = lazyPart(async () => ({ default: (await contourSlot.fetch()).ContourTable }));

@@ -10,7 +10,7 @@ import { addPart, deletePart, openPart, useParts, type StoredPart } from "../../
 import { partOfProgram } from "./part-of-program.ts";
 import { openPartFile, savePartFile } from "./part-files.ts";
 import { sayOpened, showTab, usePlanPlace } from "./plan-place.ts";
-import { problemWords, type PlanWords } from "./plan-words.ts";
+import { problemWords, type PlanWords } from "../../app/fields/plan/plan-words.ts";
 
 interface Props {
   readonly words: PlanWords;

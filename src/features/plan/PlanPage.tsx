@@ -3,6 +3,7 @@ import { Tab, TabList, TabPanel, Tabs } from "react-aria-components/Tabs";
 import { plannedPart, type PlannedPartResult } from "../../planning/part/planned-part.ts";
 import type { FinishedPart } from "../../planning/part/finished-part.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
+import { focusPart } from "../../app/base/focus-guard.ts";
 import { lazyPart } from "../../app/base/parts.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
@@ -20,7 +21,7 @@ import { ToolsTab } from "./ToolsTab.tsx";
 import { tableRows, withTableRows } from "./part-rows.ts";
 import { PLAN_TABS, sayOpened, showClamping, showTab, usePlanPlace, type PlanSection } from "./plan-place.ts";
 import { resumePlan, usePlanOf, usePlans } from "./plan-store.ts";
-import type { PlanWords } from "./plan-words.ts";
+import type { PlanWords } from "../../app/fields/plan/plan-words.ts";
 import "./plan.css";
 
 const ContourStage = lazyPart(async () => {
@@ -38,6 +39,10 @@ export function PlanPage() {
     if (!stored) openFirstPart(t.part.first);
   }, [stored, t]);
   useEffect(() => () => chooseElement(null), [stored?.id]);
+  useEffect(() => {
+    // A dialog that led here has closed: the focus has nowhere to return to.
+    if (navigator.userActivation.hasBeenActive) focusPart(".plan-page", () => undefined);
+  }, []);
   return stored ? (
     <CountedIn value="mm">
       <OpenPart key={stored.id} stored={stored} />
@@ -115,7 +120,7 @@ function PlanStage({
   readonly planned: PlannedPartResult;
   readonly onPart: (part: FinishedPart, place: string | null) => void;
 }) {
-  const { tab, side, open, pointed, rows, clamping } = usePlanPlace();
+  const { tab, side, open, pointed, preview, rows, clamping } = usePlanPlace();
   const { made, isOutdated } = usePlanOf(stored);
   const progress = usePlans((s) => (s.running?.id === stored.id ? s.running.progress : null));
   const { part } = stored;
@@ -138,6 +143,7 @@ function PlanStage({
     setup = tab === "plan" && clamping === "second" && plan ? plan.setup : planned,
     shown = tab === "plan" ? (pointed ?? open) : null,
     step = shown === null ? undefined : plan?.steps[shown];
+  const stockOfStep = shown === open && preview ? preview : step?.tried.stock;
   const before = step && shown !== null ? (plan?.steps[shown - 1]?.tried.stock ?? setup.blank) : null;
   const isPlan = tab === "plan" && plan !== null;
   const chains = setup.part ? [setup.part.outside, setup.part.inside] : [];
@@ -155,7 +161,7 @@ function PlanStage({
         part={chains.flatMap(({ segments }) => segments)}
         blank={setup.blank}
         clamping={setup.clamping}
-        stock={progress?.stock ?? step?.tried.stock ?? (isPlan ? plan.stock : setup.blank)}
+        stock={progress?.stock ?? stockOfStep ?? (isPlan ? plan.stock : setup.blank)}
         before={progress ? null : before}
         residue={isPlan && !progress && !step ? plan.residue.flatMap(({ region }) => region?.rings ?? []) : NO_RINGS}
         chosen={chains.flatMap(({ segments, marks }) => segments.filter((_, i) => rows.includes(marks[i]?.row ?? "")))}

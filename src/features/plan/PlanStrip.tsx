@@ -5,10 +5,10 @@ import { setMaterial } from "../../app/document/edits.ts";
 import { toFirstPrompt } from "../../app/place/place.ts";
 import type { StoredPart } from "../../app/records/part-store.ts";
 import { usePlanPlace } from "./plan-place.ts";
-import { startPlan, planAgain, stopSearch, usePlans, type MadePlan } from "./plan-store.ts";
+import { startPlan, stopSearch, usePlans, type MadePlan } from "./plan-store.ts";
 import { planOfClamping } from "./PlanTab.tsx";
 import { addCalledTools } from "./usual-tools.ts";
-import { changeSeconds, timeWords, verdictWords, type PlanWords } from "./plan-words.ts";
+import { changeSeconds, timeWords, verdictWords, type PlanWords } from "../../app/fields/plan/plan-words.ts";
 
 interface Props {
   readonly words: PlanWords;
@@ -42,8 +42,7 @@ export function PlanStrip({ words, stored, made, isOutdated, onPlan }: Props) {
     changes = plan ? changeSeconds(plan) : 0;
   const begin = () => {
     onPlan();
-    if (made?.plan) planAgain();
-    else void startPlan();
+    startPlan();
   };
   const progress = running?.progress;
   const idle = (): string => {

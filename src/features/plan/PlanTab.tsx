@@ -1,10 +1,10 @@
 import { useEffect, useRef } from "react";
 import type { Residue, WorkingPlan } from "../../planning/working-plan.ts";
 import { Message } from "../../app/base/Message.tsx";
-import type { StoredPart } from "../../app/records/part-store.ts";
-import { planAgain, useLocked, type MadePlan } from "./plan-store.ts";
+import type { Clamping, StoredPart } from "../../app/records/part-store.ts";
+import { forgetHand, previewValues, startPlan, type MadePlan } from "./plan-store.ts";
 import { pointAtRows, showClamping, usePlanPlace } from "./plan-place.ts";
-import { areaWords, missingWords, regionPlace, type PlanWords } from "./plan-words.ts";
+import { areaWords, missingWords, regionPlace, type PlanWords } from "../../app/fields/plan/plan-words.ts";
 import { ProblemList } from "./ProblemList.tsx";
 import { StepItem } from "./StepItem.tsx";
 
@@ -23,7 +23,7 @@ const secondOf = (made: MadePlan | null): WorkingPlan | null => {
 };
 
 /** The plan of the clamping that is shown. */
-export const planOfClamping = (made: MadePlan | null, clamping: "first" | "second"): WorkingPlan | null => {
+export const planOfClamping = (made: MadePlan | null, clamping: Clamping): WorkingPlan | null => {
   const plan = made?.plan ?? null;
   return clamping === "second" ? (secondOf(made) ?? plan) : plan;
 };
@@ -61,10 +61,12 @@ function LeftList({ words, residue }: { readonly words: PlanWords; readonly resi
 export function PlanTab({ words, stored, made, isOutdated, isRunning }: Props) {
   const { t } = words;
   const { open, clamping } = usePlanPlace();
-  const locked = useLocked(stored.id);
   const list = useRef<HTMLOListElement>(null);
   const plan = planOfClamping(made, clamping),
     second = secondOf(made);
+  const shownClamping: Clamping = second !== null && plan === second ? "second" : "first",
+    hand = stored[shownClamping]?.hand ?? {},
+    orphans = Object.keys(hand).filter((key) => !plan?.steps.some(({ tried }) => tried.action.key === key));
   const at = useRef<number | null>(null);
   // A new plan keeps the focus at the operation that was changed: its button may be gone.
   useEffect(() => {
@@ -79,7 +81,7 @@ export function PlanTab({ words, stored, made, isOutdated, isRunning }: Props) {
       {isOutdated && (
         <div className="plan-outdated" role="status">
           <Message tone="warning">{t.run.outdated}</Message>
-          <button type="button" className="button" disabled={isRunning} onClick={planAgain}>
+          <button type="button" className="button" disabled={isRunning} onClick={startPlan}>
             {t.run.again}
           </button>
         </div>
@@ -102,6 +104,11 @@ export function PlanTab({ words, stored, made, isOutdated, isRunning }: Props) {
       )}
       {plan && (
         <>
+          {plan === second && !plan.setup.clamping && stored.part.clamping && (
+            <div className="plan-note">
+              <Message tone="warning">{t.result.unheld}</Message>
+            </div>
+          )}
           {plan.steps.length === 0 && <p className="plan-none">{t.run.none}</p>}
           <ol
             className="plan-steps"
@@ -120,12 +127,21 @@ export function PlanTab({ words, stored, made, isOutdated, isRunning }: Props) {
                 step={step}
                 index={i}
                 isOpen={open === i}
-                isLocked={locked.some(({ key }) => key === step.tried.action.key)}
+                isLocked={Object.hasOwn(hand, step.tried.action.key)}
+                clamping={shownClamping}
                 canChange={!isRunning && !isOutdated}
-                isSecond={second !== null && plan === second}
+                preview={(values) => previewValues(made, plan, i, values)}
               />
             ))}
           </ol>
+          {orphans.length > 0 && !isRunning && (
+            <div className="plan-note">
+              <Message tone="warning">{t.steps.orphans(orphans.length)}</Message>
+              <button type="button" className="button small" onClick={() => forgetHand(shownClamping, orphans)}>
+                {t.steps.forget}
+              </button>
+            </div>
+          )}
           <LeftList words={words} residue={plan.residue} />
         </>
       )}

@@ -4,7 +4,7 @@ import { Message } from "../../app/base/Message.tsx";
 import { goToElement } from "../../app/place/contour-place.ts";
 import { showSide, showTab } from "./plan-place.ts";
 import { SIDES, tableId } from "./part-rows.ts";
-import { problemWords, type PlanWords } from "./plan-words.ts";
+import { problemWords, type PlanWords } from "../../app/fields/plan/plan-words.ts";
 
 /** What is wrong with a part; a problem of an element leads to it. */
 export function ProblemList({

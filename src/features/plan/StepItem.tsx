@@ -1,18 +1,14 @@
 import { useId } from "react";
 import type { PlanStep } from "../../planning/working-plan.ts";
-import type { StoredPart } from "../../app/records/part-store.ts";
-import { exclude, takeWay, toggleLock } from "./plan-store.ts";
+import type { Clamping, StoredPart } from "../../app/records/part-store.ts";
+import { exclude, setValues, takeWay, toggleLock } from "./plan-store.ts";
+import { SAME_AREA, SAME_TIME } from "./same-way.ts";
+import { StepValues } from "./StepValues.tsx";
 import { openStep, pointAtStep } from "./plan-place.ts";
-import {
-  actionWords,
-  areaWords,
-  cycleWords,
-  reasonWords,
-  threadName,
-  timeWords,
-  valueWords,
-  type PlanWords,
-} from "./plan-words.ts";
+import type { HandValues } from "../../planning/types.ts";
+import type { ValuesTried } from "../../app/calculation/part-plan.ts";
+import { StepLine } from "../../app/fields/plan/StepLine.tsx";
+import { actionWords, areaWords, cycleName, timeWords, type PlanWords } from "../../app/fields/plan/plan-words.ts";
 
 interface Props {
   readonly words: PlanWords;
@@ -21,22 +17,19 @@ interface Props {
   readonly index: number;
   readonly isOpen: boolean;
   readonly isLocked: boolean;
-  /** The second clamping follows from the first: its operations are shown only. */
-  readonly isSecond: boolean;
+  readonly clamping: Clamping;
   /** False while a plan is searched, or for an outdated one: nothing can be changed then. */
   readonly canChange: boolean;
+  /** What the operation does with other values. */
+  readonly preview: (values: HandValues) => Promise<ValuesTried | null>;
 }
 
-/** Less is the same, mm² and s. */
-const SAME_AREA = 0.05,
-  SAME_TIME = 0.05;
-
 /** One operation of a plan: what it is, what it takes; open, why, its values and the next best ways. */
-export function StepItem({ words, stored, step, index, isOpen, isLocked, isSecond, canChange }: Props) {
+export function StepItem({ words, stored, step, index, isOpen, isLocked, clamping, canChange, preview }: Props) {
   const { t } = words,
     { steps: w } = t,
     id = useId();
-  const { tried, others, why, seconds, penalty } = step;
+  const { tried, others, penalty } = step;
   const { action } = tried;
   const tool = w.tool(String(action.tool.T), action.tool.NAME ?? "");
   return (
@@ -55,62 +48,33 @@ export function StepItem({ words, stored, step, index, isOpen, isLocked, isSecon
           onBlur={() => pointAtStep(null)}
           onClick={() => openStep(index)}
         >
-          <span className="plan-step-number number">{index + 1}</span>
-          <span className="plan-step-what">
-            <b>{t.kinds[action.kind]}</b>
-            <span className="small soft">
-              {cycleWords(words, action.cycle)} · {tool}
-            </span>
-            {why.length > 0 && (
-              <span className="small plan-step-why">{why.map((reason) => reasonWords(words, reason)).join(" · ")}</span>
-            )}
-          </span>
-          <span className="plan-step-takes">
-            <b className="number">{timeWords(words, seconds)}</b>
-            <span className="small soft">
-              {action.threads.length > 0
-                ? action.threads.map(threadName).join(", ")
-                : w.takes(areaWords(words, tried.cut))}
-            </span>
-          </span>
+          <StepLine words={words} step={step} index={index} />
         </button>
-        {!isSecond && (
-          <button
-            type="button"
-            className="button icon plain"
-            aria-pressed={isLocked}
-            aria-label={w.lock(index + 1)}
-            title={w.lock(index + 1)}
-            onClick={() => toggleLock(stored.id, action)}
-          >
-            <svg className="icon" viewBox="0 0 24 24" aria-hidden="true" focusable="false">
-              <path d={`M6 11h12v9H6zM8.5 11V7.5a3.5 3.5 0 0 1 7 0${isLocked ? "V11" : ""}`} />
-            </svg>
-          </button>
-        )}
+        <button
+          type="button"
+          className="button icon plain"
+          aria-pressed={isLocked}
+          aria-label={w.lock(index + 1)}
+          title={w.lock(index + 1)}
+          onClick={() => toggleLock(clamping, action.key)}
+        >
+          <svg className="icon" viewBox="0 0 24 24" aria-hidden="true" focusable="false">
+            <path d={`M6 11h12v9H6zM8.5 11V7.5a3.5 3.5 0 0 1 7 0${isLocked ? "V11" : ""}`} />
+          </svg>
+        </button>
       </div>
       {isOpen && (
         <div className="plan-step-more" id={id}>
           {penalty > 0 && <p className="small soft">{w.penalty(timeWords(words, penalty))}</p>}
-          {action.values.length > 0 && (
-            <table className="plan-values">
-              <caption>{w.values}</caption>
-              <tbody>
-                {action.values.map((each) => {
-                  const said = valueWords(words, action.cycle, each);
-                  return (
-                    <tr key={each.q}>
-                      <th scope="row" className="number">
-                        {said.name} <span className="soft small">{said.label}</span>
-                      </th>
-                      <td className="number">{said.value}</td>
-                      <td className="small soft">{said.formula}</td>
-                    </tr>
-                  );
-                })}
-              </tbody>
-            </table>
-          )}
+          <StepValues
+            key={action.key}
+            words={words}
+            step={step}
+            index={index}
+            canChange={canChange}
+            preview={preview}
+            onSet={(values) => setValues(clamping, index, action.key, values)}
+          />
           <h2>{w.others}</h2>
           {others.length === 0 && <p className="small soft">{w.noOther}</p>}
           {others.length > 0 && (
@@ -120,7 +84,7 @@ export function StepItem({ words, stored, step, index, isOpen, isLocked, isSecon
                   name = actionWords(words, way);
                 return (
                   <li key={way.key}>
-                    <b>{cycleWords(words, way.cycle)}</b>
+                    <b>{cycleName(words, way.cycle)}</b>
                     <span className="small">{w.tool(String(way.tool.T), way.tool.NAME ?? "")}</span>
                     <span className="small number">
                       {timeWords(words, other.seconds)}
@@ -136,46 +100,42 @@ export function StepItem({ words, stored, step, index, isOpen, isLocked, isSecon
                         ? w.sameResult
                         : (other.leaves > 0 ? w.leaves : w.takesMore)(areaWords(words, Math.abs(other.leaves)))}
                     </span>
-                    {!isSecond && (
-                      <button
-                        type="button"
-                        className="button small"
-                        disabled={!canChange}
-                        aria-label={w.useLong(index + 1, name)}
-                        onClick={() => takeWay(index, way.key)}
-                      >
-                        {w.use}
-                      </button>
-                    )}
+                    <button
+                      type="button"
+                      className="button small"
+                      disabled={!canChange}
+                      aria-label={w.useLong(index + 1, name)}
+                      onClick={() => takeWay(clamping, index, action.key, way.key)}
+                    >
+                      {w.use}
+                    </button>
                   </li>
                 );
               })}
             </ul>
           )}
-          {!isSecond && (
-            <div className="plan-step-ways">
+          <div className="plan-step-ways">
+            <button
+              type="button"
+              className="button small"
+              disabled={!canChange}
+              onClick={() => exclude({ withoutTools: [...stored.withoutTools, action.tool.T] })}
+            >
+              {w.exclude(tool)}
+            </button>
+            {action.cycle !== null && (
               <button
                 type="button"
                 className="button small"
                 disabled={!canChange}
-                onClick={() => exclude({ withoutTools: [...stored.withoutTools, action.tool.T] })}
+                onClick={() =>
+                  action.cycle !== null && exclude({ withoutCycles: [...stored.withoutCycles, action.cycle] })
+                }
               >
-                {w.exclude(tool)}
+                {w.forbid(String(action.cycle))}
               </button>
-              {action.cycle !== null && (
-                <button
-                  type="button"
-                  className="button small"
-                  disabled={!canChange}
-                  onClick={() =>
-                    action.cycle !== null && exclude({ withoutCycles: [...stored.withoutCycles, action.cycle] })
-                  }
-                >
-                  {w.forbid(String(action.cycle))}
-                </button>
-              )}
-            </div>
-          )}
+            )}
+          </div>
         </div>
       )}
     </li>

@@ -11,7 +11,7 @@ import { ClampingFields } from "../../app/fields/setup/ClampingFields.tsx";
 import { NumberField } from "../../app/fields/setup/NumberField.tsx";
 import { useTextsOrNull } from "../../app/base/settings/use-texts.ts";
 import type { StoredPart } from "../../app/records/part-store.ts";
-import type { PlanWords } from "./plan-words.ts";
+import type { PlanWords } from "../../app/fields/plan/plan-words.ts";
 
 interface Props {
   readonly words: PlanWords;
@@ -85,6 +85,7 @@ export function StockTab({ words: { t, work }, stored: { part }, planned, onPart
       <fieldset className="setup-group">
         <legend>{clamping?.title}</legend>
         <ClampingFields
+          of="plan."
           draft={part.clamping}
           set={(next, place) => onPart({ ...part, clamping: next }, place)}
           propose={() => proposedClamping(box ?? SOME_BLANK)}

@@ -5,7 +5,7 @@ import { Icon } from "../../app/base/Icon.tsx";
 import { toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
 import { showTools } from "../../app/place/place.ts";
 import { editPart, type StoredPart } from "../../app/records/part-store.ts";
-import { cycleWords, type PlanWords } from "./plan-words.ts";
+import { cycleName, type PlanWords } from "../../app/fields/plan/plan-words.ts";
 import { ValueField } from "./ValueField.tsx";
 
 interface Props {
@@ -81,7 +81,7 @@ export function ToolsTab({ words, stored, onPart }: Props) {
           <ul className="plan-tools">
             {withoutCycles.map((number) => (
               <li key={number} className="plan-cycle">
-                <span>{cycleWords(words, number)}</span>
+                <span>{cycleName(words, number)}</span>
                 <button
                   type="button"
                   className="button small"

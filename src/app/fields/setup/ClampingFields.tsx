@@ -21,6 +21,8 @@ interface Props {
   /** Initial values of a clamping. */
   readonly propose: () => ClampingDraft;
   readonly inch?: boolean;
+  /** Prefix of the ids of its fields where it is not the clamping of the open work: findings of that are not its own. */
+  readonly of?: string;
 }
 
 /** Words of the tailstock, and of the limits. */
@@ -30,7 +32,7 @@ const WORDS = CLAMPING_WORDS.flatMap((word) => (word === CENTRE[0] ? (["tailstoc
 const DIAMETERS: ReadonlySet<ClampingWord> = new Set(["D", "SIZE", "QUILL", "LIMITX"]);
 
 /** Clamping of the workpiece: not stated, or kind and values. */
-export function ClampingFields({ draft, set, propose, inch = false }: Props) {
+export function ClampingFields({ draft, set, propose, inch = false, of = "" }: Props) {
   const t = useTextsOrNull("clamping");
   if (!t) return null;
   if (!draft)
@@ -90,13 +92,13 @@ export function ClampingFields({ draft, set, propose, inch = false }: Props) {
       {WORDS.map((word) => {
         if (word === "tailstock") return isBetween ? null : tailstock;
         if (!shown.includes(word)) return null;
-        const needed = isNeeded(kind, word) || (onCentre && (word === "QUILL" || word === "TIP"));
+        const field = clampingField(word, isNeeded(kind, word) || (onCentre && (word === "QUILL" || word === "TIP")));
         const name = word === "D" ? t.grips[kind] : word === "SIZE" && kind === "collet" ? t.nose : t.words[word];
         const typed = words[word] ?? "";
         return (
           <div key={word}>
             <NumberField
-              field={clampingField(word, needed)}
+              field={{ ...field, id: of + field.id }}
               name={name}
               unit={unitOf(word)}
               text={typed}
