@@ -6,6 +6,7 @@ import type { PartProblem } from "../../planning/part/part-problem.ts";
 import { plannedPart } from "../../planning/part/planned-part.ts";
 import { planning } from "../../planning/plan.ts";
 import { USUAL_RULES } from "../../planning/shop-rules.ts";
+import type { PlanRequest } from "../../planning/types.ts";
 import type { PlanChanges, PlanProgress, WorkingPlan } from "../../planning/working-plan.ts";
 import { stopwatch } from "../base/clock.ts";
 import type { Request } from "./request.ts";
@@ -40,28 +41,35 @@ const orders = { newest: 0 };
 
 const nextTask = () => new Promise<void>((done) => setTimeout(done));
 
+/** What a part is planned from, and the problems of the part; null where these leave none. */
+export function planRequestOf(order: Omit<PlanOrder, "changes">): {
+  readonly request: PlanRequest | null;
+  readonly problems: readonly PartProblem[];
+} {
+  const { part, blank, clamping, problems } = plannedPart(order.part);
+  const { table, rapid, control, machine } = order.shop;
+  const request: PlanRequest | null = part && {
+    part,
+    blank,
+    clamping,
+    shop: { ...table, rapid, control, ...(machine && { machine }) },
+    material: order.part.material,
+    rules: { ...USUAL_RULES, ...order.part.rules },
+    partsOff: order.part.partsOff,
+    withoutCycles: order.withoutCycles,
+    withoutTools: order.withoutTools,
+    labels: ncLabels(order.ncLanguage),
+    titles: planTitles(order.ncLanguage),
+  };
+  return { request, problems };
+}
+
 /** Searches the working plan of a part. `tell` gets the best plan so far. */
 export async function planOfPart(order: PlanOrder, tell: (progress: PlanProgress) => void): Promise<PlanAnswer> {
+  const { request, problems } = planRequestOf(order);
+  if (!request) return { kind: "noPart", problems };
   const mine = ++orders.newest;
-  const { part, blank, clamping, problems } = plannedPart(order.part);
-  if (!part) return { kind: "noPart", problems };
-  const { table, rapid, control, machine } = order.shop;
-  const search = planning(
-    {
-      part,
-      blank,
-      clamping,
-      shop: { ...table, rapid, control, ...(machine && { machine }) },
-      material: order.part.material,
-      rules: { ...USUAL_RULES, ...order.part.rules },
-      partsOff: order.part.partsOff,
-      withoutCycles: order.withoutCycles,
-      withoutTools: order.withoutTools,
-      labels: ncLabels(order.ncLanguage),
-      titles: planTitles(order.ncLanguage),
-    },
-    order.changes,
-  );
+  const search = planning(request, order.changes);
   let told = -Infinity;
   for (;;) {
     const begun = stopwatch();

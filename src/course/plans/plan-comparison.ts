@@ -1,5 +1,4 @@
-import { areaOf } from "../../kernel/area/area.ts";
-import { intersection, difference } from "../../kernel/area/clip.ts";
+import { difference } from "../../kernel/area/clip.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
 import { parse } from "../../nc/parse.ts";
 import { print, type Program } from "../../nc/program.ts";
@@ -11,7 +10,8 @@ import { isRefused, movedOperation, withoutOperation } from "../../program/edits
 import { producedParts } from "../../sim/produced-parts.ts";
 import { answerOf } from "../judge/answer.ts";
 import { judge } from "../judge/judge.ts";
-import type { Answer, RuleName } from "../judge/judgement.ts";
+import { goalsOf, isMet, type TaskGoal } from "../goals.ts";
+import type { Answer } from "../judge/judgement.ts";
 import { calledTools } from "../judge/rules.ts";
 import { secondsOfAnswer } from "../judge/shop.ts";
 import { targetPart } from "../target-part.ts";
@@ -27,7 +27,7 @@ export interface Achieved {
   /** Material outside the drawn part, mm² of the half section. */
   readonly left: number;
   /** Goals of the exercise that it misses; empty: it passes. */
-  readonly missed: readonly RuleName[];
+  readonly missed: readonly TaskGoal[];
 }
 
 /** A change of the own program that was run and judged as a whole. */
@@ -54,17 +54,33 @@ const SAME = { seconds: 0.5, share: 0.01 };
 export const isSameTime = (a: number, b: number): boolean =>
   Math.abs(a - b) <= Math.max(SAME.seconds, SAME.share * Math.max(a, b));
 
+/** Smaller differences of residual material are none, mm². */
+const SAME_AREA = 0.05;
+
+/**
+ * Which of two results is better: the one that meets more goals, else the one that leaves less, else the faster one.
+ * "same": neither.
+ */
+export function betterOf(own: Achieved, other: Achieved): "own" | "other" | "same" {
+  const missed = other.missed.length - own.missed.length;
+  const left = other.left - own.left;
+  const longer = isSameTime(own.seconds, other.seconds) ? 0 : other.seconds - own.seconds;
+  const worse = missed || (Math.abs(left) < SAME_AREA ? 0 : left) || longer;
+  if (worse === 0) return "same";
+  return worse > 0 ? "own" : "other";
+}
+
 function achievedBy(task: Task, answer: Answer, change: number): Achieved {
   const { steps } = answer.run;
   const changes = steps.filter(({ tool }, i) => tool.T !== steps[i - 1]?.tool.T).length;
   const wanted = task.part && targetPart(task.part).rings;
-  const missed = judge(task, answer).marks.flatMap(({ rule, passed }) => (passed ? [] : [rule]));
+  const judgement = judge(task, answer);
   return {
     seconds: secondsOfAnswer(answer) + changes * change,
     changes,
     tools: [...calledTools(answer).keys()],
     left: wanted ? areaBeyond(producedParts(answer.simulation), wanted) : 0,
-    missed: [...new Set(missed)],
+    missed: goalsOf(task).filter((goal) => goal.kind !== "predicted" && !isMet(goal, judgement, [])),
   };
 }
 
@@ -101,7 +117,11 @@ const ownBefore = ({ rows, own }: Sides, row: ComparedRow): number | null => {
     .slice(0, rows.indexOf(row))
     .flatMap((each) => each.own)
     .at(-1);
-  return row.own.length > 0 ? (own[row.own[0] ?? 0]?.unit ?? 0) - 1 : last === undefined ? null : (own[last]?.unit ?? null);
+  return row.own.length > 0
+    ? (own[row.own[0] ?? 0]?.unit ?? 0) - 1
+    : last === undefined
+      ? null
+      : (own[last]?.unit ?? null);
 };
 
 /** The own program with the operations of a row done as the other plan does them; null where that cannot be written. */

@@ -56,7 +56,9 @@ function valuesOf([operation]: readonly Operation[]): Readonly<Record<string, nu
   );
   const spindle = operation?.spindle;
   const speed: Readonly<Record<string, number>> =
-    spindle?.kind === "surface" ? { speed: spindle.cuttingSpeed, limit: spindle.limit } : { speed: spindle?.speed ?? NaN };
+    spindle?.kind === "surface"
+      ? { speed: spindle.cuttingSpeed, limit: spindle.limit }
+      : { speed: spindle?.speed ?? NaN };
   return { ...Object.fromEntries(called), ...(spindle && speed) };
 }
 
@@ -70,7 +72,7 @@ export function programOperations(answer: Answer, change: number): readonly Prog
   const units = unitsOfSteps(run, text);
   const found: ProgramOperation[] = [];
   let before: readonly Ring[] = run.blank;
-  for (let first = 0; first < units.length; ) {
+  for (let first = 0; first < units.length;) {
     const unit = units[first] ?? 0;
     let next = first;
     while (next < units.length && units[next] === unit) next += 1;

@@ -8,7 +8,8 @@ import { usePlanPlace } from "./plan-place.ts";
 import { startPlan, planAgain, stopSearch, usePlans, type MadePlan } from "./plan-store.ts";
 import { planOfClamping } from "./PlanTab.tsx";
 import { addCalledDrills } from "./usual-drills.ts";
-import { changeSeconds, timeWords, verdictWords, type PlanWords } from "./plan-words.ts";
+import { timeWords } from "../../app/calculation/plan-step-words.ts";
+import { changeSeconds, verdictWords, type PlanWords } from "./plan-words.ts";
 
 interface Props {
   readonly words: PlanWords;

@@ -4,7 +4,8 @@ import { Message } from "../../app/base/Message.tsx";
 import type { StoredPart } from "../../app/records/part-store.ts";
 import { planAgain, useLocked, type MadePlan } from "./plan-store.ts";
 import { pointAtRows, showClamping, usePlanPlace } from "./plan-place.ts";
-import { areaWords, missingWords, regionPlace, type PlanWords } from "./plan-words.ts";
+import { areaWords } from "../../app/calculation/plan-step-words.ts";
+import { missingWords, regionPlace, type PlanWords } from "./plan-words.ts";
 import { ProblemList } from "./ProblemList.tsx";
 import { StepItem } from "./StepItem.tsx";
 

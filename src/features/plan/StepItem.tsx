@@ -8,11 +8,10 @@ import {
   areaWords,
   cycleWords,
   reasonWords,
-  threadName,
   timeWords,
   valueWords,
-  type PlanWords,
-} from "./plan-words.ts";
+} from "../../app/calculation/plan-step-words.ts";
+import { threadName, type PlanWords } from "./plan-words.ts";
 
 interface Props {
   readonly words: PlanWords;

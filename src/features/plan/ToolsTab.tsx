@@ -5,7 +5,8 @@ import { Icon } from "../../app/base/Icon.tsx";
 import { toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
 import { showTools } from "../../app/place/place.ts";
 import { editPart, type StoredPart } from "../../app/records/part-store.ts";
-import { cycleWords, type PlanWords } from "./plan-words.ts";
+import { cycleWords } from "../../app/calculation/plan-step-words.ts";
+import { type PlanWords } from "./plan-words.ts";
 import { ValueField } from "./ValueField.tsx";
 
 interface Props {

@@ -1,88 +1,17 @@
-import { cycleByNumber, type CycleNumber } from "../../cycles/index.ts";
-import { VALUE_FORMULAS, type ValueFormula } from "../../planning/values/formulas.ts";
 import type { PartProblem } from "../../planning/part/part-problem.ts";
-import type { Action, ReasonedValue } from "../../planning/types.ts";
-import type { MissingTool, StepReason, WorkingPlan } from "../../planning/working-plan.ts";
-import type { PlanTexts } from "../../i18n/en/plan.ts";
-import type { Texts } from "../../i18n/index.ts";
-import type { Language } from "../../i18n/languages.ts";
+import type { MissingTool, WorkingPlan } from "../../planning/working-plan.ts";
 import { partProblemText, type PartProblemTexts } from "../../i18n/part-problem.ts";
 import { writer } from "../../i18n/write.ts";
 import { issueText } from "../../app/calculation/issue-text.ts";
-import { durationText } from "../../app/base/clock-text.ts";
+import { areaWords, type StepWords } from "../../app/calculation/plan-step-words.ts";
 
-/** The words of the page: its own texts, those of the workplaces and of problems of a part, and the screen language. */
-export interface PlanWords {
-  readonly t: PlanTexts;
-  readonly work: Texts;
+/** The words of the page: those for steps of a plan, and of problems of a part. */
+export interface PlanWords extends StepWords {
   readonly problems: PartProblemTexts;
-  readonly language: Language;
-}
-
-export const timeWords = ({ work, language }: PlanWords, seconds: number): string =>
-  durationText(work.page.effect.duration, language, seconds);
-export const areaWords = ({ language }: PlanWords, area: number): string => writer(language).area(area);
-
-/** The cycle with its name, or path blocks. */
-export function cycleWords({ t, work }: PlanWords, cycle: number | null): string {
-  if (cycle === null) return t.steps.pathBlocks;
-  const name = cycleByNumber(cycle) ? work.cycles.of[cycle as CycleNumber].name : "";
-  return `${cycle} ${name}`.trim();
 }
 
 /** Designation of a thread, without the place that its name in a plan has behind it. */
 export const threadName = (id: string): string => id.replace(/ -?[\d.]+$/, "");
-
-/** A way in a few words: its cycle and its tool. */
-const wayWords = ({ t }: PlanWords, cycle: number | null, tool: number): string =>
-  `${cycle === null ? t.steps.pathBlocks : t.steps.cycle(String(cycle))}, ${t.steps.tool(String(tool), "")}`;
-export const actionWords = (words: PlanWords, { cycle, tool }: Action): string =>
-  `${cycleWords(words, cycle)}, ${words.t.steps.tool(String(tool.T), tool.NAME ?? "")}`;
-
-/** Why a step is what it is, in words. */
-export function reasonWords(words: PlanWords, reason: StepReason): string {
-  const { because } = words.t;
-  switch (reason.kind) {
-    case "onlyTool":
-      return because.onlyTool;
-    case "onlyCycle":
-      return reason.cycle === null ? because.onlyPath : because.onlyCycle;
-    case "faster":
-      return because.faster(timeWords(words, reason.seconds), wayWords(words, reason.cycle, reason.tool));
-    case "equal":
-      return because.equal(wayWords(words, reason.cycle, reason.tool));
-    case "takesMore":
-      return because.takesMore(areaWords(words, reason.area), wayWords(words, reason.cycle, reason.tool));
-    case "sameTool":
-      return because.sameTool;
-    case "rule":
-      return because.rules[reason.rule];
-    case "rest":
-      return because.rest(reason.step + 1);
-    case "byHand":
-      return because.byHand;
-  }
-}
-
-const isFormula = (key: string): key is ValueFormula => Object.hasOwn(VALUE_FORMULAS, key);
-
-/** A value of a step: its name, the value, and the formula with its numbers. */
-export function valueWords(
-  { t, work, language }: PlanWords,
-  cycle: number | null,
-  { q, value, formula, inputs }: ReasonedValue,
-) {
-  const { number } = writer(language);
-  const names: Readonly<Record<string, string>> = t.values;
-  const param = cycle === null ? undefined : cycleByNumber(cycle)?.params[q];
-  const put = Object.entries(inputs).map(([name, n]) => `${name} = ${typeof n === "number" ? number(n) : n}`);
-  return {
-    name: names[q] ?? q,
-    label: param ? work.params[param.text as keyof PlanWords["work"]["params"]].label : "",
-    value: number(value),
-    formula: [isFormula(formula) ? VALUE_FORMULAS[formula] : formula, put.join(", ")].filter(Boolean).join("; "),
-  };
-}
 
 /** The smallest data of a missing tool, in words. */
 export function missingWords({ t, language }: PlanWords, tool: MissingTool): string {
