@@ -36,7 +36,7 @@ export interface TriedChange extends Achieved {
   readonly kind: "way" | "order";
 }
 
-/** A row with what the difference came to in the own program; empty where nothing differs or it could not be written. */
+/** A row with what the difference came to in the own program; empty where nothing differs or nothing could be written. */
 export interface PlanRow extends ComparedRow {
   readonly tried: readonly TriedChange[];
 }
@@ -157,8 +157,8 @@ function withOtherOrder({ rows, own, program }: Sides, row: ComparedRow): Progra
   return isRefused(moved) ? null : moved;
 }
 
-/** Whether the ways of a row differ in anything but their place. */
-export const differsInWay = ({ isSameTool, isSameCycle, own, other, longer }: ComparedRow, seconds: number): boolean =>
+/** Whether the ways of a row differ in anything but their place. `seconds`: time of the own operations. */
+const differsInWay = ({ isSameTool, isSameCycle, own, other, longer }: ComparedRow, seconds: number): boolean =>
   !isSameTool || !isSameCycle || own.length !== other.length || !isSameTime(seconds, seconds - longer);
 
 /**
@@ -180,8 +180,9 @@ export function* comparingPlans(
   const tried: PlanRow[] = [];
   for (const [i, row] of rows.entries()) {
     const seconds = row.own.reduce((sum, each) => sum + (own[each]?.seconds ?? 0), 0);
+    const isBegun = own.length > 0;
     const changes: readonly (readonly [TriedChange["kind"], Program | null])[] = [
-      ["way", differsInWay(row, seconds) ? withOtherWay(sides, row) : null],
+      ["way", isBegun && differsInWay(row, seconds) ? withOtherWay(sides, row) : null],
       ["order", row.moved ? withOtherOrder(sides, row) : null],
     ];
     const made: TriedChange[] = [];

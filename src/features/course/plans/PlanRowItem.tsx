@@ -5,6 +5,7 @@ import {
   type TriedChange,
 } from "../../../course/plans/plan-comparison.ts";
 import { formatNumber } from "../../../i18n/number.ts";
+import { isSameData } from "../../../app/base/same.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { areaWords, cycleWords, reasonWords, timeWords, valueWords } from "../../../app/calculation/plan-step-words.ts";
 import { toolName } from "./tool-name.ts";
@@ -61,6 +62,7 @@ function Tried({ words, comparison, goals, tried }: Omit<Props, "row"> & { reado
   const { achieved } = comparison.own;
   const better = betterOf(achieved, tried);
   const difference = tried.seconds - achieved.seconds;
+  const lost = tried.missed.filter((goal) => !achieved.missed.some((own) => isSameData(own, goal)));
   const sign = difference < 0 ? "−" : "+";
   return (
     <p className="plans-tried" data-better={better}>
@@ -75,9 +77,9 @@ function Tried({ words, comparison, goals, tried }: Omit<Props, "row"> & { reado
         {" · "}
         {tried.left < LEAST ? c.tried.clean : c.tried.left(areaWords(words, tried.left))}
       </span>
-      {tried.missed.length > 0 && (
+      {lost.length > 0 && (
         <span className="small plans-missed">
-          <Icon name="warning" /> {c.missed(goals(tried.missed))}
+          <Icon name="warning" /> {c.missed(goals(lost))}
         </span>
       )}
     </p>

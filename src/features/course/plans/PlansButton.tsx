@@ -25,7 +25,7 @@ export function PlansButton({ task, t }: { readonly task: Task; readonly t: Cour
       {!sure && (
         <button
           type="button"
-          className="button"
+          className="button plans-open"
           aria-haspopup={isKnown ? "dialog" : undefined}
           onClick={() => (isKnown ? setOpen(true) : ask(true))}
         >

@@ -17,6 +17,9 @@ import type { ComparisonWords } from "./plan-row-words.ts";
 import { useComparison } from "./use-comparison.ts";
 import "./plans.css";
 
+/** Most goals that are named; of more only the number is given. */
+const MOST_NAMED = 2;
+
 interface Props {
   readonly task: Task;
   readonly t: CourseTaskTexts;
@@ -36,8 +39,10 @@ export function PlansDialog({ task, t, done }: Props) {
   });
   const { now, again } = useComparison(task, text);
   const goals = useCallback(
-    (missed: Achieved["missed"]) =>
-      missed.map((goal) => goalText(t, work.page.effect.duration, language, goal)).join("; "),
+    (missed: Achieved["missed"]) => {
+      const named = missed.slice(0, MOST_NAMED).map((goal) => goalText(t, work.page.effect.duration, language, goal));
+      return [...named, ...(missed.length > MOST_NAMED ? [`+${missed.length - MOST_NAMED}`] : [])].join("; ");
+    },
     [t, work, language],
   );
   const status = (): string => {
@@ -125,7 +130,7 @@ function Compared({
         </tbody>
       </table>
       <p className="small soft">{c.withChanges(timeWords(words, USUAL_RULES.toolChange))}</p>
-      <h3 className="plans-title">{c.rows}</h3>
+      <h3>{c.rows}</h3>
       <ol className="plans-rows" aria-label={c.rows}>
         {comparison.rows.map((row, i) => (
           <PlanRowItem key={i} words={words} comparison={comparison} row={row} goals={goals} />
