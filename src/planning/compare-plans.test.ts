@@ -57,7 +57,7 @@ test.each<
     "threads by their stretch",
     [thread(0, -20), thread(-30, -40)],
     [thread(-30, -41), thread(2, -20)],
-    ["0~1 later", "1~0"],
+    ["0~1", "1~0 earlier"],
   ],
   ["a thread inside is another one", [thread(0, -20)], [thread(0, -20, true)], ["~0", "0~"]],
   ["a thread is no groove", [thread(0, -20)], [groove], ["~0", "0~"]],
