@@ -4,7 +4,7 @@ import type { Ring } from "../kernel/geometry/point.ts";
 import { LEAST_REGION } from "./open-regions.ts";
 
 /** The stretch of a thread along Z, mm, on one side of the part. Its grooves are no area. */
-export interface ThreadPlace {
+export interface ThreadStretch {
   readonly front: number;
   readonly rear: number;
   readonly isInside: boolean;
@@ -19,7 +19,7 @@ export interface ComparedOperation {
   readonly seconds: number;
   /** Stock that it took; empty for a thread. */
   readonly taken: readonly Ring[];
-  readonly thread: ThreadPlace | null;
+  readonly thread: ThreadStretch | null;
 }
 
 /** Operations of two plans that take the same stock: usually one of each, or none where only one plan has them. */

@@ -6,7 +6,7 @@ import type { Ring } from "../../kernel/geometry/point.ts";
 import { parse } from "../../nc/parse.ts";
 import { operationsOf } from "../../program/edits/operations.ts";
 import type { Operation, Run } from "../../program/state/run-types.ts";
-import type { ComparedOperation, ThreadPlace } from "../../planning/compare-plans.ts";
+import type { ComparedOperation, ThreadStretch } from "../../planning/compare-plans.ts";
 import { producedParts } from "../../sim/produced-parts.ts";
 import { simulateCuts } from "../../sim/simulate.ts";
 import type { Answer } from "../judge/judgement.ts";
@@ -43,7 +43,7 @@ function stockAfter({ run }: Answer, count: number): readonly Ring[] {
   return producedParts(simulateCuts({ ...run, steps: run.steps.slice(0, count), operations }));
 }
 
-function threadOf(operations: readonly Operation[]): ThreadPlace | null {
+function threadOf(operations: readonly Operation[]): ThreadStretch | null {
   const thread = operations.find(({ plan }) => plan.thread !== undefined);
   if (!thread) return null;
   const { left, right } = boxOf(thread.plan.contour.flatMap(({ from, to }) => [from, to]));
