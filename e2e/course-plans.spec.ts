@@ -15,7 +15,7 @@ const flange = JSON.parse(
 
 /** The planner needs some seconds, and shares the machine with other tests. */
 const PLANNED = { timeout: 90_000 };
-test.setTimeout(180_000);
+test.describe.configure({ timeout: 180_000 });
 
 test("a part from its drawing: wrong, right, and its plan beside the planner's", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
