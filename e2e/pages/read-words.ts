@@ -14,6 +14,7 @@ const NAMES = [
   "device",
   "handed",
   "machine",
+  "plan-comparison",
   "sheet",
   "tables",
   "tool-codes",

@@ -39,6 +39,7 @@ interface English {
   readonly output: typeof import("./en/output.ts");
   readonly part: typeof import("./en/part.ts");
   readonly plan: typeof import("./en/plan.ts");
+  readonly "plan-comparison": typeof import("./en/plan-comparison.ts");
   readonly "second-side": typeof import("./en/second-side.ts");
   readonly sheet: typeof import("./en/sheet.ts");
   readonly solid: typeof import("./en/solid.ts");

@@ -48,7 +48,7 @@ const orders = { newest: 0 };
 const nextTask = () => new Promise<void>((done) => setTimeout(done));
 
 /** What a part in its clamping is planned from. */
-function requestOf(order: PlanOrder, setup: WorkingPlan["setup"]): PlanRequest {
+export function requestOf(order: PlanOrder, setup: WorkingPlan["setup"]): PlanRequest {
   const { table, rapid, control, machine } = order.shop;
   return {
     ...setup,

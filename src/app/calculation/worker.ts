@@ -12,6 +12,7 @@ import type * as DrawingsPart from "./opened-drawing.ts";
 import type { Outcome } from "./outcome.ts";
 import type { PlayedCourse, PlaybackCanvas, StockPictures } from "./played.ts";
 import type { planOfPart, tryValues } from "./part-plan.ts";
+import type { comparedWithPlan } from "./plan-comparison.ts";
 import type { reported } from "./reported.ts";
 import { wireOutcomes } from "./wire.ts";
 
@@ -106,6 +107,8 @@ const served = {
   askDrawing: async (...asked: Parameters<Drawings["askDrawing"]>) => (await fetchDrawings()).askDrawing(...asked),
   planOfPart: async (...asked: Parameters<typeof planOfPart>) => (await fetchPlan()).planOfPart(...asked),
   tryValues: async (...asked: Parameters<typeof tryValues>) => (await fetchPlan()).tryValues(...asked),
+  comparePlan: async (...asked: Parameters<typeof comparedWithPlan>) =>
+    (await import("./plan-comparison.ts")).comparedWithPlan(...asked),
   stopPlanning: async () => (await fetchPlan()).stopPlanning(),
   reported: async (...asked: Parameters<typeof reported>) => (await import("./reported.ts")).reported(...asked),
 };

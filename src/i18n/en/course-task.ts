@@ -49,6 +49,10 @@ export const courseTask = {
   cancelShow: "Not yet",
   compare: "Compare with mine",
   openSolution: "Open as a new program",
+  comparePlan: "Compare with the planner",
+  showPlan: "Show the planner’s plan",
+  confirmPlan:
+    "The planner’s plan shows a whole way to make the part. The exercise then counts as passed with the solution shown.",
   solutionName: "Solution",
   learned: "What you learned",
   nextTask: (title: string) => `Next exercise: ${title}`,

@@ -47,6 +47,10 @@ export const courseTask = {
   cancelShow: "Pas encore",
   compare: "Comparer avec le mien",
   openSolution: "Ouvrir comme nouveau programme",
+  comparePlan: "Comparer avec la gamme calculée",
+  showPlan: "Montrer la gamme calculée",
+  confirmPlan:
+    "Cette gamme montre une façon complète de faire la pièce. L’exercice comptera comme réussi, solution montrée.",
   solutionName: "Solution",
   learned: "Ce que vous avez appris",
   nextTask: (title) => `Exercice suivant : ${title}`,

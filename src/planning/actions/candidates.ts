@@ -37,7 +37,11 @@ interface Fitted extends ToolFit {
   readonly values: Action["values"];
 }
 
-/** The job of a candidate with a tool; null where its values or its contour make no cut. */
+/** Issues with which no setter would run an operation: errors, and a recessing blade that has to cut sideways. */
+const isRefused = ({ issues }: Plan): boolean =>
+  issues.some(({ severity, code }) => severity === "error" || code === "toolCannotCutSideways");
+
+/** The job of a candidate with a tool; null where its values or its contour make no cut, or the tool breaks. */
 export function fitted(
   { cycle, job, cut }: Pick<Candidate, "cycle" | "job" | "cut">,
   tool: Tool,
@@ -45,7 +49,7 @@ export function fitted(
 ): Fitted | null {
   const valued = withValues(job, cycle, tool, cut, request);
   const plan = planOf(cycle, valued.job, tool, request.shop.memory);
-  if (!plan || plan.issues.some(({ severity }) => severity === "error")) return null;
+  if (!plan || isRefused(plan)) return null;
   const fit = fitOf(tool, plan);
   return fit.cuts ? { ...fit, ...valued, plan } : null;
 }

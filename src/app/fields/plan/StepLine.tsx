@@ -1,9 +1,9 @@
 import type { PlanStep } from "../../../planning/working-plan.ts";
-import { areaWords, cycleName, reasonWords, threadName, timeWords, type PlanWords } from "./plan-words.ts";
+import { areaWords, cycleName, reasonWords, threadName, timeWords, type StepWords } from "./plan-words.ts";
 import "./step-line.css";
 
 interface Props {
-  readonly words: PlanWords;
+  readonly words: StepWords;
   readonly step: Pick<PlanStep, "tried" | "seconds" | "why">;
   /** From 0. */
   readonly index: number;

@@ -20,20 +20,24 @@ import { unitOf } from "../dialog/write-value.ts";
 import { issueText } from "../../calculation/issue-text.ts";
 import { durationText } from "../../base/clock-text.ts";
 
-/** The words of the page: its own texts, those of the workplaces and of problems of a part, and the screen language. */
-export interface PlanWords {
+/** The words for operations of a plan: texts of plans and of the workplaces, and the screen language. */
+export interface StepWords {
   readonly t: PlanTexts;
   readonly work: Texts;
-  readonly problems: PartProblemTexts;
   readonly language: Language;
 }
 
-export const timeWords = ({ work, language }: PlanWords, seconds: number): string =>
+/** The words of the page: those for operations, and of problems of a part. */
+export interface PlanWords extends StepWords {
+  readonly problems: PartProblemTexts;
+}
+
+export const timeWords = ({ work, language }: StepWords, seconds: number): string =>
   durationText(work.page.effect.duration, language, seconds);
-export const areaWords = ({ language }: PlanWords, area: number): string => writer(language).area(area);
+export const areaWords = ({ language }: StepWords, area: number): string => writer(language).area(area);
 
 /** The cycle with its name, or path blocks. */
-export function cycleName({ t, work }: PlanWords, cycle: number | null): string {
+export function cycleName({ t, work }: StepWords, cycle: number | null): string {
   if (cycle === null) return t.steps.pathBlocks;
   const name = cycleByNumber(cycle) ? work.cycles.of[cycle as CycleNumber].name : "";
   return `${cycle} ${name}`.trim();
@@ -43,21 +47,21 @@ export function cycleName({ t, work }: PlanWords, cycle: number | null): string 
 export const threadName = (id: string): string => id.replace(/ -?[\d.]+$/, "");
 
 /** The same words for the sentences that the command has, too. */
-const writerOf = (words: PlanWords): PlanWriter => ({
+const writerOf = (words: StepWords): PlanWriter => ({
   t: words.t,
   language: words.language,
   time: (seconds) => timeWords(words, seconds),
 });
 
-export const actionWords = (words: PlanWords, { cycle, tool }: Action): string =>
+export const actionWords = (words: StepWords, { cycle, tool }: Action): string =>
   `${cycleName(words, cycle)}, ${words.t.steps.tool(String(tool.T), tool.NAME ?? "")}`;
 
 /** Why a step is what it is, in words. `own`: its action. */
-export const reasonWords = (words: PlanWords, reason: StepReason, own: Action): string =>
+export const reasonWords = (words: StepWords, reason: StepReason, own: Action): string =>
   planReasonText(writerOf(words), reason, own);
 
 /** Label and unit of a value that is no parameter of a cycle. */
-function placeWords({ t, work: { setup, dialog } }: PlanWords, { job }: Action, q: string): readonly [string, string] {
+function placeWords({ t, work: { setup, dialog } }: StepWords, { job }: Action, q: string): readonly [string, string] {
   const { spindle, start, units } = setup;
   switch (q) {
     case "speed":
@@ -76,7 +80,7 @@ function placeWords({ t, work: { setup, dialog } }: PlanWords, { job }: Action, 
 }
 
 /** A value of an operation in words: its name, unit and choices, and what was planned. */
-export function settableWords(words: PlanWords, action: Action, { q, value, planned }: SettableValue) {
+export function settableWords(words: StepWords, action: Action, { q, value, planned }: SettableValue) {
   const { t, work, language } = words;
   const param = action.cycle === null || action.cut ? undefined : cycleByNumber(action.cycle)?.params[q];
   const own = param && work.params[param.text as keyof Texts["params"]];
@@ -92,14 +96,14 @@ export function settableWords(words: PlanWords, action: Action, { q, value, plan
 }
 
 /** The smallest data of a missing tool, in words. */
-export const missingWords = (words: PlanWords, tool: MissingTool): string => missingToolText(writerOf(words), tool);
+export const missingWords = (words: StepWords, tool: MissingTool): string => missingToolText(writerOf(words), tool);
 
 /** Time of tool changes in a plan, s. The time of its program has them only where the machine data state one. */
 export const changeSeconds = ({ steps }: WorkingPlan): number =>
   steps.reduce((sum, { seconds, tried }) => sum + seconds - tried.seconds, 0);
 
 /** What a plan achieves, in a few words: the verdict is that of its whole program. */
-export const verdictWords = (words: PlanWords, plan: WorkingPlan): PlanVerdict => planVerdict(writerOf(words), plan);
+export const verdictWords = (words: StepWords, plan: WorkingPlan): PlanVerdict => planVerdict(writerOf(words), plan);
 
 /** A problem of a part in words; `numberOf`: the number of a row in its table. */
 export function problemWords(

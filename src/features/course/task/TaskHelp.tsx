@@ -8,6 +8,7 @@ import { startWork } from "../../../app/records/keep.ts";
 import { bundleOf, useEditor } from "../../../app/document/store.ts";
 import { onlyBundle } from "../../../app/document/work.ts";
 import { Paragraphs } from "../Paragraphs.tsx";
+import { PlansButton } from "../plans/PlansButton.tsx";
 import { noteHint, noteSolution, useTaskProgress } from "../../../app/records/course/progress.ts";
 
 /** Opens a block of the current program; a job of prompts has no blocks to open. */
@@ -74,6 +75,7 @@ export function TaskHelp({
             {t.showSolution}
           </button>
         )}
+        <PlansButton task={task} t={t} />
       </div>
       {isHeldBack && (
         <p id="hint-after-try" className="small soft">

@@ -15,6 +15,7 @@ import { useLearning, useTaskProgress } from "../../../app/records/course/progre
 import { setOfTask, useSavedSets } from "../../../app/records/course/saved-sets.ts";
 import { beginTaskOfCourse } from "../begin-task.ts";
 import { PassedBar } from "../PassedBar.tsx";
+import { PlansButton } from "../plans/PlansButton.tsx";
 import { StepLinks } from "../StepLinks.tsx";
 import { lessonsAround, useCoursePath, useNextStep } from "../use-course-path.ts";
 import { resumeOrStartTask, startTask } from "./begin.ts";
@@ -129,6 +130,7 @@ export function PassedLine({ task, t, words }: Props) {
       <div className="task-ways">
         {score !== undefined && <b>{t.score.of(String(score))}</b>}
         <NextStep task={task} t={t} />
+        <PlansButton task={task} t={t} />
         <PlayMade />
         {of && <PassedBar lessons={of.lessons} />}
       </div>
