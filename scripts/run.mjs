@@ -26,7 +26,16 @@ function fingerprint() {
     const { size, mtimeMs } = statSync(join(root, path));
     hash.update(`${path} ${size} ${mtimeMs}\n`);
   };
-  for (const folder of ["src", "scripts", "tests/laws", "tests/planning", "tests/better-ways", "tests/judge", "e2e/pages"]) walk(folder);
+  for (const folder of [
+    "src",
+    "scripts",
+    "tests/laws",
+    "tests/planning",
+    "tests/better-ways",
+    "tests/judge",
+    "e2e/pages",
+  ])
+    walk(folder);
   for (const file of ["package.json", "package-lock.json", "scripts/run.mjs", "scripts/bundle.mjs"]) note(file);
   return hash.digest("hex").slice(0, 16);
 }
