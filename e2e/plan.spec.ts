@@ -101,9 +101,11 @@ test("a part is planned, changed and opened by keyboard alone", async ({ page })
   const mark = (name: string) => page.getByRole("textbox", { name, exact: true });
 
   await enter(page.getByRole("link", { name: "Working plan from the part", exact: true }));
-  for (const [i, [x, z]] of [
+  for (const [i, [x, z, thread]] of [
     ["0", "0"],
     ["20", ""],
+    ["", "-20", "M20x1.5"],
+    ["18", ""],
     ["", "-25"],
     ["30", ""],
     ["", "-45"],
@@ -111,10 +113,9 @@ test("a part is planned, changed and opened by keyboard alone", async ({ page })
     await enter(contour.add, true);
     if (x) await type(contour.x(i + 1), x);
     if (z) await type(contour.z(i + 1), z);
+    if (thread) await type(mark(words.mark.thread), thread);
   }
   await type(mark(words.mark.tolerance), "h7");
-  await page.keyboard.press("Shift+Tab");
-  await type(mark(words.mark.thread), "");
   await enter(button(page, words.run.plan));
   await planned(page);
   await expectFocus(page);

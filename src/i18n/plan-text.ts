@@ -122,8 +122,13 @@ export function planVerdict({ t, language }: PlanWriter, plan: WorkingPlan): Pla
   const { area } = writer(language);
   const isProved = plan.judged.verdict === "proved" && plan.gouge <= 0.01;
   const bad = (text: string) => ({ text, isGood: false, isProved });
+  // The check finds damage behind the planned contour, too.
+  const damage = plan.judged.reasons.reduce(
+    (most, reason) => (reason.kind === "gouge" ? Math.max(most, reason.area) : most),
+    plan.gouge,
+  );
+  if (damage > 0.01) return bad(result.damage(area(damage)));
   if (plan.judged.verdict === "faults") return bad(result.faults);
-  if (plan.gouge > 0.01) return bad(result.damage(area(plan.gouge)));
   if (plan.steps.length === 0) return bad(t.run.none);
   if (plan.judged.verdict === "incomplete") return bad(result.unchecked);
   const open = plan.residue.filter(({ why }) => why !== "rear" && why !== "clamping");

@@ -10,7 +10,7 @@ import { emptyProgram } from "../program/job/empty-program.ts";
 import type { SetJob } from "../program/job/job.ts";
 import { runOn } from "../program/run/run.ts";
 import { verdictOf, type VerdictReason } from "../report/verdict.ts";
-import { simulateCuts } from "../sim/simulate.ts";
+import { simulate, simulateCuts } from "../sim/simulate.ts";
 import type { Simulation } from "../sim/simulation.ts";
 import { FINISHING, type Action, type PlanRequest, type PlanState, type TriedAction } from "./types.ts";
 
@@ -75,11 +75,16 @@ export function leftBy(
 /** Greatest oversize that a finishing cut takes with the ground of an undercut, mm. */
 const thickestOf = ({ rules }: PlanRequest): number => perSide(diameter(rules.allowance.diameter)) + THICKEST;
 
-/** Runs one action on the stock of a state. */
-export function runAction(action: Action, { stock }: Pick<PlanState, "stock">, request: PlanRequest) {
+/** Runs one action on the stock of a state. `isMeasured`: with all that is found in its passes, for one that is shown. */
+export function runAction(
+  action: Action,
+  { stock }: Pick<PlanState, "stock">,
+  request: PlanRequest,
+  isMeasured = false,
+) {
   const made = runOn(stock, withAction(parse(emptyProgram("PLAN", null)), action, request), request.shop);
   const input = { ...made, clamping: request.clamping, held: request.blank };
-  return { made, simulation: simulateCuts(input, thickestOf(request)) };
+  return { made, simulation: isMeasured ? simulate(input) : simulateCuts(input, thickestOf(request)) };
 }
 
 /**

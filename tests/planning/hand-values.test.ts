@@ -1,10 +1,12 @@
 import { describe, expect, test } from "vitest";
+import { tryValues } from "../../src/app/calculation/part-plan.ts";
 import { actionSources } from "../../src/planning/actions/index.ts";
 import { handValuesOf, settableValues, withHandValues } from "../../src/planning/hand-values.ts";
 import { boxAround } from "../../src/kernel/area/box.ts";
 import { intersection, union } from "../../src/kernel/area/clip.ts";
 import { at } from "../../src/kernel/geometry/point.ts";
 import type { Action, ActionKind, PlanRequest } from "../../src/planning/types.ts";
+import { builtInTools } from "../../src/program/iso-codes/usual-tools.ts";
 import { partOfTrade } from "./parts.ts";
 import { requestOf } from "./plan-laws.ts";
 
@@ -62,4 +64,34 @@ describe.each(CASES)("%s, %s", (name, kind, some) => {
   test("a value that it does not have changes nothing", () => {
     expect(withHandValues(action, { Q999: 1 })).toEqual(action);
   });
+});
+
+/** What an operation with such values takes, and what is said about it before they are applied. */
+const SAID = [
+  ["bush", "roughOutside", { Q463: 1 }, true, []],
+  ["bush", "roughOutside", { "start.x": 50 }, false, ["toolUnfit"]],
+] as const;
+
+test.each(SAID)("%s, %s with %o is previewed", (name, kind, values, cuts, codes) => {
+  const part = partOfTrade(name),
+    request = requestOf(part);
+  if (!request) throw new Error(name);
+  const { usualTools = [], withoutTools, withoutCycles, shop } = request;
+  const order = {
+    part,
+    usualTools,
+    withoutTools,
+    withoutCycles,
+    ncLanguage: "en",
+    shop: { table: builtInTools.table, rapid: shop.rapid, control: "TNC 640", machine: null },
+  } as const;
+  const { tried, issues } = tryValues(
+    order,
+    request,
+    intersection(request.blank, FACED),
+    firstAction(name, kind),
+    values,
+  );
+  expect(tried.cut > 1).toBe(cuts);
+  expect(issues.map(({ code }) => code)).toEqual(codes);
 });

@@ -105,8 +105,11 @@ export function tryValues(
 ): ValuesTried {
   const request = requestOf(order, setup),
     changed = withHandValues(action, values);
-  const ran = runAction(changed, { stock }, request);
-  const issues = [...ran.made.issues, ...stockIssues(ran.simulation)].map(({ issue }) => issue);
+  const ran = runAction(changed, { stock }, request, true);
+  // What it leaves is compared with the planned values, and is for a later operation.
+  const issues = [...ran.made.issues, ...stockIssues(ran.simulation)]
+    .map(({ issue }) => issue)
+    .filter(({ code }) => code !== "materialLeft");
   const of = (severity: AnyIssue["severity"]) => issues.filter((issue) => issue.severity === severity);
   return {
     tried: applyAction(changed, { stock }, request, ran),

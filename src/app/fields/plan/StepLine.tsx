@@ -21,9 +21,6 @@ export function StepLine({ words, step: { tried, seconds, why }, index }: Props)
         <span className="small soft">
           {cycleName(words, action.cycle)} · {t.steps.tool(String(action.tool.T), action.tool.NAME ?? "")}
         </span>
-        {why.length > 0 && (
-          <span className="small step-why">{why.map((reason) => reasonWords(words, reason, action)).join(" · ")}</span>
-        )}
       </span>
       <span className="step-takes">
         <b className="number">{timeWords(words, seconds)}</b>
@@ -33,6 +30,9 @@ export function StepLine({ words, step: { tried, seconds, why }, index }: Props)
             : t.steps.takes(areaWords(words, tried.cut))}
         </span>
       </span>
+      {why.length > 0 && (
+        <span className="small step-why">{why.map((reason) => reasonWords(words, reason, action)).join(" · ")}</span>
+      )}
     </span>
   );
 }

@@ -36,11 +36,10 @@ export const timeWords = ({ work, language }: StepWords, seconds: number): strin
   durationText(work.page.effect.duration, language, seconds);
 export const areaWords = ({ language }: StepWords, area: number): string => writer(language).area(area);
 
-/** The cycle with its name, or path blocks. */
+/** The cycle with its name, or path blocks; a drilling cycle of the control has a number only. */
 export function cycleName({ t, work }: StepWords, cycle: number | null): string {
   if (cycle === null) return t.steps.pathBlocks;
-  const name = cycleByNumber(cycle) ? work.cycles.of[cycle as CycleNumber].name : "";
-  return `${cycle} ${name}`.trim();
+  return cycleByNumber(cycle) ? `${cycle} ${work.cycles.of[cycle as CycleNumber].name}` : t.steps.cycle(String(cycle));
 }
 
 /** Designation of a thread, without the place that its name in a plan has behind it. */
