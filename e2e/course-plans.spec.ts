@@ -1,4 +1,5 @@
 import { readFileSync } from "node:fs";
+import { plan } from "../src/i18n/en/plan.ts";
 import { expectFineInBothThemes } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
@@ -49,8 +50,11 @@ test("a part from its drawing: wrong, right, and its plan beside the planner's",
   await rows.first().getByText(c.why, { exact: true }).click();
   await expect(rows.first().getByRole("table")).toContainText("Q463");
   await expectFineInBothThemes(page, "two plans side by side");
-  await page.keyboard.press("Escape");
+  // The better way opens as a program of its own, no longer as the exercise.
+  await rows.first().getByRole("button", { name: plan.result.open, exact: true }).press("Enter");
   await expect(dialog).toBeHidden();
+  await expect(task.panel).toBeHidden();
+  await expect(editor.text).toContainText(/BEARING_FLANGE.*TOOL CALL 1(?!5)/s);
 });
 
 test.describe("on a phone", () => {

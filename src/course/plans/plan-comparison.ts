@@ -34,6 +34,7 @@ export interface Achieved {
 export interface TriedChange extends Achieved {
   /** The way of the other plan in place of the own operations, or only its order. */
   readonly kind: "way" | "order";
+  readonly text: string;
 }
 
 /** A row with what the difference came to in the own program; empty where nothing differs or nothing could be written. */
@@ -189,7 +190,8 @@ export function* comparingPlans(
     for (const [kind, program] of changes) {
       if (!program) continue;
       yield i;
-      made.push({ kind, ...achievedBy(task, answerOf(print(program)), change) });
+      const text = print(program);
+      made.push({ kind, text, ...achievedBy(task, answerOf(text), change) });
     }
     tried.push({ ...row, tried: made });
   }

@@ -1,12 +1,21 @@
 import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 
+/** The least and the greatest value that a size allows, the drawn one included; mm, of a diameter as radii. */
+export type Limits = readonly [least: number, most: number];
+
 /**
  * What a size of a drawing measures: a diameter on its stretch of Z, a length from Z0, or a broken corner or the angle of
  * a cone with all its places. Part space, mm.
  */
 export type MeasuredFeature =
-  | { readonly kind: "diameter"; readonly r: number; readonly left: number; readonly right: number }
-  | { readonly kind: "length"; readonly z: number }
+  | {
+      readonly kind: "diameter";
+      readonly r: number;
+      readonly left: number;
+      readonly right: number;
+      readonly limits: Limits;
+    }
+  | { readonly kind: "length"; readonly z: number; readonly limits: Limits }
   | { readonly kind: "corner"; readonly size: number; readonly places: readonly Pt[] }
   | { readonly kind: "angle"; readonly degrees: number; readonly places: readonly Pt[] };
 
@@ -17,6 +26,9 @@ const NEAR = 0.05;
 
 export const isSameLength = (a: number, b: number): boolean => Math.abs(a - b) < ONE;
 
+/** Whether a value makes a size: a program often has the middle of the tolerance. */
+export const isWithin = ([least, most]: Limits, value: number): boolean => value > least - ONE && value < most + ONE;
+
 const overlaps = (s: Segment, left: number, right: number): boolean =>
   Math.max(s.from.z, s.to.z) > left - ONE && Math.min(s.from.z, s.to.z) < right + ONE;
 
@@ -24,10 +36,12 @@ function lies(feature: MeasuredFeature, s: Segment): boolean {
   switch (feature.kind) {
     case "diameter":
       return (
-        isSameLength(s.from.r, feature.r) && isSameLength(s.to.r, feature.r) && overlaps(s, feature.left, feature.right)
+        isWithin(feature.limits, s.from.r) &&
+        isWithin(feature.limits, s.to.r) &&
+        overlaps(s, feature.left, feature.right)
       );
     case "length":
-      return isSameLength(s.from.z, feature.z) && isSameLength(s.to.z, feature.z);
+      return isWithin(feature.limits, s.from.z) && isWithin(feature.limits, s.to.z);
     case "corner": {
       const middle = part.pointOn(s, 1 / 2);
       return feature.places.some((p) => part.apart(p, middle) < NEAR);
@@ -44,9 +58,9 @@ function lies(feature: MeasuredFeature, s: Segment): boolean {
 function isAt(feature: MeasuredFeature, p: Pt): boolean {
   switch (feature.kind) {
     case "diameter":
-      return isSameLength(p.r, feature.r) && p.z > feature.left - ONE && p.z < feature.right + ONE;
+      return isWithin(feature.limits, p.r) && p.z > feature.left - ONE && p.z < feature.right + ONE;
     case "length":
-      return isSameLength(p.z, feature.z);
+      return isWithin(feature.limits, p.z);
     case "corner":
     case "angle":
       return false;

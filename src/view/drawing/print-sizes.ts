@@ -1,6 +1,7 @@
 import { at, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
-import { diameter, type Diameter, toDiameter } from "../../kernel/units.ts";
+import { diameter, type Diameter, toDiameter, toRadius } from "../../kernel/units.ts";
 import { BESIDE, spanAt, type PrintThread } from "./body.ts";
+import type { Limits } from "./measured-feature.ts";
 import type { PrintSize } from "./paper.ts";
 import type { PrintCorner, PrintFeatures } from "./print-features.ts";
 
@@ -60,12 +61,18 @@ export interface Across {
   readonly isBore: boolean;
   readonly isBlank: boolean;
   readonly size: PrintSize;
+  readonly limits: Limits;
 }
 
 function toleranced(text: string, found: TolerancedSize | undefined, words: PrintWords): PrintSize {
   if (!found || (found.upper === 0 && found.lower === 0)) return { text };
   if (Math.abs(found.upper + found.lower) < ONE / 10) return { text: `${text}${words.both(found.upper)}` };
   return { text, upper: words.deviation(found.upper), lower: words.deviation(found.lower) };
+}
+
+function limitsOf(drawn: number, found: TolerancedSize | undefined, measured: (value: number) => number): Limits {
+  const all = [drawn, ...(found ? [found.lower, found.upper].map((by) => measured(found.nominal + by)) : [])];
+  return [Math.min(...all), Math.max(...all)];
 }
 
 const spelled = ({ text, upper = "", lower = "" }: PrintSize) => [text, upper, lower].join(" ");
@@ -92,8 +99,9 @@ export function diametersOf(work: PrintedPart, features: PrintFeatures, isBore: 
     const found = sizeAcross(work.sizes, kind, r, { left, right });
     if (follows && !found) continue;
     const size = toleranced(words.diameter(found ? diameter(found.nominal) : toDiameter(at(0, r).r)), found, words);
+    const limits = limitsOf(r, found, (value) => toRadius(diameter(value)));
     const same = made.find((m) => Math.abs(m.r - r) < ONE && spelled(m.size) === spelled(size));
-    if (!same) made.push({ r, left, right, isBore, isBlank: false, size });
+    if (!same) made.push({ r, left, right, isBore, isBlank: false, size, limits });
     else if (right > same.right) made[made.indexOf(same)] = { ...same, right, left };
   }
   return made;
@@ -137,7 +145,7 @@ export function positionsOf(
   words: PrintWords,
   end: number | null,
 ) {
-  const made: { from: Pt; size: PrintSize }[] = [];
+  const made: { from: Pt; size: PrintSize; limits: Limits }[] = [];
   const all = [
     ...features.flatMap(({ positions }) => positions),
     ...work.threads.flatMap((thread) => runOut(work.rings, thread)),
@@ -148,11 +156,12 @@ export function positionsOf(
     made.push({
       from: p,
       size: toleranced(words.length(Math.abs(found?.nominal ?? p.z)), found && outwards(found), words),
+      limits: limitsOf(p.z, found, (z) => z),
     });
   }
   const last = spanAt(work.rings, (end ?? 0) + BESIDE);
   if (end !== null && last && !made.some(({ from }) => Math.abs(from.z - end) < ONE))
-    made.push({ from: at(end, last.high), size: { text: `(${words.length(Math.abs(end))})` } });
+    made.push({ from: at(end, last.high), size: { text: `(${words.length(Math.abs(end))})` }, limits: [end, end] });
   return made;
 }
 

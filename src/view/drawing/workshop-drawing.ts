@@ -162,17 +162,9 @@ function laidOut(
     endsInside = work.bore.flatMap((each) => [each.from.z, each.to.z]);
   const ofBlank = (r: number, until: readonly number[], isBore: boolean): Across[] => {
     const right = Math.min(...until, blank.right);
+    const size = { text: `(${words.diameter(toDiameter(at(0, r).r))})` };
     return r > ONE && right > box.left + ONE
-      ? [
-          {
-            r,
-            left: box.left,
-            right,
-            isBore,
-            isBlank: true,
-            size: { text: `(${words.diameter(toDiameter(at(0, r).r))})` },
-          },
-        ]
+      ? [{ r, left: box.left, right, isBore, isBlank: true, size, limits: [r, r] }]
       : [];
   };
   const blankSize = [...ofBlank(blank.high, ends, false), ...ofBlank(blank.low, endsInside, true)];
@@ -230,19 +222,19 @@ function laidOut(
   const marks = surfaceMarks(work, outer, inner);
   for (const { at: p, most } of marks.single) addNote({ text: words.roughness(most) }, p, true);
 
-  for (const { size, r, isBore, isBlank, left: a, right: b } of across) {
+  for (const { size, r, limits, isBore, isBlank, left: a, right: b } of across) {
     const kind = isBore ? "bore" : "diameter";
     listed.push({
       kind: isBlank ? "blank" : kind,
       size,
       at: a === b ? [a] : [b, a],
-      measures: isBlank ? null : { kind: "diameter", r, left: a, right: b },
+      measures: isBlank ? null : { kind: "diameter", r, left: a, right: b, limits },
     });
   }
   for (const { thread, size } of threads)
     listed.push({ kind: "thread", size, at: [thread.from.z, thread.to.z], measures: null });
-  for (const { size, from: p } of positions)
-    listed.push({ kind: "length", size, at: [p.z], measures: { kind: "length", z: p.z } });
+  for (const { size, from: p, limits } of positions)
+    listed.push({ kind: "length", size, at: [p.z], measures: { kind: "length", z: p.z, limits } });
   for (const { corner, size, all } of corners)
     listed.push({
       kind: corner.kind,
@@ -280,7 +272,7 @@ function laidOut(
     ),
   );
   const lengthsOf = (
-    list: typeof positions,
+    list: readonly Pick<(typeof positions)[number], "from" | "size">[],
     axis: number,
     side: "below" | "above",
     clear: readonly (readonly Place[])[] = [],

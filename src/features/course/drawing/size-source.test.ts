@@ -47,6 +47,17 @@ describe("what makes a size of a drawing", () => {
     expect(sourcesIn(task, half).map(({ source }) => source?.q ?? null)).toEqual([null, "Q494"]);
   });
 
+  test.each([
+    ["27.99", "L Z-48"],
+    ["28", "L Z-48"],
+    ["27.96", null],
+  ])("⌀28 0/-0.021 is made by ⌀%s in: %s", (value, block) => {
+    const task = taskOf("l26-valve-spindle");
+    const lines = (task.solution ?? []).map((line) => line.replace("X+27.99 ", `X+${value} `));
+    const source = sourcesIn(task, lines).find(({ size }) => size === "⌀28")?.source ?? null;
+    expect(source && "line" in source.at ? lines[source.at.line - 1]?.replace(/^\d+ /, "") : null).toBe(block);
+  });
+
   test("the end of a cone follows from several values: the cycle as a whole", () => {
     const made = sourcesIn(taskOf("l06-taper-one-to-twelve")).find(({ size }) => size.startsWith("⌀48.625"))?.source;
     expect(made?.q).toBeNull();

@@ -4,12 +4,17 @@ import type { SomeValues } from "../../../cycles/effect.ts";
 import type { Param, Params } from "../../../cycles/params.ts";
 import { part, type Pt, type Segment } from "../../../kernel/geometry/point.ts";
 import { pathOf } from "../../../kernel/time/time.ts";
-import { axial, diameter, radius, toDiameter, toRadius } from "../../../kernel/units.ts";
+import { axial, diameter, radius, toRadius } from "../../../kernel/units.ts";
 import type { ContourRow } from "../../../program/job/job.ts";
 import { readRows } from "../../../program/job/contour-rows.ts";
 import { contourOf, type MoveSpan } from "../../../program/run/path-index.ts";
 import type { Run } from "../../../program/state/run-types.ts";
-import { isSameLength, measuredSegments, type MeasuredFeature } from "../../../view/drawing/measured-feature.ts";
+import {
+  isSameLength,
+  isWithin,
+  measuredSegments,
+  type MeasuredFeature,
+} from "../../../view/drawing/measured-feature.ts";
 
 /** Where a program states a size of a drawing: a value of a cycle, or a block of a contour or of a path. */
 export interface SizeSource {
@@ -27,9 +32,9 @@ const valueOf = (values: SomeValues, q: string): number | null => {
 function states(feature: MeasuredFeature, param: Param, value: number, values: SomeValues): boolean {
   switch (feature.kind) {
     case "diameter":
-      return isPosition(param) && param.kind === "diameter" && isSameLength(value, toDiameter(radius(feature.r)));
+      return isPosition(param) && param.kind === "diameter" && isWithin(feature.limits, toRadius(diameter(value)));
     case "length":
-      return isPosition(param) && param.kind === "axial" && isSameLength(value, feature.z);
+      return isPosition(param) && param.kind === "axial" && isWithin(feature.limits, value);
     case "corner": {
       const isElement = param.sizes !== undefined && valueOf(values, param.sizes) !== 0;
       return (isElement || param.rounds) && isSameLength(value, feature.size);

@@ -9,6 +9,9 @@ import { isSameData } from "../../../app/base/same.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { areaWords, cycleName, reasonWords, settableWords, timeWords } from "../../../app/fields/plan/plan-words.ts";
 import { ValueReason } from "../../../app/fields/said/ValueReason.tsx";
+import { openText } from "../../../app/fields/open/open-program.ts";
+import { setMaterial } from "../../../app/document/edits.ts";
+import { presentProgram } from "../../../app/fields/compare/sides.ts";
 import { toolName } from "./tool-name.ts";
 import { differenceWords, otherValues, sidesOf, type ComparisonWords } from "./plan-row-words.ts";
 
@@ -45,7 +48,7 @@ function Side({
       {shown.map(({ number, cycle, tool, seconds, takes }) => (
         <p key={number}>
           <span className="plans-way">
-            {c.number(number)}: {cycleName(words, cycle)}
+            {c.number(number)} · {cycleName(words, cycle)}
           </span>
           <span className="small soft">{toolName(words, tool)}</span>
           <span className="small">
@@ -57,16 +60,23 @@ function Side({
   );
 }
 
+/** Opens a trial as a program of its own, with the tools and the material of the learner's. */
+function openTried(text: string): void {
+  const present = presentProgram();
+  openText(text, present ?? {});
+  if (present?.material !== undefined) setMaterial(present.material);
+}
+
 /** A trial in the own program: what the whole part then takes, leaves and meets. */
 function Tried({ words, comparison, goals, tried }: Omit<Props, "row"> & { readonly tried: TriedChange }) {
-  const { c } = words;
+  const { c, t } = words;
   const { achieved } = comparison.own;
   const better = betterOf(achieved, tried);
   const difference = tried.seconds - achieved.seconds;
   const lost = tried.missed.filter((goal) => !achieved.missed.some((own) => isSameData(own, goal)));
   const sign = difference < 0 ? "−" : "+";
   return (
-    <p className="plans-tried" data-better={better}>
+    <div className="plans-tried" data-better={better}>
       <span className="small soft">{c.tried[tried.kind]}</span>
       <b>
         <Icon name={better === "same" ? "info" : "check"} /> {c.tried.better[better]}
@@ -83,7 +93,12 @@ function Tried({ words, comparison, goals, tried }: Omit<Props, "row"> & { reado
           <Icon name="warning" /> {c.missed(goals(lost))}
         </span>
       )}
-    </p>
+      {better === "other" && (
+        <button type="button" className="button" onClick={() => openTried(tried.text)}>
+          {t.result.open}
+        </button>
+      )}
+    </div>
   );
 }
 

@@ -41,7 +41,7 @@ export function PlansDialog({ task, t, done }: Props) {
   const goals = useCallback(
     (missed: Achieved["missed"]) => {
       const named = missed.slice(0, MOST_NAMED).map((goal) => goalText(t, work.page.effect.duration, language, goal));
-      return [...named, ...(missed.length > MOST_NAMED ? [`+${missed.length - MOST_NAMED}`] : [])].join("; ");
+      return [...named, ...(missed.length > MOST_NAMED ? [`+${missed.length - MOST_NAMED}`] : [])].join(" · ");
     },
     [t, work, language],
   );
