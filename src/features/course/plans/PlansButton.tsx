@@ -3,7 +3,8 @@ import { shownHelp } from "../../../course/progress.ts";
 import type { Task } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import { lazyPart } from "../../../app/base/parts.ts";
-import { noteSolution, useTaskProgress } from "../../../app/records/course/progress.ts";
+import { useTaskProgress } from "../../../app/records/course/progress.ts";
+import { SureToShow } from "../task/SureToShow.tsx";
 
 const PlansDialog = lazyPart(async () => ({ default: (await import("./PlansDialog.tsx")).PlansDialog }));
 
@@ -33,25 +34,14 @@ export function PlansButton({ task, t }: { readonly task: Task; readonly t: Cour
         </button>
       )}
       {sure && (
-        <div className="task-sure" role="group" aria-label={t.showPlan}>
-          <p>{t.confirmPlan}</p>
-          <div className="task-ways">
-            <button
-              type="button"
-              className="button primary"
-              onClick={() => {
-                noteSolution(task.id);
-                ask(false);
-                setOpen(true);
-              }}
-            >
-              {t.confirmShow}
-            </button>
-            <button type="button" className="button" autoFocus onClick={() => ask(false)}>
-              {t.cancelShow}
-            </button>
-          </div>
-        </div>
+        <SureToShow
+          id={task.id}
+          t={t}
+          label={t.showPlan}
+          question={t.confirmPlan}
+          show={() => setOpen(true)}
+          done={() => ask(false)}
+        />
       )}
       {open && (
         <Suspense>

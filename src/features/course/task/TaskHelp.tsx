@@ -9,7 +9,8 @@ import { bundleOf, useEditor } from "../../../app/document/store.ts";
 import { onlyBundle } from "../../../app/document/work.ts";
 import { Paragraphs } from "../Paragraphs.tsx";
 import { PlansButton } from "../plans/PlansButton.tsx";
-import { noteHint, noteSolution, useTaskProgress } from "../../../app/records/course/progress.ts";
+import { noteHint, useTaskProgress } from "../../../app/records/course/progress.ts";
+import { SureToShow } from "./SureToShow.tsx";
 
 /** Opens a block of the current program; a job of prompts has no blocks to open. */
 async function showBlock(_file: string | null, _index: number, number: number): Promise<void> {
@@ -83,25 +84,14 @@ export function TaskHelp({
         </p>
       )}
       {sure && (
-        <div className="task-sure" role="group" aria-label={t.showSolution}>
-          <p>{t.confirmSolution}</p>
-          <div className="task-ways">
-            <button
-              type="button"
-              className="button primary"
-              onClick={() => {
-                noteSolution(task.id);
-                ask(false);
-                setOpen(true);
-              }}
-            >
-              {t.confirmShow}
-            </button>
-            <button type="button" className="button" autoFocus onClick={() => ask(false)}>
-              {t.cancelShow}
-            </button>
-          </div>
-        </div>
+        <SureToShow
+          id={task.id}
+          t={t}
+          label={t.showSolution}
+          question={t.confirmSolution}
+          show={() => setOpen(true)}
+          done={() => ask(false)}
+        />
       )}
       {open && text !== undefined && (
         <div className="task-solution">
