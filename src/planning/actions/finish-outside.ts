@@ -60,6 +60,7 @@ function finishings(work: OutsideWork, stock: readonly Ring[], request: PlanRequ
         const chain = withoutFront(
           turnedChain(
             work,
+            tool,
             (segments) => fitted({ cycle, cut, job: jobOf({ segments, marks: [] }) }, tool, request)?.plan ?? null,
             worksAcross(cycle),
           ),

@@ -53,6 +53,7 @@ function roughings(work: OutsideWork, piece: Piece, { stock, tools, request }: A
     const into = tools.flatMap((tool) => {
       const chain = turnedChain(
         work,
+        tool,
         (segments) => fitted({ cycle, cut, job: jobOf({ segments, marks: [] }, 1) }, tool, request)?.plan ?? null,
         across,
       );
