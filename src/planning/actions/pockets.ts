@@ -133,7 +133,12 @@ function bridgesOver({ segments }: Chain, pockets: readonly Pocket[]): readonly 
     if (!from || !to || (bridge && last < bridge.last)) continue;
     const [shared, end] = [segments[first]?.to, bridge?.points.at(-1)];
     const isBehind = shared && end && part.apart(from, shared) > part.apart(end, shared) + SAME;
-    if (bridge && before && before.axis !== pocket.axis && (first < bridge.last || (first === bridge.last && isBehind))) {
+    if (
+      bridge &&
+      before &&
+      before.axis !== pocket.axis &&
+      (first < bridge.last || (first === bridge.last && isBehind))
+    ) {
       const [r, z] = pocket.axis === "z" ? [before, pocket] : [pocket, before];
       const points = [...bridge.points.slice(0, -1), at(z.level, r.level), to];
       bridges[bridges.length - 1] = { first: bridge.first, last, points };
