@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { isValley, pocketsOf } from "../../src/planning/actions/pockets.ts";
+import { bridgedOver, isValley, pocketsOf } from "../../src/planning/actions/pockets.ts";
 import type { PlanRequest } from "../../src/planning/types.ts";
 import type { WorkingPlan } from "../../src/planning/working-plan.ts";
 import { partOfTrade } from "./parts.ts";
@@ -26,6 +26,14 @@ describe("grooves and valleys of a part, by their mouth", () => {
     });
     expect(found).toEqual(expected);
   });
+});
+
+test("the ways over the two pockets of an undercut F meet in the corner that it undercuts", () => {
+  const { outside } = of("bearing-seat").part;
+  const bridged = bridgedOver(outside, [...pocketsOf(outside, "r"), ...pocketsOf(outside, "z")]);
+  const ends = bridged.segments.map(({ to }) => `${to.z.toFixed(1)} ${to.r.toFixed(1)}`);
+  expect(ends).toContain("-24.0 17.5");
+  expect(bridged.segments.every(({ from }, i) => i === 0 || from === bridged.segments[i - 1]?.to)).toBe(true);
 });
 
 /** What is left, in a line each: why, and the smallest data of the tool. */
