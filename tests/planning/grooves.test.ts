@@ -1,9 +1,9 @@
 import { describe, expect, test } from "vitest";
-import { isValley, pocketsOf } from "../../src/planning/actions/pockets.ts";
+import { bridgedOver, isValley, pocketsOf } from "../../src/planning/actions/pockets.ts";
 import type { PlanRequest } from "../../src/planning/types.ts";
 import type { WorkingPlan } from "../../src/planning/working-plan.ts";
 import { partOfTrade } from "./parts.ts";
-import { planOf, requestOf } from "./plan-laws.ts";
+import { planOf, requestOf, withOwnTools } from "./plan-laws.ts";
 
 const of = (name: string): PlanRequest => {
   const request = requestOf(partOfTrade(name));
@@ -28,6 +28,14 @@ describe("grooves and valleys of a part, by their mouth", () => {
   });
 });
 
+test("the ways over the two pockets of an undercut F meet in the corner that it undercuts", () => {
+  const { outside } = of("bearing-seat").part;
+  const bridged = bridgedOver(outside, [...pocketsOf(outside, "r"), ...pocketsOf(outside, "z")]);
+  const ends = bridged.segments.map(({ to }) => `${to.z.toFixed(1)} ${to.r.toFixed(1)}`);
+  expect(ends).toContain("-24.0 17.5");
+  expect(bridged.segments.every(({ from }, i) => i === 0 || from === bridged.segments[i - 1]?.to)).toBe(true);
+});
+
 /** What is left, in a line each: why, and the smallest data of the tool. */
 const leftOf = ({ residue }: WorkingPlan) => residue.map(({ why, missing }) => ({ why, ...missing }));
 
@@ -41,11 +49,11 @@ describe("what is left names its tool", () => {
       ],
     ],
     ["pulley", [{ why: "tool", form: "recessing", site: "outside", leastDepth: 40 }]],
-  ])("%s", (name, expected) => expect(leftOf(planOf(of(name)))).toEqual(expected));
+  ])("%s", (name, expected) => expect(leftOf(planOf(withOwnTools(of(name))))).toEqual(expected));
 });
 
 test("a bored part is parted off through its wall, with what is not made before", () => {
-  const { steps, residue } = planOf(of("piston"));
+  const { steps, residue } = planOf(withOwnTools(of("piston")));
   const last = steps.at(-1);
   expect(last?.tried.action.kind).toBe("partOff");
   expect(last?.why).toContainEqual({ kind: "unfinished", area: expect.closeTo(34, 0) as number, threads: [] });
@@ -54,7 +62,7 @@ test("a bored part is parted off through its wall, with what is not made before"
 });
 
 test("the second clamping states its jaws, calls its own tools, and cuts the thread of its side", () => {
-  const plan = planOf(of("nozzle"));
+  const plan = planOf(withOwnTools(of("nozzle")));
   const { second } = plan;
   if (!second) throw new Error("no second clamping");
   expect(second.judged.verdict).toBe("proved");

@@ -7,7 +7,7 @@ import { Trade } from "../../src/planning/trade-rules.ts";
 import type { PlanRequest, PlanState } from "../../src/planning/types.ts";
 import { partByHand, PROGRAMMED_BY_HAND } from "./by-hand.ts";
 import { partOfTrade } from "./parts.ts";
-import { planOf, requestOf } from "./plan-laws.ts";
+import { planOf, requestOf, withOwnTools } from "./plan-laws.ts";
 
 const request = (part: FinishedPart): PlanRequest => {
   const made = requestOf(part);
@@ -70,7 +70,7 @@ test("inserts for finishing may rough, at the price of their wear", () => {
 });
 
 test("a hollow in a face is offered to inserts that reach it, for roughing and finishing", () => {
-  const asked = request(taught("l12-820-contour"));
+  const asked = withOwnTools(request(taught("l12-820-contour")));
   const state = blankOf(asked);
   const toolsInto = [roughOutside, finishOutside].map((source) => {
     const actions = source.actions(state, asked);

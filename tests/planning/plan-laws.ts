@@ -35,6 +35,12 @@ export function requestOf(file: FinishedPart): PlanRequest | null {
   );
 }
 
+/** The same with the operator's own tools only, without the usual ones that the table lacks. */
+export function withOwnTools(request: PlanRequest): PlanRequest {
+  const { shop, usualTools = [] } = request;
+  return { ...request, shop: { ...shop, tools: shop.tools.filter(({ T }) => !usualTools.includes(T)) } };
+}
+
 /** A search to its end. */
 export function planOf(request: PlanRequest, changes: PlanChanges = {}): WorkingPlan {
   const search = planning(request, changes);

@@ -5,7 +5,7 @@ import { handValuesOf } from "../../src/planning/hand-values.ts";
 import type { PlanRequest } from "../../src/planning/types.ts";
 import { arbitraryParts } from "./arbitrary-part.ts";
 import { partOfTrade } from "./parts.ts";
-import { brokenByPart, keysOf, planOf, requestOf } from "./plan-laws.ts";
+import { brokenByPart, keysOf, planOf, requestOf, withOwnTools } from "./plan-laws.ts";
 
 const of = (name: string): PlanRequest => {
   const request = requestOf(partOfTrade(name));
@@ -73,10 +73,7 @@ describe("a plan that exists", () => {
 
 test("what is left says which tool is missing, or what is excluded", () => {
   const request = of("bush");
-  const own = request.shop.tools.filter(({ T }) => !request.usualTools?.includes(T));
-  const bore = planOf({ ...request, shop: { ...request.shop, tools: own } }).residue.find(
-    ({ site }) => site === "inside",
-  );
+  const bore = planOf(withOwnTools(request)).residue.find(({ site }) => site === "inside");
   expect(bore).toMatchObject({ why: "tool", missing: { site: "inside", mostDiameter: expect.any(Number) as number } });
   const thread = of("bolt");
   const tools = thread.shop.tools.filter(({ TYPE }) => TYPE === "THREAD").map(({ T }) => T);

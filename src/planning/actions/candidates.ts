@@ -69,9 +69,23 @@ export function ranked<T extends ToolFit>(fits: readonly T[], better: Better): r
   );
 }
 
-/** Those first whose contour has the most elements: it goes into more of the grooves. */
-export const deepest = <T extends { readonly goesInto: number }>(fits: readonly T[]): readonly T[] =>
-  fits.toSorted((a, b) => b.goesInto - a.goesInto);
+/**
+ * At most `most` of the operator's own tools, those first whose contour has the most elements: it goes into more of the
+ * grooves. Behind them the usual tools that the table lacks, where they go deeper or none of these makes its contour.
+ */
+export function deepest<T extends ToolFit & { readonly goesInto: number }>(
+  fits: readonly T[],
+  most: number,
+  { usualTools = [] }: PlanRequest,
+  better: Better = () => 0,
+): readonly T[] {
+  const all = ranked(fits, better).toSorted((a, b) => b.goesInto - a.goesInto);
+  const own = all.filter(({ tool }) => !usualTools.includes(tool.T)).slice(0, most);
+  const made = Math.max(0, ...own.map(({ makesContour, goesInto }) => (makesContour ? goesInto : 0)));
+  const usual = all.filter(({ tool, goesInto }) => usualTools.includes(tool.T) && goesInto > made);
+  return [...own, ...usual.slice(0, most)];
+}
+
 /**
  * What `fit` makes of tools, at most `most` of the best: the operator's own first, the usual ones that the table lacks only
  * where none of these makes the whole contour. Usual tools are in the order in which the trade takes them.

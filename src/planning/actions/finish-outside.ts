@@ -4,7 +4,7 @@ import { part, type Ring } from "../../kernel/geometry/point.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
 import { withValue } from "../../program/job/requested-job.ts";
 import type { Action, ActionSource, Chain, PlanRequest } from "../types.ts";
-import { actionOf, fitted, notDone, ranked, toolsOf, deepest } from "./candidates.ts";
+import { actionOf, fitted, notDone, toolsOf, deepest } from "./candidates.ts";
 import { contourJob } from "./contour-job.ts";
 import { finestOf } from "./finest.ts";
 import { sectionWorks } from "./rest-rough.ts";
@@ -60,6 +60,7 @@ function finishings(work: OutsideWork, stock: readonly Ring[], request: PlanRequ
         const chain = withoutFront(
           turnedChain(
             work,
+            tool,
             (segments) => fitted({ cycle, cut, job: jobOf({ segments, marks: [] }) }, tool, request)?.plan ?? null,
             worksAcross(cycle),
           ),
@@ -67,8 +68,8 @@ function finishings(work: OutsideWork, stock: readonly Ring[], request: PlanRequ
         const fit = chain.segments.length > 0 && fitted({ cycle, cut, job: jobOf(chain) }, tool, request);
         return fit ? { ...fit, goesInto: chain.segments.length } : [];
       });
-      return deepest(ranked(fits, better))
-        .slice(0, MOST)
-        .map(({ tool, job, values }) => actionOf(candidate, tool, job, values));
+      return deepest(fits, MOST, request, better).map(({ tool, job, values }) =>
+        actionOf(candidate, tool, job, values),
+      );
     });
 }

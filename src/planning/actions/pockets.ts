@@ -1,4 +1,4 @@
-import { at, part, type Segment } from "../../kernel/geometry/point.ts";
+import { at, part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { CHORD, SAME } from "../../kernel/tolerance.ts";
 import { radians } from "../../kernel/units.ts";
 import type { Chain, ElementMark } from "../types.ts";
@@ -114,6 +114,40 @@ function below(s: Segment, axis: Pocket["axis"], level: number, keep: "from" | "
   return crossing ? { ...s, [other]: crossing } : s;
 }
 
+/** A way over pockets that overlap, from the mouth of the first to that of the last. */
+interface Bridge extends Pick<Pocket, "first" | "last"> {
+  readonly points: readonly Pt[];
+}
+
+/**
+ * The ways over pockets, from the front to the rear. An undercut of form F is two pockets, in the cylinder and in the
+ * face, that overlap: their mouths meet in the corner that it undercuts.
+ */
+function bridgesOver({ segments }: Chain, pockets: readonly Pocket[]): readonly Bridge[] {
+  const bridges: Bridge[] = [];
+  let before: Pocket | null = null;
+  for (const pocket of pockets.toSorted((a, b) => a.first - b.first || b.last - a.last)) {
+    const { first, last, segments: own } = pocket;
+    const [from, to] = [own[0]?.from, own.at(-1)?.to];
+    const bridge = bridges.at(-1);
+    if (!from || !to || (bridge && last < bridge.last)) continue;
+    const [shared, end] = [segments[first]?.to, bridge?.points.at(-1)];
+    const isBehind = shared && end && part.apart(from, shared) > part.apart(end, shared) + SAME;
+    if (
+      bridge &&
+      before &&
+      before.axis !== pocket.axis &&
+      (first < bridge.last || (first === bridge.last && isBehind))
+    ) {
+      const [r, z] = pocket.axis === "z" ? [before, pocket] : [pocket, before];
+      const points = [...bridge.points.slice(0, -1), at(z.level, r.level), to];
+      bridges[bridges.length - 1] = { first: bridge.first, last, points };
+    } else bridges.push({ first, last, points: [from, to] });
+    before = pocket;
+  }
+  return bridges;
+}
+
 /** A chain with straight lines over some of its pockets. */
 export function bridgedOver(chain: Chain, pockets: readonly Pocket[]): Chain {
   const segments: Segment[] = [];
@@ -123,17 +157,16 @@ export function bridgedOver(chain: Chain, pockets: readonly Pocket[]): Chain {
     segments.push(s);
     marks.push(mark);
   };
+  const bridges = bridgesOver(chain, pockets);
   chain.segments.forEach((s, i) => {
     const mark = chain.marks[i] ?? { row: "" };
-    const starts = pockets.find(({ first }) => first === i);
-    const ends = pockets.find(({ last }) => last === i);
-    if (pockets.some(({ first, last }) => first < i && i < last)) return;
-    const begin = ends?.segments.at(-1)?.to ?? s.from;
-    const end = starts?.segments[0]?.from ?? s.to;
-    const bridge = () => {
-      const to = starts?.segments.at(-1)?.to;
-      if (to) add(part.line(end, to), { row: "" });
-    };
+    const starts = bridges.find(({ first }) => first === i);
+    const ends = bridges.find(({ last }) => last === i);
+    if (bridges.some(({ first, last }) => first < i && i < last)) return;
+    const begin = ends?.points.at(-1) ?? s.from;
+    const end = starts?.points[0] ?? s.to;
+    const bridge = () =>
+      starts?.points.slice(1).forEach((to, n) => add(part.line(starts.points[n] ?? end, to), { row: "" }));
     if (starts !== undefined && starts === ends) {
       add({ ...s, to: end }, mark);
       bridge();

@@ -3,7 +3,7 @@ import type { Tool } from "../../kernel/plan/tool.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
 import { withValue } from "../../program/job/requested-job.ts";
 import type { Action, ActionSource, Chain, PlanRequest } from "../types.ts";
-import { actionOf, actionsOf, fitted, notDone, ranked, toolsOf, deepest } from "./candidates.ts";
+import { actionOf, actionsOf, fitted, notDone, toolsOf, deepest } from "./candidates.ts";
 import { contourJob } from "./contour-job.ts";
 import { outsideWork, workUpTo, type OutsideWork, type Piece } from "./outside-work.ts";
 import { bridgedOver } from "./pockets.ts";
@@ -53,6 +53,7 @@ function roughings(work: OutsideWork, piece: Piece, { stock, tools, request }: A
     const into = tools.flatMap((tool) => {
       const chain = turnedChain(
         work,
+        tool,
         (segments) => fitted({ cycle, cut, job: jobOf({ segments, marks: [] }, 1) }, tool, request)?.plan ?? null,
         across,
       );
@@ -60,9 +61,9 @@ function roughings(work: OutsideWork, piece: Piece, { stock, tools, request }: A
       const fit = fitted({ cycle, cut, job: jobOf(chain, 1) }, tool, request);
       return fit ? { ...fit, goesInto: chain.segments.length } : [];
     });
-    const made = deepest(ranked(into, () => 0))
-      .slice(0, MOST)
-      .map(({ tool, job, values }) => actionOf({ ...candidate, variant: "in" }, tool, job, values));
+    const made = deepest(into, MOST, request).map(({ tool, job, values }) =>
+      actionOf({ ...candidate, variant: "in" }, tool, job, values),
+    );
     // Going over its grooves first is no gain for a tool that goes into them.
     const alone = over.filter(({ tool }) => !made.some((inside) => inside.tool.T === tool.T));
     return [...(alone.length > 0 ? alone : over.slice(0, 1)), ...made];

@@ -1,9 +1,10 @@
 import type { Cycle } from "../../cycles/define.ts";
 import type { ShapeRequest } from "../../cycles/shape-request.ts";
 import type { Plan } from "../../kernel/plan/plan.ts";
-import type { Segment } from "../../kernel/geometry/point.ts";
-import { SAME } from "../../kernel/tolerance.ts";
+import { part, type Segment } from "../../kernel/geometry/point.ts";
+import { CHORD, SAME } from "../../kernel/tolerance.ts";
 import { toDiameter, radius } from "../../kernel/units.ts";
+import { tipOffset } from "../../kernel/cutter/insert.ts";
 import { boxAroundContour } from "../../program/job/requested-shape.ts";
 import { cyclesFor } from "../../report/which/ways.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
@@ -53,11 +54,35 @@ function missed({ reach }: Plan, { segments, axis }: Pocket): number {
   return reach.reduce((sum, part) => sum + (BY_TOOL.has(part.reason) ? over(part) : 0), 0) / width;
 }
 
+/** Area between the mouth of a pocket and a path that is `shift` mm behind its points, mm². */
+function areaUnder({ segments, level, axis }: Pocket, path: readonly Segment[], shift = 0): number {
+  const along = axis === "r" ? "z" : "r";
+  const ends = [segments[0]?.from[along] ?? 0, segments.at(-1)?.to[along] ?? 0];
+  const within = (at: number) => Math.min(Math.max(...ends), Math.max(Math.min(...ends), at + shift));
+  const points = part.flattenedChain(path, CHORD);
+  return points.slice(1).reduce((sum, to, i) => {
+    const from = points[i] ?? to;
+    return sum + Math.abs(within(to[along]) - within(from[along])) * Math.max(0, level - (from[axis] + to[axis]) / 2);
+  }, 0);
+}
+
+/** Share of a hollow of a face that the nose of a tool has to reach for the tool to be sent into it. */
+const LEAST_REACHED = 0.6;
+
+/** Whether a tool reaches enough of a hollow of a face to be sent into it: a narrow groove is left to blades. */
+function reaches({ reach }: Plan, tool: Tool, hollow: Pocket): boolean {
+  const shift = -tipOffset(tool).v;
+  const reached = reach.reduce((sum, { path }) => sum + areaUnder(hollow, [path], shift), 0);
+  return reached > LEAST_REACHED * areaUnder(hollow, hollow.segments);
+}
+
+/** Whether a tool is sent into a pocket. */
+const suits = (plan: Plan, tool: Tool, pocket: Pocket): boolean =>
+  pocket.axis === "z" ? reaches(plan, tool, pocket) : isValley(pocket) && missed(plan, pocket) <= MOST_MISSED;
+
 /** The pockets that a tool is not sent into: it would not reach most of them. */
-const unsuited = (plan: Plan, pockets: readonly Pocket[]): readonly Pocket[] =>
-  pockets.flatMap((pocket) =>
-    !isValley(pocket) || missed(plan, pocket) > MOST_MISSED ? [pocket] : unsuited(plan, pocket.inner),
-  );
+const unsuited = (plan: Plan, tool: Tool, pockets: readonly Pocket[]): readonly Pocket[] =>
+  pockets.flatMap((pocket) => (suits(plan, tool, pocket) ? unsuited(plan, tool, pocket.inner) : [pocket]));
 
 /** The chain of a work over some of its pockets, the same object each time. */
 function bridgedIn(work: OutsideWork, pockets: readonly Pocket[], isAcross: boolean): Chain {
@@ -79,6 +104,7 @@ const bridgedWorks = new WeakMap<OutsideWork, Map<string, Chain>>();
  */
 export function turnedChain(
   work: OutsideWork,
+  tool: Tool,
   planWith: (segments: readonly Segment[]) => Plan | null,
   isAcross = false,
 ): Chain {
@@ -90,7 +116,7 @@ export function turnedChain(
   const open = own.filter((pocket) => !done.includes(pocket));
   if (open.length === 0) return plain;
   const plan = planWith(plain.segments);
-  const skipped = plan ? unsuited(plan, open) : open;
+  const skipped = plan ? unsuited(plan, tool, open) : open;
   return skipped.length === 0 ? plain : bridgedIn(work, [...closed, ...skipped], isAcross);
 }
 
