@@ -25,7 +25,8 @@ const halfTurns = (degrees: number) => 180 - ((((180 - degrees) % 360) + 360) % 
 
 /**
  * Straight elements whose direction the nose cannot follow, because a flank of the insert touches first; for each Q, or
- * in a programmed contour, the element that exceeds the limit most. `asValue` turns a direction (degrees against the
+ * in a programmed contour, the element that exceeds the limit most. An element that leans over the cut is behind the
+ * contour for every tool, since the tip comes from the open side. `asValue` turns a direction (degrees against the
  * cutting direction, positive rising) into a value of a Q.
  */
 export function angleIssues(
@@ -72,10 +73,11 @@ export function angleIssues(
     if (reached(a)) return;
     const name = names?.[i] ?? "contour";
     const direction = halfTurns(inDegrees(a) - 90);
-    const { at: max, edge } = bounds.reduce(
+    const { at: max, edge: touching } = bounds.reduce(
       (best, b) => (Math.abs(b.at - direction) < Math.abs(best.at - direction) ? b : best),
       bounds[0] ?? { at: 0, edge: "mainEdge" },
     );
+    const edge = n.v < -ANGLE ? ("behindContour" as const) : touching;
     const beyond = Math.abs(max - direction);
     if (beyond <= (found.get(name)?.beyond ?? 0)) return;
     const data = {

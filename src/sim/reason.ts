@@ -73,8 +73,8 @@ function betweenContours(box: Box, operation: SimulatedOperation, acting: Reason
   const most = noseRadius(operation.tool) * (bar ? 1 : NOSE_CORNER) + 2 * AGAINST;
   if (box.right - box.left <= most && box.high - box.low <= most) return "insertRadius";
   if (bar) return "toolWidth";
-  const angle = operation.plan.issues.find((i) => i.code === "angleNotFollowed");
-  return acting ?? angle?.data.edge ?? "insertRadius";
+  const edges = operation.plan.issues.flatMap((i) => (i.code === "angleNotFollowed" ? [i.data.edge] : []));
+  return acting ?? edges.find((edge) => edge !== "behindContour") ?? "insertRadius";
 }
 
 /**

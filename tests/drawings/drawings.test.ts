@@ -236,4 +236,20 @@ describe("what cannot be taken is said", () => {
   test("lines on the axis alone are no contour", async () => {
     expect(codes((await taken(mm([line(0, 0, -10, 0)]), { axisAt: 0 })).made.notes)).toContain("onlyAxis");
   });
+
+  /* A half from ⌀24 to ⌀36 with its right end 60 from the origin, moved across by `up`, with what shows the axis. */
+  test.each([
+    ["far from the origin, nothing on its axis", 60, 40, [], true],
+    ["far from the origin along the axis", 60, 0, [], true],
+    ["its face at the origin", 0, 0, [], false],
+    ["its face before the origin by an allowance", 1, 0, [], false],
+    ["a centre line", 60, 0, [line(0, 0, 70, 0, "8 0 6 CENTER")], false],
+    ["a line down to the axis", 60, 0, [line(60, 12, 60, 0)], false],
+    ["the other half", 60, 0, [line(60, -12, 40, -12)], false],
+  ] as const)("the place of the axis: %s", async (_, right, up, more, told) => {
+    const half = [line(right, up + 12, right - 20, up + 12), line(right - 20, up + 12, right - 20, up + 18), line(right - 20, up + 18, right - 30, up + 18)]; // prettier-ignore
+    const { made } = await taken(mm([...half, ...more]), { axis: "x", axisAt: 0 });
+    const found = made.notes.filter(({ code }) => code === "axisUnmarked");
+    expect(found).toMatchObject(!told ? [] : [{ severity: "warning", values: { x: 24 + 2 * up } }]);
+  });
 });

@@ -163,6 +163,7 @@ function Line({
     <tr
       ref={line}
       role="row"
+      aria-rowindex={number + 1}
       className={`contour-line kind-${row.kind}${active ? " active" : ""}`}
       onFocus={() => chooseElement(row.id)}
       {...(active ? { "aria-current": true } : {})}

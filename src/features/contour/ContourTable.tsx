@@ -20,6 +20,7 @@ import { useLengths } from "../../app/calculation/lengths.ts";
 import { useReading } from "./begun-field.ts";
 import { ContourDrawing } from "./ContourDrawing.tsx";
 import { ContourLine } from "./ContourLine.tsx";
+import { BLOCK, RowBlock } from "./RowBlock.tsx";
 import { RowTools } from "./RowTools.tsx";
 import { chooseElement, useChosenRow, useContourPlace } from "../../app/place/contour-place.ts";
 import { offerTarget, type ContourTarget } from "../../app/document/drawing-request.ts";
@@ -145,6 +146,24 @@ function Table({ rows, onChange, language, isDrawingElsewhere = false, inches = 
     table.current?.querySelector("tr.active")?.scrollIntoView?.({ block: "nearest" });
   }, [activeId, rows.length]);
 
+  const blocks = Array.from({ length: Math.ceil(rows.length / BLOCK) }, (_, k) => k * BLOCK);
+  const lineOf = (row: ContourRow, i: number) => (
+    <ContourLine
+      key={row.id}
+      row={row}
+      number={i + 1}
+      reading={reading.rows[i]}
+      undercut={row.kind === "UDC" ? undercutPlace(reading.rows, i, per) : null}
+      isNew={row.id === fresh}
+      issues={issues.get(i) ?? NO_ISSUES}
+      active={row.id === activeId}
+      details={details}
+      language={language}
+      isLong={rows.length > LONG}
+      onChange={changeRow}
+    />
+  );
+
   return (
     <section className="contour-editor" aria-label={t.title}>
       <div className="contour-layout">
@@ -190,6 +209,7 @@ function Table({ rows, onChange, language, isDrawingElsewhere = false, inches = 
               role="table"
               ref={table}
               aria-label={t.table}
+              aria-rowcount={rows.length + 1}
               className="contour-table"
               data-keys="contourTable"
               onKeyDown={onKeyDown}
@@ -216,24 +236,14 @@ function Table({ rows, onChange, language, isDrawingElsewhere = false, inches = 
                   </th>
                 </tr>
               </thead>
-              <tbody role="rowgroup">
-                {rows.map((row, i) => (
-                  <ContourLine
-                    key={row.id}
-                    row={row}
-                    number={i + 1}
-                    reading={reading.rows[i]}
-                    undercut={row.kind === "UDC" ? undercutPlace(reading.rows, i, per) : null}
-                    isNew={row.id === fresh}
-                    issues={issues.get(i) ?? NO_ISSUES}
-                    active={row.id === activeId}
-                    details={details}
-                    language={language}
-                    isLong={rows.length > LONG}
-                    onChange={changeRow}
-                  />
-                ))}
-              </tbody>
+              {blocks.map((from) => (
+                <RowBlock
+                  key={from}
+                  count={Math.min(BLOCK, rows.length - from)}
+                  inUse={(active ?? 0) >= from - 1 && (active ?? 0) <= from + BLOCK}
+                  rows={() => rows.slice(from, from + BLOCK).map((row, k) => lineOf(row, from + k))}
+                />
+              ))}
             </table>
           )}
           {rows.length < FIRST_CORNER && <p className="small soft">{t.intro}</p>}

@@ -2,6 +2,7 @@ import { useMemo, useState } from "react";
 import {
   proposedAssignment,
   toolsOfSheet,
+  valuesIn,
   withWords,
   WORD_CELLS,
   wordsIn,
@@ -41,20 +42,22 @@ export function SheetDialog({
       <div className="tool-dialog-body">
         <p>{w.lead}</p>
         <ul className="sheet-columns" aria-label={w.columns}>
-          {sheet.titles.map((_, at) => (
-            <SheetColumn
-              key={at}
-              sheet={sheet}
-              at={at}
-              choice={assignment.columns[at] ?? null}
-              words={w}
-              onChoose={(choice) =>
-                setAssignment((now) =>
-                  withWords(sheet, { ...now, columns: now.columns.map((old, i) => (i === at ? choice : old)) }),
-                )
-              }
-            />
-          ))}
+          {sheet.titles.map((column, at) =>
+            column.trim() === "" && valuesIn(sheet, at).length === 0 ? null : (
+              <SheetColumn
+                key={at}
+                sheet={sheet}
+                at={at}
+                choice={assignment.columns[at] ?? null}
+                words={w}
+                onChoose={(choice) =>
+                  setAssignment((now) =>
+                    withWords(sheet, { ...now, columns: now.columns.map((old, i) => (i === at ? choice : old)) }),
+                  )
+                }
+              />
+            ),
+          )}
         </ul>
         {twice.map((cell) => cell && <p key={cell}>{w.twice(cell)}</p>)}
         {WORD_CELLS.map((cell) => (

@@ -40,6 +40,8 @@ export const drawing: DrawingTexts = {
   unitsDisagree: ({ unit }) => `Die Datei nennt zwei Einheiten; ${unit} gilt. Größe prüfen.`,
   noContour: () => "Auf dieser Seite der Achse ist keine Kontur.",
   onlyAxis: () => "Alle Linien sind auf der Drehachse.",
+  axisUnmarked: ({ x }) =>
+    `Die Zeichnung zeigt keine Drehachse, ihre Lage ist ein Vorschlag. Kleinster ⌀ damit: ${x} mm.`,
   gapJoined: ({ width, x, z }) => `Lücke von ${width} mm bei X ⌀ ${x}, Z ${z} geschlossen.`,
   gapOpen: ({ width, x, z }) => `Lücke von ${width} mm bei X ⌀ ${x}, Z ${z} offen: Lückentoleranz erhöhen.`,
   axisLines: ({ count }) => `Auf der Drehachse und ausgelassen: ${many(count, "Linie", "Linien")}.`,

@@ -35,6 +35,8 @@ export const drawing: DrawingTexts = {
   unitsDisagree: ({ unit }) => `The file names two units; ${unit} is used. Check the size.`,
   noContour: () => "No contour on this side of the axis.",
   onlyAxis: () => "All lines are on the axis of rotation.",
+  axisUnmarked: ({ x }) =>
+    `The drawing does not show the axis of rotation; its place is a proposal. Smallest ⌀ with it: ${x} mm.`,
   gapJoined: ({ width, x, z }) => `Gap of ${width} mm closed at X ⌀ ${x}, Z ${z}.`,
   gapOpen: ({ width, x, z }) => `Gap of ${width} mm open at X ⌀ ${x}, Z ${z}: increase the gap tolerance to close it.`,
   axisLines: ({ count }) => `Left out, on the axis of rotation: ${many(count, "line", "lines")}.`,

@@ -41,6 +41,8 @@ export const drawing: DrawingTexts = {
   unitsDisagree: ({ unit }) => `Le fichier nomme deux unités ; ${unit} est prise. Vérifier la taille.`,
   noContour: () => "Aucun contour de ce côté de l’axe.",
   onlyAxis: () => "Toutes les droites sont sur l’axe de rotation.",
+  axisUnmarked: ({ x }) =>
+    `Le dessin ne montre pas l’axe de rotation ; sa position est une proposition. Plus petit ⌀ avec elle : ${x} mm.`,
   gapJoined: ({ width, x, z }) => `Écart de ${width} mm fermé en X ⌀ ${x}, Z ${z}.`,
   gapOpen: ({ width, x, z }) => `Écart de ${width} mm ouvert en X ⌀ ${x}, Z ${z} : augmenter la tolérance d’écart.`,
   axisLines: ({ count }) => `Sur l’axe de rotation, omis : ${many(count, "droite", "droites")}.`,

@@ -31,6 +31,7 @@ export const drawing: DrawingTexts = {
   unitsDisagree: ({ unit }) => `文件注明了两种单位，采用 ${unit}。请检查尺寸。`,
   noContour: () => "轴线的这一侧没有轮廓。",
   onlyAxis: () => "所有直线都在旋转轴上。",
+  axisUnmarked: ({ x }) => `图中未画出旋转轴，轴的位置为建议值。此时最小 ⌀：${x} mm。`,
   gapJoined: ({ width, x, z }) => `X ⌀ ${x}、Z ${z} 处 ${width} mm 的间隙已闭合。`,
   gapOpen: ({ width, x, z }) => `X ⌀ ${x}、Z ${z} 处有 ${width} mm 的间隙未闭合：请增大间隙公差。`,
   axisLines: ({ count }) => `位于旋转轴上，已忽略：${count} 条直线。`,

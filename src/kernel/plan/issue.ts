@@ -64,7 +64,13 @@ interface Data {
   /* values that do not fit the tool */
   cornerSmallerThanInsert: { radius: number; insert: number };
   recessNarrowerThanTool: { width: number; tool: number; nearest?: number };
-  angleNotFollowed: { angle: number; max: number; edge: "mainEdge" | "secondaryEdge" | "toolWidth"; element?: number };
+  /** `max` is the limit of the tool; behind the contour no tool has a larger one. */
+  angleNotFollowed: {
+    angle: number;
+    max: number;
+    edge: "mainEdge" | "secondaryEdge" | "toolWidth" | "behindContour";
+    element?: number;
+  };
   tooManyPasses: { passes: number; most: number; nearest?: number };
   infeedOverCutLength: { infeed: number; cutLength: number; nearest?: number };
   depthOverCutLength: { depth: number; cutLength: number };

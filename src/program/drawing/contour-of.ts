@@ -1,12 +1,16 @@
-import { part, type Pt } from "../../kernel/geometry/point.ts";
+import { at, part, type Pt } from "../../kernel/geometry/point.ts";
 import type { Box } from "../../kernel/geometry/segments.ts";
 import { toDiameter } from "../../kernel/units.ts";
 import type { ContourChoice, Drawing, DrawingNote, DrawnContour, DrawnPiece } from "./drawing.ts";
 import { componentsOf, degreesOf, divided, graphOf, type Edge, type Graph } from "./graph.ts";
-import { backPlacingOf, halfOf, TOUCHING, type Half, type HalfCurve } from "./halves.ts";
+import { backPlacingOf, halfOf, placingOf, TOUCHING, type Half, type HalfCurve } from "./halves.ts";
 import { outlineOf, type Outline, type BoundaryRun } from "./outline.ts";
 import { connected, rowsThrough } from "./rows.ts";
 
+/** Nearer to the axis than this, a line shows where it is, mm. */
+const ON_AXIS = 0.01;
+/** The origin is at an end of the part when it is nearer to it than this share of the length: faces have an allowance. */
+const AT_END = 0.1;
 /** Most pieces to choose from. */
 const MOST_PIECES = 200;
 /** Open gaps are named up to this width, mm, or this many times the tolerance. */
@@ -154,6 +158,24 @@ function prepared(drawing: Drawing, used: readonly number[], choice: ContourChoi
   return found;
 }
 
+/**
+ * Whether the drawing shows where the axis is: by what lies on it or beyond it, or by its origin at an end of the part.
+ * Otherwise its place is no more than a proposal.
+ */
+function isAxisDrawn(drawing: Drawing, { curves, axisLines, otherSide, below }: Half, choice: ContourChoice): boolean {
+  const put = placingOf(choice),
+    isOn = (p: Pt) => Math.abs(p.r) <= ON_AXIS,
+    origin = put(at(0, 0)),
+    { left, right } = curves.map(({ segment }) => part.boxOf(segment)).reduce(joinBoxes);
+  return (
+    (isOn(origin) &&
+      [origin.z - left, right - origin.z].some((off) => off >= -ON_AXIS && off <= AT_END * (right - left))) ||
+    axisLines + otherSide + below.size > 0 ||
+    curves.some(({ segment }) => isOn(segment.from) || isOn(segment.to)) ||
+    drawing.curves.some((c) => c.role === "centre" && isOn(put(c.segment.from)) && isOn(put(c.segment.to)))
+  );
+}
+
 /** The contour of a turned part as chosen from a drawing, and the pieces that could be chosen instead. Never throws. */
 export function drawnContour(drawing: Drawing, choice: ContourChoice): DrawnContour {
   const used = usedCurves(drawing, choice);
@@ -173,6 +195,8 @@ export function drawnContour(drawing: Drawing, choice: ContourChoice): DrawnCont
     piece = pieces[choice.piece] ?? pieces[0],
     outline = piece && outlineOf(piece.edges, graph.nodes);
   if (!piece || !outline) return none([{ code: "noContour", severity: "error", values: {} }, ...general]);
+  if (!isAxisDrawn(drawing, half, choice))
+    general.push({ code: "axisUnmarked", severity: "warning", values: { x: toDiameter(at(0, piece.box.low).r) } });
   if (pieces.length > 1) general.push({ code: "otherPieces", severity: "info", values: { count: pieces.length - 1 } });
   const run = choice.side === "bore" && outline.bore ? outline.bore : outline.outside,
     made = connected(run.segments),

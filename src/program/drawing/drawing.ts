@@ -58,6 +58,8 @@ export interface NoteValues {
   /** No contour on this side of the axis. */
   readonly noContour: {};
   readonly onlyAxis: {};
+  /** Nothing is drawn on the axis or beyond it; `x`: smallest ⌀ of the piece. */
+  readonly axisUnmarked: { readonly x: number };
   readonly gapJoined: { readonly width: number; readonly x: number; readonly z: number };
   readonly gapOpen: { readonly width: number; readonly x: number; readonly z: number };
   readonly axisLines: { readonly count: number };

@@ -66,9 +66,11 @@ export const messages = {
       `Der Grund des Einstichs ist ${w.size(d.width)} breit, Werkzeug und Aufmaß benötigen ${w.size(d.tool)}.` +
       `${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
-      `${d.element === undefined ? "" : `Element ${d.element}: `}Das Werkzeug kann ${w.angle(d.angle)} nicht folgen: Die ${
-        reasons[d.edge]
-      } lässt ${w.angle(d.max)} zu, Restmaterial bleibt.`,
+      `${d.element === undefined ? "" : `Element ${d.element}: `}Das Werkzeug kann ${w.angle(d.angle)} nicht folgen: ` +
+      (d.edge === "behindContour"
+        ? "Er führt hinter die Kontur, wo dieser Zyklus mit keinem Werkzeug schneidet"
+        : `Die ${reasons[d.edge]} lässt ${w.angle(d.max)} zu`) +
+      ", Restmaterial bleibt.",
     tooManyPasses: (d, w) => `${d.passes} Schnitte überschreiten das Maximum ${d.most}.${nearest(d.nearest, w.size)}`,
     infeedOverCutLength: (d, w) =>
       `Zustellung ${w.size(d.infeed)} ist größer als CUTLENGTH ${w.size(d.cutLength)}: auf ${w.size(d.cutLength)} verringert.`,

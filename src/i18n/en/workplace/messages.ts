@@ -64,9 +64,11 @@ export const messages = {
     recessNarrowerThanTool: (d, w) =>
       `The recess floor is ${w.size(d.width)} wide, but tool and oversize need ${w.size(d.tool)}.${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
-      `${d.element === undefined ? "The" : `Element ${d.element}: the`} tool cannot follow ${w.angle(d.angle)}: the ${reasons[d.edge]} allows ${w.angle(
-        d.max,
-      )}; residual material remains.`,
+      `${d.element === undefined ? "The" : `Element ${d.element}: the`} tool cannot follow ${w.angle(d.angle)}: ` +
+      (d.edge === "behindContour"
+        ? "it leads behind the contour, where this cycle does not go with any tool"
+        : `the ${reasons[d.edge]} allows ${w.angle(d.max)}`) +
+      "; residual material remains.",
     tooManyPasses: (d, w) => `${d.passes} passes exceed the maximum of ${d.most}.${nearest(d.nearest, w.size)}`,
     infeedOverCutLength: (d, w) =>
       `Infeed ${w.size(d.infeed)} exceeds CUTLENGTH ${w.size(d.cutLength)}: reduced to ${w.size(d.cutLength)}.`,

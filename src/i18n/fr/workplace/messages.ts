@@ -65,9 +65,11 @@ export const messages = {
     recessNarrowerThanTool: (d, w) =>
       `Le fond de la gorge est large de ${w.size(d.width)}, l’outil et la surépaisseur exigent ${w.size(d.tool)}.${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
-      `${d.element === undefined ? "L’" : `Élément ${d.element} : l’`}outil ne peut pas suivre ${w.angle(d.angle)} : l’${
-        reasons[d.edge]
-      } permet ${w.angle(d.max)} ; il reste de la matière résiduelle.`,
+      `${d.element === undefined ? "L’" : `Élément ${d.element} : l’`}outil ne peut pas suivre ${w.angle(d.angle)} : ` +
+      (d.edge === "behindContour"
+        ? "cela passe derrière le contour, hors d’atteinte de ce cycle avec tout outil"
+        : `${d.edge === "toolWidth" ? "la " : "l’"}${reasons[d.edge]} permet ${w.angle(d.max)}`) +
+      " ; il reste de la matière résiduelle.",
     tooManyPasses: (d, w) => `${d.passes} passes dépassent le maximum de ${d.most}.${nearest(d.nearest, w.size)}`,
     infeedOverCutLength: (d, w) =>
       `La passe ${w.size(d.infeed)} dépasse CUTLENGTH ${w.size(d.cutLength)} : réduite à ${w.size(d.cutLength)}.`,

@@ -58,9 +58,11 @@ export const messages = {
     recessNarrowerThanTool: (d, w) =>
       `槽底宽${w.size(d.width)}，刀具和余量需要${w.size(d.tool)}。${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
-      `${d.element === undefined ? "" : `元素${d.element}：`}刀具无法跟随${w.angle(d.angle)}：${reasons[d.edge]}允许${w.angle(
-        d.max,
-      )}，有残余材料。`,
+      `${d.element === undefined ? "" : `元素${d.element}：`}刀具无法跟随${w.angle(d.angle)}：${
+        d.edge === "behindContour"
+          ? "该处在轮廓背后，本循环用任何刀具都切不到"
+          : `${reasons[d.edge]}允许${w.angle(d.max)}`
+      }，有残余材料。`,
     tooManyPasses: (d, w) => `${d.passes} 次走刀超过 ${d.most} 次。${nearest(d.nearest, w.size)}`,
     infeedOverCutLength: (d, w) =>
       `进刀量${w.size(d.infeed)}大于CUTLENGTH ${w.size(d.cutLength)}：自动减小为${w.size(d.cutLength)}。`,
