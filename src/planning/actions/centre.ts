@@ -47,10 +47,10 @@ interface Centring {
   readonly hole: Ring;
 }
 
-/** For the largest long drill the smallest centre that leads it and that it drills away; of the operator's own tools first. */
+/** For the largest drill, where it is long, the smallest centre that leads it and that it drills away; own tools first. */
 function beforeDrill(all: readonly Centring[], { stock }: PlanState, request: PlanRequest): readonly Centring[] {
-  const drill = drillsFor(stock, request).find(isCentred);
-  if (!drill) return [];
+  const [drill] = drillsFor(stock, request);
+  if (!drill || !isCentred(drill)) return [];
   const { high } = drill.place;
   const isUsual = ({ tool }: Centring) => Number(request.usualTools?.includes(tool.T) ?? false);
   const mouth = ({ hole }: Centring) => boxAround([hole]).high;
