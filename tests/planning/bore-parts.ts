@@ -134,6 +134,10 @@ export const boreParts: readonly BorePart[] = [
     ],
     { threads: { 1: "M10" } },
   ),
+  borePart("long", cylinder(30, 8.5, -50), [
+    [0, 8.5],
+    [-50, 8.5],
+  ]),
   borePart(
     "tapped",
     cylinder(30, m12, -50),

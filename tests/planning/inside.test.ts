@@ -59,9 +59,14 @@ test.each([
   ["groove", ["recess", "finishInside"]],
   ["centred", ["centre"]],
   ["nut", ["drill", "thread"]],
+  ["long", ["centre", "drill"]],
   ["blind", ["drill", "roughInside", "finishInside"]],
 ] as const)("a %s needs %j", (name, kinds) => {
   expect([...kindsOf(planOf(name))]).toEqual(expect.arrayContaining([...kinds]));
+});
+
+test("a short hole is drilled without a centre", () => {
+  expect(kindsOf(planOf("nut"))).not.toContain("centre");
 });
 
 describe("a drill goes as deep as its own shape lets it", () => {

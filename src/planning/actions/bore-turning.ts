@@ -2,7 +2,7 @@ import type { Cycle } from "../../cycles/define.ts";
 import type { ShapeRequest } from "../../cycles/shape-request.ts";
 import { isInside } from "../../kernel/area/clip.ts";
 import { holderOutlines } from "../../kernel/cutter/holder.ts";
-import { tipDirection } from "../../kernel/cutter/insert.ts";
+import { noseRadius, tipDirection, tipOffset } from "../../kernel/cutter/insert.ts";
 import { at, part as geometry, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import type { Plan } from "../../kernel/plan/plan.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
@@ -244,13 +244,22 @@ const INTO = 0.02;
 /** Points of a move at which that is measured, as shares of it. */
 const MEASURED = [0.25, 0.5, 0.75, 1] as const;
 
-/** Whether a path cuts into the material of a region, and not only along it. */
-function cutsInto({ moves }: Plan, { rings }: Pick<OpenRegion, "rings">): boolean {
+/** Directions in which the nose is looked at, from the end of a bore over its wall to the front. */
+const LOOKED = [0, 1, 2, 3, 4, 5, 6, 7, 8].map((k) => (k * Math.PI) / 8);
+
+/**
+ * Whether a path cuts into the material of a region, and not only along it. The rounded nose cuts, not the theoretical
+ * tip: on a chamfer that lies behind the contour.
+ */
+function cutsInto({ moves }: Plan, tool: Tool, { rings }: Pick<OpenRegion, "rings">): boolean {
+  const tip = tipOffset(tool);
+  const cutting = noseRadius(tool) - INTO;
+  const nose = LOOKED.map((a) => at(cutting * Math.cos(a) - tip.u, cutting * Math.sin(a) - tip.v));
   return moves.some(({ kind, to }, i) => {
     const from = moves[i - 1]?.to ?? to;
     const isIn = (k: number) => {
-      const p = at(from.z + k * (to.z - from.z), from.r + k * (to.r - from.r) - INTO);
-      return rings.filter((ring) => isInside(ring, p)).length % 2 === 1;
+      const p = at(from.z + k * (to.z - from.z), from.r + k * (to.r - from.r));
+      return nose.some(({ z, r }) => rings.filter((ring) => isInside(ring, at(p.z + z, p.r + r))).length % 2 === 1);
     };
     return kind !== "rapid" && MEASURED.some(isIn);
   });
@@ -323,7 +332,7 @@ export function barActions(
     const job = plunges === undefined || !cycle.params[PLUNGING] ? own : withValue(own, PLUNGING, plunges ? 1 : 0);
     const asked = { ...cut, stock, smallest, largest, bar: heldBar(tool, depth) };
     const fit = fitted({ cycle, job, cut: asked }, tool, request);
-    return fit && cutsInto(fit.plan, region) && staysClear(fit.plan, tool, stock) ? fit : null;
+    return fit && cutsInto(fit.plan, tool, region) && staysClear(fit.plan, tool, stock) ? fit : null;
   };
   return fitsOf(tools, most, request, fitOfBar, better).map(({ tool, job, values }) => {
     const variant = `X${job.start.x} Z${job.start.z}${plunges === false ? " over" : ""}`;

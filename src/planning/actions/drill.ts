@@ -80,7 +80,7 @@ function drillAction(tool: Tool, z: number, stock: readonly Ring[], request: Pla
 }
 
 /** Drills that fit inside the part, each to its deepest place, those that take most first. */
-function drillsFor(stock: readonly Ring[], request: PlanRequest): readonly Action[] {
+export function drillsFor(stock: readonly Ring[], request: PlanRequest): readonly Action[] {
   const { part, rules } = request;
   const inside = insideOf(part);
   const front = frontOf(stock);
