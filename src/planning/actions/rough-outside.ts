@@ -1,12 +1,14 @@
-import { worksAcross } from "../../cycles/use.ts";
+import type { Cycle } from "../../cycles/define.ts";
+import { useOf, worksAcross } from "../../cycles/use.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
-import { withValue } from "../../program/job/requested-job.ts";
+import { withCycleValues } from "../../program/job/requested-job.ts";
 import type { Action, ActionSource, Chain, PlanRequest } from "../types.ts";
 import { actionOf, actionsOf, fitted, notDone, toolsOf, deepest } from "./candidates.ts";
 import { contourJob } from "./contour-job.ts";
 import { outsideWork, workUpTo, type OutsideWork, type Piece } from "./outside-work.ts";
 import { bridgedOver } from "./pockets.ts";
+import { allowanceAlong } from "./near-net.ts";
 import { cutOf, turnedChain, turningCycles, withoutFront } from "./turned-contour.ts";
 
 /** Inserts that rough; the price of the weaker ones is for the search. */
@@ -34,6 +36,9 @@ interface Around {
   readonly request: PlanRequest;
 }
 
+/** Whether the passes of a cycle follow the contour of a casting or a forging. */
+const followsBlank = (cycle: Cycle): boolean => useOf(cycle).preTurned === true;
+
 /** Tools of each way to rough. */
 const MOST = 2;
 
@@ -41,12 +46,17 @@ function roughings(work: OutsideWork, piece: Piece, { stock, tools, request }: A
   const whole = bridgedOver(work.chain, work.pockets);
   const plain = withoutFront(whole);
   const { box } = piece;
-  return turningCycles(plain.segments, request).flatMap((cycle) => {
+  const allowance = allowanceAlong(piece, whole.segments, request);
+  const along = allowance > 0 ? turningCycles(plain.segments, request, allowance).filter(followsBlank) : [];
+  return [...turningCycles(plain.segments, request), ...along].flatMap((cycle) => {
     const across = worksAcross(cycle);
     const cut = cutOf(cycle, "rough", { box, stock });
     const candidate = { kind: "roughOutside", site: "outside", cycle, cut, box } as const;
     const jobOf = ({ segments }: Chain, plunging: number) =>
-      withValue(contourJob(cycle, { segments, way: "ahead", stock }), "Q487", plunging);
+      withCycleValues(contourJob(cycle, { segments, way: "ahead", stock }), [
+        ["Q487", plunging],
+        ...(followsBlank(cycle) ? [["Q485", allowance] as const] : []),
+      ]);
     const outline = across ? whole : plain;
     const over = actionsOf({ ...candidate, job: jobOf(outline, 0) }, tools, MOST, request);
     if (!work.pockets.some(({ axis }) => (axis === "z") === across)) return over;
