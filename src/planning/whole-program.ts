@@ -5,11 +5,13 @@ import { parse } from "../nc/parse.ts";
 import { print, type Program } from "../nc/program.ts";
 import { withClamping } from "../program/clamping/draft.ts";
 import type { ClampingDraft, ClampingWord } from "../program/clamping/words.ts";
+import { withShapedBlank } from "../program/edits/second-side.ts";
 import { emptyProgram } from "../program/job/empty-program.ts";
 import { cylinderAround } from "../program/job/requested-shape.ts";
 import { run } from "../program/run/run.ts";
 import { verdictOf } from "../report/verdict.ts";
 import { simulate } from "../sim/simulate.ts";
+import { isShaped } from "./actions/near-net.ts";
 import { areaBeyond, leftBy, withAction } from "./apply-action.ts";
 import type { Action, PlanRequest } from "./types.ts";
 import type { WorkingPlan } from "./working-plan.ts";
@@ -34,7 +36,9 @@ function draftOf({ kind, diameter, length, face, size, tailstock, limit }: Clamp
 /** A program with blank and clamping, and no operation. */
 function emptyOf({ part, blank, clamping, begun }: PlanRequest): Program {
   if (begun) return begun;
-  const program = parse(emptyProgram(part.name, cylinderAround(blank)));
+  const program = isShaped(blank)
+    ? withShapedBlank(parse(emptyProgram(part.name, null)), blank)
+    : parse(emptyProgram(part.name, cylinderAround(blank)));
   return clamping ? withClamping(program, draftOf(clamping.clamping)) : program;
 }
 

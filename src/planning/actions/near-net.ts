@@ -11,7 +11,7 @@ const FILLED = 0.5;
 const GRID = 0.1;
 
 /** Whether a blank has other radii than those of a bar or a tube. */
-function isShaped(blank: readonly Ring[]): boolean {
+export function isShaped(blank: readonly Ring[]): boolean {
   const { low, high } = boxAround(blank);
   return blank.flat().some(({ r }) => r > low + SAME && r < high - SAME);
 }

@@ -4,6 +4,7 @@ import { areaOfArc, elementsThrough, type Nearness } from "../../kernel/contour/
 import { at, part, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import { CHORD, SAME } from "../../kernel/tolerance.ts";
 import { IN_MM, radius, toDiameter } from "../../kernel/units.ts";
+import { parse } from "../../nc/parse.ts";
 import { programText } from "../../nc/print.ts";
 import type { Program } from "../../nc/program.ts";
 import { styleAt } from "../../nc/read-style.ts";
@@ -137,6 +138,31 @@ function outlineStatements(segments: readonly Segment[], unit: "MM" | "INCH"): S
   return [...statement(first.from, null), ...segments.flatMap((s) => statement(s.to, s.kind === "arc" ? s : null))];
 }
 
+/**
+ * The blocks of a blank of any shape: the one that states it, and its outline at the end of the program. `piece`: outline
+ * and cavities, mm; null where there is none.
+ */
+function blankBlocks(
+  piece: readonly Ring[],
+  unit: "MM" | "INCH",
+): { readonly opening: Statement; readonly behind: readonly Statement[] } | null {
+  const outline = outlineStatements(outlineOf(piece), unit);
+  if (outline.length === 0) return null;
+  return {
+    opening: { kind: "blankRotation", axis: "Z", measure: "D", outline: { label: BLANK_LABEL }, inner: null },
+    behind: [{ kind: "label", label: BLANK_LABEL }, ...outline, { kind: "label", label: 0 }],
+  };
+}
+
+/** A program that states no blank, in mm, with one of any shape. `piece`: outline and cavities, mm. */
+export function withShapedBlank(program: Program, piece: readonly Ring[]): Program {
+  const [begin, ...others] = program.blocks.map(({ statement }) => statement);
+  const end = others.pop();
+  const blank = blankBlocks(piece, "MM");
+  if (!begin || !end || !blank) return program;
+  return parse(programText([begin, blank.opening, ...others, ...blank.behind, end], styleAt(program, 0)));
+}
+
 /** Whether a statement means the same in another program: it has no Q parameters. */
 const isPlain = (s: Statement): boolean => !JSON.stringify(s).includes('"parameter"');
 
@@ -173,8 +199,8 @@ export function secondSide(
   const [name, unit] =
     begin?.kind === "begin" ? [nextClampingName(begin.name), begin.unit] : [nextClampingName("PROGRAM"), "MM" as const];
   const turned = flippedPiece(piece, allowance);
-  const outline = outlineStatements(outlineOf(turned), unit);
-  if (outline.length === 0) return "";
+  const blank = blankBlocks(turned, unit);
+  if (!blank) return "";
   const output = outputIn(program, otherwise),
     per = IN_MM[unit === "INCH" ? "inch" : "mm"];
   const { high } = boxAround(turned);
@@ -198,13 +224,11 @@ export function secondSide(
   };
   const all: Statement[] = [
     { kind: "begin", name, unit },
-    { kind: "blankRotation", axis: "Z", measure: "D", outline: { label: BLANK_LABEL }, inner: null },
+    blank.opening,
     ...turningOf(program).filter(({ kind }) => callsTool || kind === "mode"),
     ...(callsTool ? [clear] : []),
     { kind: "functions", words: { ...noWords, functions: [output.end] } },
-    { kind: "label", label: BLANK_LABEL },
-    ...outline,
-    { kind: "label", label: 0 },
+    ...blank.behind,
     { kind: "end", name, unit },
   ];
   const isNumbered = program.blocks.some(({ number }) => number !== null);
