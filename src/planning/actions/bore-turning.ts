@@ -1,5 +1,6 @@
 import type { Cycle } from "../../cycles/define.ts";
 import type { ShapeRequest } from "../../cycles/shape-request.ts";
+import { boxAround } from "../../kernel/area/box.ts";
 import { isInside } from "../../kernel/area/clip.ts";
 import { holderOutlines } from "../../kernel/cutter/holder.ts";
 import { noseRadius, tipDirection, tipOffset } from "../../kernel/cutter/insert.ts";
@@ -171,7 +172,8 @@ export function sectionInBore(
   // The cone that a drill has left is taken by passes of its own, from its front.
   // Through a bore it goes as far as the contour does.
   const left = bottom === -Infinity ? Math.min(box.left, whole.at(-1)?.to.z ?? box.left) : box.left;
-  const narrow = bottom === -Infinity ? { z: left, r: clearRadius(stock, left, front) } : { z: bottom, r: 0 };
+  const rearmost = Math.max(left, boxAround(stock).left);
+  const narrow = bottom === -Infinity ? { z: rearmost, r: clearRadius(stock, left, front) } : { z: bottom, r: 0 };
   const cone = isDeep ? -Infinity : coneFront(stock, narrow, clear);
   const along = clearRadius(stock, Math.max(left, cone), front);
   // Behind the part it goes no farther than the bore does.
@@ -193,10 +195,15 @@ const leastTip = (tool: Tool, bore: number): number => standsOut(holderOutlines(
 /** The same with a clearance. */
 export const startLimit = (tool: Tool, bore: number): number => leastTip(tool, bore) + BESIDE;
 
-/** Radius at which the tip of a bar starts; null where the bar is too thick. */
+/**
+ * Radius at which the tip of a bar starts; null where the bar is too thick: for the bore, or for passes that begin where
+ * the bore is narrowest.
+ */
 export function startFor(tool: Tool, { clear, low }: BoreWay): number | null {
-  const r = Math.max(0, low, startLimit(tool, clear));
-  return r <= clear - BESIDE && (tool.DMIN ?? 0) <= toDiameter(radius(clear)) ? r : null;
+  const least = Math.max(0, low);
+  const r = Math.max(least, startLimit(tool, clear));
+  const isClear = r <= clear - BESIDE && (tool.DMIN ?? 0) <= toDiameter(radius(clear));
+  return isClear && (r <= least + BESIDE || least === 0) ? r : null;
 }
 
 /** A shape inside with a contour of its own. */
