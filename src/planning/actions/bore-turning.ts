@@ -1,7 +1,6 @@
 import type { Cycle } from "../../cycles/define.ts";
 import type { ShapeRequest } from "../../cycles/shape-request.ts";
-import { areaOf } from "../../kernel/area/area.ts";
-import { boxAround, inBox } from "../../kernel/area/box.ts";
+import { boxAround } from "../../kernel/area/box.ts";
 import { isInside } from "../../kernel/area/clip.ts";
 import { holderOutlines } from "../../kernel/cutter/holder.ts";
 import { noseRadius, tipDirection, tipOffset } from "../../kernel/cutter/insert.ts";
@@ -16,7 +15,7 @@ import { jobFor, withValue } from "../../program/job/requested-job.ts";
 import { boxAroundContour, cylinderAround } from "../../program/job/requested-shape.ts";
 import { frontOf } from "../../program/job/stock-surface.ts";
 import { positionAsTyped } from "../../program/values/typed-value.ts";
-import { borderOf, LEAST_REGION, type OpenRegion } from "../open-regions.ts";
+import { borderOf, type OpenRegion } from "../open-regions.ts";
 import type { Action, ActionKind, ElementMark, PlannedPart, PlanRequest } from "../types.ts";
 import { barDiameter } from "../values/cutting-values.ts";
 import type { HeldBar } from "../values/stability.ts";
@@ -202,17 +201,6 @@ export function startFor(tool: Tool, { clear, low }: BoreWay): number | null {
   return r <= clear - BESIDE && (tool.DMIN ?? 0) <= toDiameter(radius(clear)) ? r : null;
 }
 
-/**
- * Whether stock stands nearer to the axis than the start of a cut, along its contour, as the cone of a drill behind the
- * part. A bottom that reaches the axis is faced.
- */
-function standsInside(stock: readonly Ring[], { contour }: ShapeRequest, r: number): boolean {
-  const points = (contour ?? []).flatMap(({ from, to }) => [from, to]);
-  const [left, right] = [Math.min(...points.map(({ z }) => z)), Math.max(...points.map(({ z }) => z))];
-  const hasFloor = points.some((p) => p.r < SAME);
-  return !hasFloor && areaOf(inBox(stock, { left, right, low: 0, high: r - BESIDE })) > LEAST_REGION;
-}
-
 /** A shape inside with a contour of its own. */
 export const freeInside = (contour: readonly Segment[]): ShapeRequest => ({
   site: "inside",
@@ -341,7 +329,7 @@ export function barActions(
   const [smallest, largest] = [toDiameter(radius(way.clear)), toDiameter(radius(box.high))];
   const fitOfBar = (tool: Tool) => {
     const r = startFor(tool, way);
-    if (r === null || standsInside(stock, wanted, r)) return null;
+    if (r === null) return null;
     const own = jobInside(cycle, wanted, stock, { z: way.z, r });
     const job = plunges === undefined || !cycle.params[PLUNGING] ? own : withValue(own, PLUNGING, plunges ? 1 : 0);
     const asked = { ...cut, stock, smallest, largest, bar: heldBar(tool, depth) };
