@@ -48,7 +48,7 @@ const WAYS: Readonly<Record<string, (work: Work) => unknown>> = {
   },
   "a backup": (work) => {
     const read = readArchive(writeArchive({ works: [{ work: "w", savedAt: 1, job: work }] }));
-    return typeof read === "string" ? read : read.works[0]?.job;
+    return "problem" in read ? read : read.works[0]?.job;
   },
 };
 

@@ -4,7 +4,7 @@ import { usePlace } from "../../place/place.ts";
 import { printedText } from "../../document/printed.ts";
 import { readJob } from "../../document/reading.ts";
 import { closeStep } from "../../document/steps.ts";
-import { changeProgram, edit, useEditor, type Editor } from "../../document/store.ts";
+import { change, openContent, useEditor, type Editor } from "../../document/store.ts";
 import { chipArea, cutAtOnce, effectNow, type Effect } from "./effect.ts";
 
 /** A setting with its results, for comparison. */
@@ -85,9 +85,8 @@ export function setPinned(on: boolean): void {
 /** Restores the pinned state of the work, in one step of undo. */
 export function restorePinned(): void {
   const { pinned } = useCompared.getState();
-  const { job, program } = pinned?.work ?? {};
-  if (program) return changeProgram(() => program);
+  const content = pinned && openContent(pinned.work);
   closeStep();
-  if (job) edit(() => job);
+  if (content) change(() => content);
   closeStep();
 }
