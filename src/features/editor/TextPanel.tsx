@@ -11,21 +11,14 @@ import { withListTildes } from "../../nc/list-tildes.ts";
 import { FileNote } from "../../app/fields/program/FileNote.tsx";
 import { useFileKind } from "../../app/document/output.ts";
 import { isoFile } from "../../app/document/printed.ts";
-import { confirmExport, type ExportWay } from "../../app/fields/leaving/confirm-export.ts";
+import { confirmExport } from "../../app/fields/leaving/confirm-export.ts";
 import { ProgramMenus } from "../../app/fields/program/ProgramMenus.tsx";
 import { useCopying } from "../../app/findings/copy.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { useEditor } from "../../app/document/store.ts";
 import { encode, notIn } from "../../app/document/encoding.ts";
 import { downloadBytes } from "../../app/base/download.ts";
-import {
-  editProgram,
-  flushText,
-  sessionDom,
-  sessionText,
-  sessionView,
-  useSession,
-} from "../../app/fields/blocks/session.ts";
+import { editProgram, sessionDom, sessionText, sessionView, useSession } from "../../app/fields/blocks/session.ts";
 import { shownFile, useShownName } from "../../app/document/shown-file.ts";
 import { showTextBlock } from "../../app/fields/blocks/show-text-block.ts";
 import { TEXT_AREA, type TextBar } from "../../app/fields/find/text-bar.ts";
@@ -67,19 +60,13 @@ export function TextPanel({ bar, toBlock }: Props) {
     const { program } = useEditor.getState();
     return encode(sessionText() ?? "", program ? shownFile(program).encoding : "utf-8");
   };
-  /** An exported file is judged by the program that runs with it. */
-  const running = () => {
-    flushText();
-    return useEditor.getState().program?.text ?? "";
-  };
-  const allowed = (way: ExportWay) => confirmExport(way, running());
   const download = () => downloadBytes(bytes(), name);
   const downloadIso = async () => {
     const { text } = await isoFile(sessionText() ?? "");
-    if (await allowed("download")) downloadBytes(encode(text, "utf-8"), `${name.replace(/\.[^.]*$/, "")}.i`);
+    if (await confirmExport("download")) downloadBytes(encode(text, "utf-8"), `${name.replace(/\.[^.]*$/, "")}.i`);
   };
 
-  const copy = () => void copyProgram(running(), sessionText() ?? "");
+  const copy = () => void copyProgram(sessionText() ?? "");
   useActions([{ id: "do.copy", name: t.page.text.copyLong, run: copy }]);
 
   return (
@@ -124,7 +111,7 @@ export function TextPanel({ bar, toBlock }: Props) {
           </button>
           <SaveButton
             name={name}
-            mayLeave={async () => (await allowed("save")) !== null}
+            mayLeave={async () => (await confirmExport("save")) !== null}
             onSaved={setSaved}
             onDownload={download}
             showBlock={showTextBlock}
@@ -136,7 +123,7 @@ export function TextPanel({ bar, toBlock }: Props) {
                 name: t.page.text.download(name),
                 icon: "download",
                 hint: t.page.text.files[kind],
-                go: () => void allowed("download").then((verdict) => verdict && download()),
+                go: () => void confirmExport("download").then((verdict) => verdict && download()),
               },
               { name: t.page.text.asIso, icon: "download", go: () => void downloadIso() },
             ]}

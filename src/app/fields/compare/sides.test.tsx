@@ -6,7 +6,8 @@ import { changeSettings } from "../../base/settings/settings.ts";
 import { openFirstWork, changeJob, setBundle } from "../../document/store.ts";
 import { toolRecord } from "../../document/tool-store.ts";
 import { shopOf } from "../../document/work-tools.ts";
-import { asProgram, openedProgram, presentProgram, withOtherText } from "./sides.ts";
+import { openedProgram, presentProgram, withOtherText } from "./sides.ts";
+import { asProgram } from "../../document/printed.ts";
 
 const [cycle] = cuttingCycles;
 if (!cycle) throw new Error("the catalogue is empty");

@@ -1,7 +1,7 @@
 import { create } from "zustand";
 import { useOutcome, type Outcome, type Planned } from "../../calculation/outcome.ts";
 import { usePlace } from "../../place/place.ts";
-import { printedText } from "../../document/printed.ts";
+import { openText } from "../../document/printed.ts";
 import { readJob } from "../../document/reading.ts";
 import { closeStep } from "../../document/steps.ts";
 import { change, openContent, useEditor, type Editor } from "../../document/store.ts";
@@ -28,8 +28,6 @@ interface Compared {
 const NOTHING: Compared = { text: null, before: null, pinned: null };
 export const useCompared = create<Compared>(() => NOTHING);
 
-export const textOf = ({ job, program }: Editor): string | null => (job ? printedText(job) : (program?.text ?? null));
-
 /** A result with its numbers; those of the run are from a newer planned path if there is one. */
 export function settingOf(outcome: Outcome, made: Outcome | Planned = outcome): MeasuredSetting {
   const { job } = useEditor.getState();
@@ -50,7 +48,7 @@ function resultOf(text: string | null): MeasuredSetting | null {
 
 /** Restarts the comparison from the present state of the work. */
 export function restartComparison(): void {
-  const text = textOf(useEditor.getState());
+  const text = openText();
   useCompared.setState({ text, before: resultOf(text) });
 }
 
@@ -78,7 +76,7 @@ export function followComparing(): () => void {
 /** Pins the present setting as a reference, or unpins it. */
 export function setPinned(on: boolean): void {
   const work = useEditor.getState();
-  const now = on ? resultOf(textOf(work)) : null;
+  const now = on ? resultOf(openText(work)) : null;
   useCompared.setState({ pinned: now && { ...now, work } });
 }
 
