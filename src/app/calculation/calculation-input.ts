@@ -1,6 +1,6 @@
 import { fileKey } from "../../program/state/program-files.ts";
 import { cachedMachine } from "./machine-reader.ts";
-import { readJob } from "../document/reading.ts";
+import { openReading } from "../document/reading.ts";
 import { openContent, useEditor } from "../document/store.ts";
 import { isProgram } from "../document/work.ts";
 import { controlInUse, machineInUse, toolTable } from "../document/work-tools.ts";
@@ -10,7 +10,7 @@ import { runOf } from "./request.ts";
 /** Input of the calculation from the open work; null if no work is open, or its cycle is unknown. */
 export function currentCalculationInput(): CalculationInput | null {
   const content = openContent();
-  const read = content && !isProgram(content) ? readJob(content) : null;
+  const read = openReading();
   if (!content || (!read && !isProgram(content))) return null;
   const of = `${useEditor.getState().work} ${isProgram(content) ? fileKey(content.name) : content.cycle}`;
   const isVeiled = content.task?.veiled ?? false;

@@ -5,7 +5,7 @@ import { printAsInManual, printJob } from "../../program/job/print-job.ts";
 import { retryImport } from "../base/parts.ts";
 import { completeJob } from "./reading.ts";
 import { openContent, useEditor } from "./store.ts";
-import { isProgram, onlyBundle, type ProgramWork, type Work } from "./work.ts";
+import { isProgram, onlyBundle, textsOf, type ProgramWork, type Work, type WorkFile } from "./work.ts";
 import { shopOf } from "./work-tools.ts";
 
 const printed = new WeakMap<SetJob, string>();
@@ -65,6 +65,10 @@ export async function exportedText(job: Job): Promise<string> {
   const text = printedText(job);
   return job.layout === "iso" ? (await isoFile(text)).text : text;
 }
+
+/** The files of a work as a control loads them. */
+export const exportedFiles = async (work: Work): Promise<readonly WorkFile[]> =>
+  isProgram(work) ? textsOf(work) : [{ name: fileOfJob(work), text: await exportedText(work), encoding: "utf-8" }];
 
 /** The file name of a job: the name in BEGIN PGM with the extension of its format. */
 export const fileOfJob = (job: Job): string => `${programName(printedText(job))}.${job.layout === "iso" ? "i" : "h"}`;

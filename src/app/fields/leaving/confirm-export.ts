@@ -3,9 +3,8 @@ import { isMadeFrom, useOutcome } from "../../calculation/outcome.ts";
 import { isError, isToDo, type FindingEntry } from "../../findings/entry.ts";
 import { presentFindings } from "../../findings/use-findings.ts";
 import type { ShownVerdict } from "../../findings/verdict.ts";
-import { readJob } from "../../document/reading.ts";
+import { openReading } from "../../document/reading.ts";
 import { flushEdits, openContent } from "../../document/store.ts";
-import { isProgram } from "../../document/work.ts";
 
 /** Ways to export a program. */
 export type ExportWay = "copy" | "save" | "download" | "share";
@@ -34,7 +33,7 @@ function waitForResult(): Promise<boolean> {
     const { newest } = useOutcome.getState();
     return newest !== null && content !== null && isMadeFrom(newest, content);
   };
-  const isIncomplete = content && !isProgram(content) && !readJob(content)?.reading.values;
+  const isIncomplete = openReading()?.reading.values === null;
   if (isThere() || isIncomplete) return Promise.resolve(isThere());
   return new Promise((resolve) => {
     const stop = useOutcome.subscribe(() => {

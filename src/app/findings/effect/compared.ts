@@ -2,7 +2,7 @@ import { create } from "zustand";
 import { useOutcome, type Outcome, type Planned } from "../../calculation/outcome.ts";
 import { usePlace } from "../../place/place.ts";
 import { openText } from "../../document/printed.ts";
-import { readJob } from "../../document/reading.ts";
+import { openReading } from "../../document/reading.ts";
 import { closeStep } from "../../document/steps.ts";
 import { change, openContent, useEditor, type Editor } from "../../document/store.ts";
 import { chipArea, cutAtOnce, effectNow, type Effect } from "./effect.ts";
@@ -30,8 +30,7 @@ export const useCompared = create<Compared>(() => NOTHING);
 
 /** A result with its numbers; those of the run are from a newer planned path if there is one. */
 export function settingOf(outcome: Outcome, made: Outcome | Planned = outcome): MeasuredSetting {
-  const { job } = useEditor.getState();
-  const read = job && readJob(job);
+  const read = openReading();
   return {
     outcome,
     effect: effectNow(made, outcome),

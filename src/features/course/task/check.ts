@@ -10,7 +10,7 @@ import { isMadeFrom, useOutcome, type Outcome } from "../../../app/calculation/o
 import { isOpen } from "../../../app/findings/entry.ts";
 import { chooseFinding } from "../../../app/document/chosen-finding.ts";
 import { asProgram } from "../../../app/document/printed.ts";
-import { readJob } from "../../../app/document/reading.ts";
+import { openReading } from "../../../app/document/reading.ts";
 import { flushEdits, openContent, useEditor } from "../../../app/document/store.ts";
 import { progressOfTask } from "../../../course/progress.ts";
 import { notePass, noteTry, progressRecord } from "../../../app/records/course/progress.ts";
@@ -45,8 +45,7 @@ export function awaitOutcome(): Promise<Outcome | null> {
 
 /** What the open work needs before it can be judged; null if nothing. */
 function notReadyReason(): NotReady | null {
-  const { job } = useEditor.getState();
-  const read = job && readJob(job);
+  const read = openReading();
   if (!read) return null;
   if (read.cycle.contour === "free" && read.job.contour.length === 0) return { why: "noContour" };
   if (read.reading.values) return null;
