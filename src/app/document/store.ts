@@ -13,7 +13,7 @@ import {
   type DocumentId,
   type HistoryStep,
 } from "./steps.ts";
-import { isProgram, type ProgramWork, type Work } from "./work.ts";
+import { isProgram, kindOf, type ProgramWork, type Work } from "./work.ts";
 
 /** The open work, and the key it is saved under on this device. */
 export interface Editor {
@@ -117,8 +117,8 @@ export function open(content: Work | null, work: string | null): void {
   leave();
   if (!isSameData(knownState(work), content)) forgetDocument(documentOfWork(work));
   useEditor.setState(editorOf(content, work));
-  if (work === null) showNoWork();
-  else showWork(content !== null && isProgram(content));
+  if (work === null || !content) showNoWork();
+  else showWork(kindOf(content));
 }
 
 /** Opens a work without a history. */

@@ -1,5 +1,6 @@
 import type { HandedOn, Job, OfWork } from "../../program/job/job.ts";
 import type { NcOutput } from "../../program/machine/nc-output.ts";
+import type { WorkKind } from "../place/place.ts";
 import { fileKey } from "../../program/state/program-files.ts";
 
 /** Encoding of a program file. Controls also write files that are not UTF-8. */
@@ -46,6 +47,7 @@ export const MOST_MEASURED = 100;
 export type Work = Job | ProgramWork;
 
 export const isProgram = (work: Work): work is ProgramWork => "text" in work;
+export const kindOf = (work: Work): WorkKind => (isProgram(work) ? "program" : "cycle");
 
 const NO_FILES: readonly WorkFile[] = [];
 

@@ -4,8 +4,7 @@ import { PinnedCard } from "../../findings/effect/Pinned.tsx";
 import type { FindingsHost } from "../../findings/host.ts";
 import { FindingsHostContext } from "../../findings/host-context.ts";
 import { useListed } from "../../findings/use-findings.ts";
-import type { Columned } from "../../place/columns.ts";
-import type { WorkSection } from "../../place/place.ts";
+import type { WorkKind, WorkSection } from "../../place/place.ts";
 import { SectionTabs } from "../../place/SectionTabs.tsx";
 import { Splitter } from "../../place/Splitter.tsx";
 import { Centre, HelpDock } from "../dialog/HelpDock.tsx";
@@ -22,7 +21,7 @@ export interface WorkTab {
 }
 
 interface Props {
-  readonly of: Columned;
+  readonly of: WorkKind;
   readonly host: FindingsHost;
   /** Name of the sections. */
   readonly name: string;
