@@ -1,8 +1,7 @@
 import { chooseFinding } from "../document/chosen-finding.ts";
 import { clearSelection } from "../document/selected.ts";
 import { createDeferredStore } from "../base/typing.ts";
-import { textOf } from "../document/printed.ts";
-import { filesOf, isProgram, type Work, type WorkFile } from "../document/work.ts";
+import { filesOf, type ProgramWork, type WorkFile } from "../document/work.ts";
 import type { Run } from "../../program/state/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 
@@ -33,9 +32,9 @@ export interface Planned extends Made {
   readonly simulation: null;
 }
 
-/** Whether a result belongs to a work in its present state. */
-export const isMadeFrom = ({ text, files, skipMarked = false }: Made, work: Work): boolean =>
-  text === textOf(work) && (!isProgram(work) || (files === filesOf(work) && skipMarked === (work.skipMarked ?? false)));
+/** Whether a result belongs to the program in its present state. */
+export const isMadeFrom = ({ text, files, skipMarked = false }: Made, program: ProgramWork): boolean =>
+  text === program.text && files === filesOf(program) && skipMarked === (program.skipMarked ?? false);
 
 /** From text to check. */
 export const STAGES = ["reading", "running", "proving"] as const;

@@ -3,7 +3,8 @@ import { parse } from "../../nc/parse.ts";
 import type { Program } from "../../nc/program.ts";
 import type { Control } from "../../program/tools/plane-types.ts";
 import { setupData, type SetupData } from "../../report/sheet/setup-data.ts";
-import { isMadeFrom, useOutcome, type Outcome } from "../../app/calculation/outcome.ts";
+import { useOutcome, type Outcome } from "../../app/calculation/outcome.ts";
+import { isResultOf } from "../../app/calculation/result-of.ts";
 import { fileOfWork, textOf } from "../../app/document/printed.ts";
 import { useIsoFile } from "../../app/document/output.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
@@ -36,7 +37,7 @@ export function useSheetSource(): SheetSource | null {
   const settings = useSettings((s) => s.control);
   const { table } = toolsOnDevice(own.tools ?? shop);
   const text = work && textOf(work);
-  const isOwn = newest !== null && !newest.isBeginning && work !== null && isMadeFrom(newest, work);
+  const isOwn = newest !== null && !newest.isBeginning && work !== null && isResultOf(newest, work);
   const outcome = isOwn ? newest : null;
   const program = useMemo(() => (text === null ? null : parse(text)), [text]);
   const data = useMemo(

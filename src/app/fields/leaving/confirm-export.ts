@@ -1,5 +1,6 @@
 import { create } from "zustand";
-import { isMadeFrom, useOutcome } from "../../calculation/outcome.ts";
+import { useOutcome } from "../../calculation/outcome.ts";
+import { isResultOf } from "../../calculation/result-of.ts";
 import { isError, isToDo, type FindingEntry } from "../../findings/entry.ts";
 import { presentFindings } from "../../findings/use-findings.ts";
 import type { ShownVerdict } from "../../findings/verdict.ts";
@@ -31,7 +32,7 @@ function waitForResult(): Promise<boolean> {
   const content = openContent();
   const isThere = () => {
     const { newest } = useOutcome.getState();
-    return newest !== null && content !== null && isMadeFrom(newest, content);
+    return newest !== null && content !== null && isResultOf(newest, content);
   };
   const isIncomplete = openReading()?.reading.values === null;
   if (isThere() || isIncomplete) return Promise.resolve(isThere());

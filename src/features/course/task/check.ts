@@ -6,7 +6,8 @@ import { areAllRight } from "../../../course/predicted-answers.ts";
 import { presentProgram } from "../../../app/fields/compare/sides.ts";
 import { stopwatch } from "../../../app/base/clock.ts";
 import { outcomeOfOther } from "../../../app/calculation/other-outcome.ts";
-import { isMadeFrom, useOutcome, type Outcome } from "../../../app/calculation/outcome.ts";
+import { useOutcome, type Outcome } from "../../../app/calculation/outcome.ts";
+import { isResultOf } from "../../../app/calculation/result-of.ts";
 import { isOpen } from "../../../app/findings/entry.ts";
 import { chooseFinding } from "../../../app/document/chosen-finding.ts";
 import { asProgram } from "../../../app/document/printed.ts";
@@ -21,7 +22,7 @@ import { useTaskView, type NotReady } from "./task-view.ts";
 /** Whether a result belongs to the current state of the open work. */
 export function isOfWork(outcome: Outcome | null): outcome is Outcome {
   const content = openContent();
-  return outcome !== null && content !== null && isMadeFrom(outcome, content);
+  return outcome !== null && content !== null && isResultOf(outcome, content);
 }
 
 /** Waits for the result of the current state of the open work; null if it fails or another work is opened. */
