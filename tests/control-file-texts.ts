@@ -1,5 +1,6 @@
 import * as fc from "fast-check";
 import { NC_LANGUAGES } from "../src/nc/nc-languages.ts";
+import type { Cycle } from "../src/cycles/define.ts";
 import { cuttingCycles } from "../src/cycles/index.ts";
 import type { Param } from "../src/cycles/params.ts";
 import type { Statement } from "../src/nc/statement.ts";
@@ -63,8 +64,8 @@ const outputs = fc.record({
   capitals: fc.boolean(),
 });
 
-/** Jobs as a user may type them, usually with values in range, in each language, layout and setting. */
-export const typedJobs: fc.Arbitrary<SetJob> = fc.constantFrom(...cuttingCycles).chain((cycle) =>
+/** Jobs of one cycle as a user may type them, usually with values in range, in each language, layout and setting. */
+export const typedJobsOf = (cycle: Cycle): fc.Arbitrary<SetJob> =>
   fc
     .record({
       draft: fc.record(Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, typed(p)]))),
@@ -80,8 +81,10 @@ export const typedJobs: fc.Arbitrary<SetJob> = fc.constantFrom(...cuttingCycles)
       layout: fc.constantFrom(...JOB_LAYOUTS),
       output: outputs,
     })
-    .map(({ draft, ...rest }) => ({ ...exampleJob(cycle), drafts: { [cycle.number]: draft }, ...rest })),
-);
+    .map(({ draft, ...rest }) => ({ ...exampleJob(cycle), drafts: { [cycle.number]: draft }, ...rest }));
+
+/** Jobs of any cycle. */
+export const typedJobs: fc.Arbitrary<SetJob> = fc.constantFrom(...cuttingCycles).chain(typedJobsOf);
 
 /** Limits of positions, deltas and feeds in the input formats, and the number of parameters of a program. */
 const [POSITION, DELTA, FEED, LOCAL] = [99999.9999, 99.9999, 99999.999, 500];

@@ -5,20 +5,14 @@ import { clock } from "../app/base/clock.ts";
 import { chooseElement, useContourPlace } from "../app/place/contour-place.ts";
 import { BackToPrompts } from "../app/fields/dialog/BackToPrompts.tsx";
 import { CycleDialog } from "../app/fields/dialog/CycleDialog.tsx";
-import { Centre, HelpDock } from "../app/fields/dialog/HelpDock.tsx";
 import { setContour, setPrompt } from "../app/document/edits.ts";
-import { EffectStrip } from "../app/findings/effect/EffectStrip.tsx";
-import { PinnedCard } from "../app/findings/effect/Pinned.tsx";
+import { CycleStrip } from "../app/findings/effect/CycleStrip.tsx";
 import { cycleGivens } from "../app/calculation/cycle-givens.ts";
-import { Working } from "../app/calculation/Working.tsx";
 import { useOutcome } from "../app/calculation/outcome.ts";
 import { ContourViews } from "./ContourViews.tsx";
 import { useJobHost } from "./use-job-host.ts";
-import { FindingsHostContext } from "../app/findings/host-context.ts";
-import { useListed } from "../app/findings/use-findings.ts";
 import { Icon } from "../app/base/Icon.tsx";
 import { CycleInWork } from "../app/calculation/issue-text.ts";
-import { ConfirmExportDialog } from "../app/fields/leaving/ConfirmExportDialog.tsx";
 import { LatheView } from "../app/pictures/lathe/LatheView.tsx";
 import { MeasuredTargetContext } from "../app/document/measured-target-context.ts";
 import { useMeasuredTarget } from "../app/document/measured-target.ts";
@@ -27,13 +21,11 @@ import { lazyPart } from "../app/base/parts.ts";
 import { showSection, usePlace, type JobSection } from "../app/place/place.ts";
 import { playback } from "../app/calculation/playback.ts";
 import { openAsked } from "../app/fields/program/choose-line.ts";
-import { PrintedProgram } from "../app/fields/program/PrintedProgram.tsx";
 import { useTextBar } from "../app/fields/find/text-bar.ts";
 import { ProgramPanel } from "../app/fields/program/ProgramPanel.tsx";
 import { useReading, type JobReading } from "../app/document/reading.ts";
 import { prefetchIdle } from "../app/base/idle.ts";
-import { SectionTabs } from "../app/place/SectionTabs.tsx";
-import { Splitter } from "../app/place/Splitter.tsx";
+import { WorkColumns } from "../app/fields/workplace/WorkColumns.tsx";
 import { changeSettings, useSettings } from "../app/base/settings/settings.ts";
 import { useTexts } from "../app/base/settings/use-texts.ts";
 import { useThirdColumn } from "../app/base/use-media.ts";
@@ -67,7 +59,6 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
   const asked = usePlace((p) => p.section);
   const shown = useOutcome((s) => s.pictured);
   const dimmed = useOutcome((s) => s.dimmed);
-  const findings = useListed();
   const view = useContourPlace((p) => p.view);
   const host = useJobHost(read);
   const tools = useToolList();
@@ -116,31 +107,39 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
     program: <ProgramPanel read={read} foldable={false} bar={bar} />,
   };
 
+  const text = folded ? (
+    <button
+      type="button"
+      className="button plain unfold"
+      aria-label={t.text.unfold}
+      title={t.text.unfold}
+      onClick={() => changeSettings({ programFolded: false })}
+    >
+      <Icon name="unfold" /> <span>{t.program}</span>
+    </button>
+  ) : (
+    <ProgramPanel read={read} foldable bar={bar} />
+  );
+
   return (
-    <main className={`workplace${wide ? (folded ? " program-folded" : "") : " two-columns"}`}>
-      <div className="left">
-        <FindingsHostContext value={host}>
-          <SectionTabs
-            name={t.sections}
-            open={open}
-            tabs={possible.map((section) => ({
-              section,
-              name: section === "findings" ? findingsTitle : t[section],
-              content: content[section],
-              stays: section === "prompts",
-              ...(section === "findings" && {
-                badge: { count: findings.length, severity: findings[0]?.issue.severity ?? "info" },
-              }),
-            }))}
-          />
-        </FindingsHostContext>
-      </div>
-      <Splitter of="cycle" side="left" />
-      <DeferredUntilPaint>
-        <EffectStrip read={read} />
-      </DeferredUntilPaint>
-      <Centre>
-        {drawing ? (
+    <WorkColumns
+      of="cycle"
+      host={host}
+      name={t.sections}
+      open={open}
+      sections={possible.map((section) => ({
+        section,
+        name: section === "findings" ? findingsTitle : t[section],
+        content: content[section],
+        stays: section === "prompts",
+      }))}
+      strip={
+        <DeferredUntilPaint>
+          <CycleStrip read={read} />
+        </DeferredUntilPaint>
+      }
+      picture={
+        drawing ? (
           <Suspense>
             <ContourStage
               rows={read.job.contour}
@@ -170,31 +169,11 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
               </MeasuredTargetContext>
             </CycleInWork>
           </div>
-        )}
-        {!drawing && <HelpDock />}
-        {!drawing && <PinnedCard />}
-        <Working />
-      </Centre>
-      {wide && !folded && <Splitter of="cycle" side="right" />}
-      {wide && (
-        <div className="right">
-          {folded ? (
-            <button
-              type="button"
-              className="button plain unfold"
-              aria-label={t.text.unfold}
-              title={t.text.unfold}
-              onClick={() => changeSettings({ programFolded: false })}
-            >
-              <Icon name="unfold" /> <span>{t.program}</span>
-            </button>
-          ) : (
-            <ProgramPanel read={read} foldable bar={bar} />
-          )}
-        </div>
-      )}
-      <PrintedProgram />
-      <ConfirmExportDialog cycleOf={host.cycleOf} />
-    </main>
+        )
+      }
+      isDrawing={drawing}
+      text={wide ? text : null}
+      isFolded={folded}
+    />
   );
 }

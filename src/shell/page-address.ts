@@ -1,8 +1,9 @@
 import { notice } from "../app/base/notices.ts";
 import { goHome, goToEntrance } from "../app/document/go-home.ts";
-import { useEditor } from "../app/document/store.ts";
+import { openContent, useEditor } from "../app/document/store.ts";
 import { showToolNumber } from "../app/document/tool-row.ts";
 import { toolsOnDevice, useTools } from "../app/document/tool-store.ts";
+import { kindOf } from "../app/document/work.ts";
 import type { Address, ToolsAddress, WorkAddress } from "../app/place/address.ts";
 import {
   closeOver,
@@ -34,7 +35,8 @@ function currentToolsAddress(): ToolsAddress {
 export function currentAddress(): Address {
   const place = usePlace.getState(),
     page = shownPage(place);
-  const { work, program } = useEditor.getState();
+  const { work } = useEditor.getState(),
+    content = openContent();
   const which = place.over?.dialog === "which";
   switch (page.page) {
     case "guide":
@@ -51,11 +53,13 @@ export function currentAddress(): Address {
       return { page: "work", work: page.of.work, section: "prompts", which: false };
     case "sheet":
     case "work": {
-      if (work === null) return { page: "start", which };
+      if (work === null || !content) return { page: "start", which };
       if (page.page === "sheet") return { page: "sheet", work };
+      const kind = kindOf(content);
       // Opening a prompt sets the section "prompts": in a program those are in the block.
-      const isShown = sectionsOf(program !== null).includes(place.section);
-      return { page: "work", work, section: isShown ? place.section : program ? "block" : "prompts", which };
+      const asked = kind === "program" ? "block" : "prompts";
+      const section = sectionsOf(kind).includes(place.section) ? place.section : asked;
+      return { page: "work", work, section, which };
     }
     case "start":
       return { page: "start", which };
@@ -73,8 +77,9 @@ async function showWorkAt({ work, section }: Pick<WorkAddress, "work" | "section
     }
   }
   uncoverAll();
-  const { program } = useEditor.getState();
-  if (usePlace.getState().section !== section && sectionsOf(program !== null).includes(section)) showSection(section);
+  const content = openContent();
+  if (content && usePlace.getState().section !== section && sectionsOf(kindOf(content)).includes(section))
+    showSection(section);
 }
 
 function showRow({ number, milling }: ToolsAddress): void {

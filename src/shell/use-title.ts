@@ -1,13 +1,13 @@
 import { useEffect } from "react";
 import { useTexts } from "../app/base/settings/use-texts.ts";
-import { useEditor } from "../app/document/store.ts";
+import { useEditor, openContent } from "../app/document/store.ts";
 import { taskOfWork } from "../app/document/work-task.ts";
 import { guidePath, shownPage, usePlace } from "../app/place/place.ts";
 
 /** The name of the page on top; null for the course and the glossary, which name their lessons and terms themselves. */
 function usePageName(): string | null {
   const { page: t, start, menu } = useTexts("first");
-  const name = useEditor((s) => s.job?.name ?? s.program?.name ?? "");
+  const name = useEditor((s) => openContent(s)?.name ?? "");
   const isTask = useEditor((s) => taskOfWork(s) !== undefined);
   const page = usePlace((p) => shownPage(p).page);
   const isFinding = usePlace((p) => p.over?.dialog === "which");

@@ -3,7 +3,7 @@ import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job/job.ts";
 import { useSettings } from "../base/settings/settings.ts";
-import { openFirstWork, edit } from "../document/store.ts";
+import { openFirstWork, changeJob } from "../document/store.ts";
 import { createCalculation } from "./calculation.ts";
 import type { Wait } from "./calculation-state.ts";
 import { engine } from "./engine.ts";
@@ -85,7 +85,7 @@ afterEach(() => {
 
 const shown = () => useOutcome.getState().shown?.text ?? null;
 const typeInto = (draft: Readonly<Record<string, string>>) =>
-  edit((job) => ({ ...job, drafts: { ...job.drafts, [job.cycle]: { ...job.drafts[job.cycle], ...draft } } }));
+  changeJob((job) => ({ ...job, drafts: { ...job.drafts, [job.cycle]: { ...job.drafts[job.cycle], ...draft } } }));
 /** Lets the page plan. */
 async function plansHere(): Promise<void> {
   await it.page.fetch();
@@ -113,7 +113,7 @@ test("another work of the same cycle is calculated anew", async () => {
 test("a change that leaves the program the same is not calculated", async () => {
   await it.answer();
   useSettings.setState({ programFolded: true });
-  edit((job) => ({ ...job, remarks: "turned twice" }));
+  changeJob((job) => ({ ...job, remarks: "turned twice" }));
   expect(it.asked).toEqual([]);
 });
 
@@ -176,7 +176,7 @@ test("the run of a task that asks first is hidden, and recalculated when it may 
   expect(useOutcome.getState().planned).toBeNull();
   await it.answer();
   expect(steps()).toBe(0);
-  edit((job) => ({ ...job, task: { id: "how-many" } }));
+  changeJob((job) => ({ ...job, task: { id: "how-many" } }));
   it.calculation.recalculate();
   expect(useOutcome.getState().pictured?.run.steps.length).toBeGreaterThan(3);
 });

@@ -1,12 +1,11 @@
 import { loadMachine } from "./machine-reader.ts";
-import { printedText } from "../document/printed.ts";
 import { useEditor } from "../document/store.ts";
 import { controlInUse, machineInUse, machineTextOf, shopOf, toolTable } from "../document/work-tools.ts";
 import type { Comparer } from "./comparison.ts";
-import { filesOf, isProgram, type ProgramWork, type Work } from "../document/work.ts";
+import type { ProgramWork, Work } from "../document/work.ts";
 import type { Outcome } from "./outcome.ts";
 import type { Reported } from "./reported.ts";
-import { rapidOf, USUAL_RAPID, type Request } from "./request.ts";
+import { rapidOf, runOf, USUAL_RAPID, type Request } from "./request.ts";
 import { askAgain } from "./worker-life.ts";
 
 /*
@@ -15,10 +14,8 @@ import { askAgain } from "./worker-life.ts";
 
 /** The request for a program that is not open, with its own tools, machine and files. */
 export async function requestOfOther(program: ProgramWork, timedAs = useEditor.getState().job): Promise<Request> {
-  const { name, text, skipMarked = false } = program;
   const machine = await loadMachine(machineTextOf(program));
-  const rapid = timedAs ? rapidOf(timedAs) : USUAL_RAPID;
-  return { version: 0, name, text, files: filesOf(program), skipMarked, ...shopOf(program), machine, rapid };
+  return { version: 0, ...runOf(program), ...shopOf(program), machine, ...(timedAs && { rapid: rapidOf(timedAs) }) };
 }
 
 /** The result of a program that is not open; null if it cannot be calculated. */
@@ -38,16 +35,7 @@ export async function outcomeOfOther(
 export async function reportOf(work: Work, file: string): Promise<Reported | null> {
   const shop = { version: 0, table: toolTable(), control: controlInUse(), machine: await loadMachine(machineInUse()) };
   try {
-    const request = isProgram(work)
-      ? {
-          ...shop,
-          text: work.text,
-          name: work.name,
-          files: filesOf(work),
-          skipMarked: work.skipMarked ?? false,
-          rapid: USUAL_RAPID,
-        }
-      : { ...shop, text: printedText(work), rapid: rapidOf(work) };
+    const request = { ...shop, ...runOf(work) };
     return await askAgain((engine) => engine.reported(request, file));
   } catch {
     return null;

@@ -4,7 +4,8 @@ import type { MachineData } from "../../program/machine/machine-data.ts";
 import type { Control } from "../../program/tools/plane-types.ts";
 import type { ShopTools } from "../../program/tools/read-tools.ts";
 import { SETUP_FIELDS } from "../../program/job/setup-fields.ts";
-import type { WorkFile } from "../document/work.ts";
+import { textOf } from "../document/printed.ts";
+import { filesOf, isProgram, type Work, type WorkFile } from "../document/work.ts";
 
 /** A program to calculate. */
 export interface Request {
@@ -31,3 +32,15 @@ export const USUAL_RAPID = 10_000;
 
 /** Rapid rate of a job, mm/min. */
 export const rapidOf = (job: Job): number => readText(SETUP_FIELDS.rapid, job.rapid).value ?? USUAL_RAPID;
+
+/** What is run of a work. */
+export const runOf = (work: Work) =>
+  isProgram(work)
+    ? {
+        text: work.text,
+        name: work.name,
+        files: filesOf(work),
+        skipMarked: work.skipMarked ?? false,
+        rapid: USUAL_RAPID,
+      }
+    : { text: textOf(work), rapid: rapidOf(work) };

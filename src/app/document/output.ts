@@ -3,7 +3,7 @@ import type { Job } from "../../program/job/job.ts";
 import type { NcOutput } from "../../program/machine/nc-output.ts";
 import { isoFile, manualText, printedText, type IsoFile } from "./printed.ts";
 import { useSettings } from "../base/settings/settings.ts";
-import { changeProgram, edit, bundleOf, useEditor } from "./store.ts";
+import { bundleOf, change, openContent, useEditor } from "./store.ts";
 
 /** Kind of the exported file. */
 export type FileKind = "tnc640" | "tnc7" | "iso";
@@ -43,20 +43,13 @@ export function useShownText(job: Job): { readonly text: string; readonly iso: I
 
 /** The NC output of the open work, by default that of this device. */
 export function useOutput(): NcOutput {
-  const own = useEditor(({ job, program }) => (job ?? program)?.output);
+  const own = useEditor((s) => openContent(s)?.output);
   const device = useSettings((s) => s.output);
   return own ?? device;
 }
 
 /** The same outside of a component. */
-export function outputInUse(): NcOutput {
-  const { job, program } = useEditor.getState();
-  return (job ?? program)?.output ?? useSettings.getState().output;
-}
+export const outputInUse = (): NcOutput => openContent()?.output ?? useSettings.getState().output;
 
 /** Changes the NC output of the open work as one step of undo. */
-export function setOutput(output: NcOutput): void {
-  const put = <W extends { readonly output?: NcOutput }>(work: W): W => ({ ...work, output });
-  if (useEditor.getState().program) changeProgram(put, "output");
-  else edit(put, "output");
-}
+export const setOutput = (output: NcOutput): void => change((work) => ({ ...work, output }), "output");

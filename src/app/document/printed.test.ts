@@ -1,5 +1,9 @@
 import { expect, test } from "vitest";
-import { blockCount, printedBlocks } from "./printed.ts";
+import { cuttingCycles } from "../../cycles/index.ts";
+import { exampleJob } from "../../program/job/job.ts";
+import { shippedList } from "../../program/tools/tool-list.ts";
+import { blockCount, openText, printedBlocks, textOf } from "./printed.ts";
+import { openFirstWork } from "./store.ts";
 
 const numbersOf = (text: string) => printedBlocks(text).map(({ number, lines }) => [number, lines.length]);
 
@@ -43,4 +47,15 @@ test.each<[string, string, readonly (readonly [number, number])[]]>([
 ])("%s is split into blocks", (_, text, blocks) => {
   expect(numbersOf(text)).toEqual(blocks);
   expect(blockCount(text)).toBe(blocks.length);
+});
+
+test("a job is printed with its own tools or those of the device, whatever work is open", () => {
+  const [cycle] = cuttingCycles;
+  if (!cycle) throw new Error("the catalogue is empty");
+  const kept = { ...exampleJob(cycle), tool: null };
+  openFirstWork(null, null);
+  const text = textOf(kept);
+  openFirstWork({ ...kept, tools: shippedList.slice(5, 6) }, "other");
+  expect(textOf(kept)).toBe(text);
+  expect(openText()).not.toBe(text);
 });

@@ -4,20 +4,39 @@ import type { Job, SetJob } from "../../program/job/job.ts";
 import { printAsInManual, printJob } from "../../program/job/print-job.ts";
 import { retryImport } from "../base/parts.ts";
 import { completeJob } from "./reading.ts";
+import { openContent, useEditor } from "./store.ts";
+import { isProgram, onlyBundle, textsOf, type ProgramWork, type Work, type WorkFile } from "./work.ts";
+import { shopOf } from "./work-tools.ts";
 
 const printed = new WeakMap<SetJob, string>();
 
 /**
  * The program text of a job with its set-up, which is run and checked: a Klartext file for its control in its own label
- * language, cached per state of the job. Its tools are by default those of the open work.
+ * language, cached per state of the job. Its tools are by default its own, or those of this device.
  */
-export function printedText(typed: Job, tools?: readonly Tool[]): string {
+export function printedText(typed: Job, tools: readonly Tool[] = shopOf(typed).table.tools): string {
   const job = completeJob(typed, tools);
   const known = printed.get(job);
   if (known !== undefined) return known;
   const text = printJob(job, ncLabels(job.ncLanguage));
   printed.set(job, text);
   return text;
+}
+
+/** The program text of a work: that of a program, or a job's as printed. */
+export const textOf = (work: Work): string => (isProgram(work) ? work.text : printedText(work));
+
+/** The program text of the open work; null if none is open. */
+export function openText(editor = useEditor.getState()): string | null {
+  const content = openContent(editor);
+  return content && textOf(content);
+}
+
+/** A work as a program with its tools and settings; a job is printed. */
+export function asProgram(work: Work): ProgramWork {
+  if (isProgram(work)) return work;
+  const text = printedText(work);
+  return { name: `${programName(text)}.h`, text, encoding: "utf-8", ...onlyBundle(work) };
 }
 
 /** The program of a job in the layout of the printed manual, for reading. */
@@ -47,8 +66,15 @@ export async function exportedText(job: Job): Promise<string> {
   return job.layout === "iso" ? (await isoFile(text)).text : text;
 }
 
+/** The files of a work as a control loads them. */
+export const exportedFiles = async (work: Work): Promise<readonly WorkFile[]> =>
+  isProgram(work) ? textsOf(work) : [{ name: fileOfJob(work), text: await exportedText(work), encoding: "utf-8" }];
+
 /** The file name of a job: the name in BEGIN PGM with the extension of its format. */
 export const fileOfJob = (job: Job): string => `${programName(printedText(job))}.${job.layout === "iso" ? "i" : "h"}`;
+
+/** Name of the program file of a work. */
+export const fileOfWork = (work: Work): string => (isProgram(work) ? work.name : fileOfJob(work));
 
 /** The name in BEGIN PGM, which is also the name of the file. */
 export const programName = (text: string): string => /BEGIN PGM (\S+)/.exec(text)?.[1] ?? "PROGRAM";

@@ -6,7 +6,7 @@ import { readDraft, type Draft, type DraftInches, type DraftReading } from "../.
 import { setupOf, withSetup, type Setup } from "../../program/job/setup.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { draftOf } from "./edits.ts";
-import { useEditor } from "./store.ts";
+import { useEditor, type Editor } from "./store.ts";
 import { toolTable, useToolList } from "./work-tools.ts";
 
 /** The open job with its cycle and the values of its prompts. */
@@ -69,3 +69,6 @@ export const useReading = (): JobReading | null => {
   const tools = useToolList();
   return job && readJob(job, tools);
 };
+
+/** The same outside of a component; null also for a program. */
+export const openReading = ({ job }: Editor = useEditor.getState()): JobReading | null => job && readJob(job);

@@ -3,7 +3,7 @@ import type { SetupPlace } from "../../program/job/setup-places.ts";
 import { proposalAt } from "../../program/job/setup.ts";
 import { withPlace } from "../../program/job/setup-place.ts";
 import { closeStep } from "./steps.ts";
-import { edit } from "./store.ts";
+import { changeJob } from "./store.ts";
 import { toolTable } from "./work-tools.ts";
 
 /** The job with what is proposed for a field that is set now, so that another proposal is noticed later. */
@@ -15,7 +15,7 @@ function withProposal(job: Job, place: SetupPlace, isSet: boolean): Job {
 
 /** Sets a field of the set-up: it is the operator's and stays. An empty text restores the proposal. */
 export const setPlace = (place: SetupPlace, text: string): void =>
-  edit((job) => {
+  changeJob((job) => {
     const next = withPlace(job, place, text);
     return next === job ? job : withProposal(next, place, text.trim() !== "");
   }, place);

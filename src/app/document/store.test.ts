@@ -7,7 +7,7 @@ import { draftOf, setPrompt } from "./edits.ts";
 import { documentInView, redoStep, undoStep } from "./history.ts";
 import { setPlace } from "./setup-edits.ts";
 import { asOneStep, closeStep, historyOf } from "./steps.ts";
-import { openDocument, openFirstWork, edit, open, useEditor } from "./store.ts";
+import { openDocument, openFirstWork, changeJob, open, useEditor } from "./store.ts";
 import { setCell } from "../../features/tools/tool-edits.ts";
 import { shownPage, showTools, uncover, usePlace } from "../place/place.ts";
 import { toolRecord, useTools } from "./tool-store.ts";
@@ -109,7 +109,7 @@ test("a table that is replaced from outside loses its steps, and no others", () 
 });
 
 test("a change that changes nothing is no step", () => {
-  edit((job) => job);
+  changeJob((job) => job);
   setPrompt(first, value(first) ?? "");
   expect(steps()).toBe(0);
 });
@@ -129,7 +129,7 @@ test("a digit typed and erased is no step, and the next key joins no earlier ste
 test("replacing a state with an equal one is no step, and keeps the redo steps", () => {
   setPrompt(first, "17.3");
   undoStep();
-  edit((job) => ({ ...job, contour: job.contour.map((row) => ({ ...row })) }));
+  changeJob((job) => ({ ...job, contour: job.contour.map((row) => ({ ...row })) }));
   expect(steps()).toBe(0);
   redoStep();
   expect(value(first)).toBe("17.3");

@@ -13,7 +13,7 @@ import {
   type DocumentId,
   type HistoryStep,
 } from "./steps.ts";
-import { isProgram, type ProgramWork, type Work } from "./work.ts";
+import { isProgram, kindOf, type ProgramWork, type Work } from "./work.ts";
 
 /** The open work, and the key it is saved under on this device. */
 export interface Editor {
@@ -36,6 +36,13 @@ export function flushEdits(): void {
 /** The open work, as it is now. */
 export const openContent = ({ job, program }: Editor = useEditor.getState()): Work | null => job ?? program;
 
+/** The state with a work open, or none. */
+const editorOf = (content: Work | null, work: string | null): Editor =>
+  content && isProgram(content) ? { job: null, program: content, work } : { job: content, program: null, work };
+
+/** Replaces the state of the open work. */
+const put = (content: Work): void => useEditor.setState((now) => editorOf(content, now.work));
+
 /** The document of the open work; null if none is open. */
 export const openDocument = (editor: Editor = useEditor.getState()): DocumentId | null =>
   openContent(editor) && documentOfWork(editor.work);
@@ -49,7 +56,7 @@ const putState =
   (state: Work): boolean => {
     if (useEditor.getState().work !== work) return false;
     flushEdits();
-    useEditor.setState(isProgram(state) ? { program: state } : { job: state });
+    put(state);
     return true;
   };
 
@@ -58,17 +65,29 @@ export const workStep = (work: string | null, before: Work, after: Work): Histor
   stepBetween(documentOfWork(work), putState(work), before, after, OF_STATE);
 
 /**
- * Changes the job as one step of undo. Successive changes at the same place are one step: a number is one step, however
- * many digits it has.
+ * Changes the open work as one step of undo. Successive changes at the same place are one step: a number is one step,
+ * however many digits it has.
  */
-export function edit(change: (job: Job) => Job, place: string | null = null): void {
-  const { job, work } = useEditor.getState();
-  if (!job) return;
-  const next = change(job);
-  if (next === job) return;
-  useEditor.setState({ job: next });
-  recordStep(workStep(work, job, next), continuesStep(place));
+export function change(edit: (content: Work) => Work, place: string | null = null): void {
+  flushEdits();
+  const before = openContent();
+  const after = before && edit(before);
+  if (!before || !after || after === before) return;
+  const on = continuesStep(place);
+  put(after);
+  recordStep(workStep(useEditor.getState().work, before, after), on);
 }
+
+/** Changes the open work if it is a job. */
+export const changeJob = (edit: (job: Job) => Job, place: string | null = null): void =>
+  change((content) => (isProgram(content) ? content : edit(content)), place);
+
+/** Changes the open work if it is a program. */
+export const changeProgram = (edit: (program: ProgramWork) => ProgramWork, place: string | null = null): void =>
+  change((content) => (isProgram(content) ? edit(content) : content), place);
+
+/** Sets the open program after a change. The editor of the text records the steps. */
+export const setProgram: (program: ProgramWork) => void = put;
 
 /** Each work as it was last opened, for comparison with its present state. */
 const opened = new Map<string, Work>();
@@ -97,11 +116,9 @@ export function open(content: Work | null, work: string | null): void {
   flushEdits();
   leave();
   if (!isSameData(knownState(work), content)) forgetDocument(documentOfWork(work));
-  useEditor.setState(
-    content && isProgram(content) ? { job: null, program: content, work } : { job: content, program: null, work },
-  );
-  if (work === null) showNoWork();
-  else showWork(content !== null && isProgram(content));
+  useEditor.setState(editorOf(content, work));
+  if (work === null || !content) showNoWork();
+  else showWork(kindOf(content));
 }
 
 /** Opens a work without a history. */
@@ -110,31 +127,14 @@ export function openFirstWork(content: Work | null, work: string | null): void {
   forgetDocument(documentOfWork(work));
 }
 
-/** Sets the open program after a change. The editor of the text records the steps. */
-export const setProgram = (program: ProgramWork): void => useEditor.setState({ program });
-
-/** Changes the open program as one step of undo; successive changes at the same place are one step. */
-export function changeProgram(change: (program: ProgramWork) => ProgramWork, place: string | null = null): void {
-  flushEdits();
-  const { program: before, work } = useEditor.getState();
-  const after = before && change(before);
-  if (!after || after === before) return;
-  const on = continuesStep(place);
-  setProgram(after);
-  recordStep(workStep(work, before, after), on);
-}
-
 /** The open work's own tools, control and machine, which replace those of the device; empty if none is open. */
-export const bundleOf = ({ job, program }: Editor): HandedOn => job ?? program ?? {};
+export const bundleOf = (editor: Editor): HandedOn => openContent(editor) ?? {};
 
 /** A work with another set of own tools, control and machine. */
-export const withBundle = <W extends Job | ProgramWork>(work: W, next: HandedOn): W => {
-  const { tools: _, control: __, machine: ___, ...bare } = work;
-  return { ...bare, ...next } as unknown as W;
-};
+export const withBundle = ({ tools: _, control: __, machine: ___, ...bare }: Work, next: HandedOn): Work => ({
+  ...bare,
+  ...next,
+});
 
 /** Changes the open work's own tools, control and machine as one step of undo. */
-export function setBundle(next: HandedOn): void {
-  if (useEditor.getState().program) changeProgram((program) => withBundle(program, next));
-  else edit((job) => withBundle(job, next));
-}
+export const setBundle = (next: HandedOn): void => change((content) => withBundle(content, next));

@@ -22,7 +22,7 @@ import {
 import { setPlace } from "./setup-edits.ts";
 import { editOwn, ownRecord } from "./own-store.ts";
 import { asOneStep, lastStep, useSteps, type HistoryStep } from "./steps.ts";
-import { changeProgram, edit, openFirstWork } from "./store.ts";
+import { changeProgram, changeJob, openFirstWork } from "./store.ts";
 import { editTools, toolRecord } from "./tool-store.ts";
 import { programWords } from "./words-of-program.ts";
 import { wordsOfStep } from "./words-of-step.ts";
@@ -75,7 +75,7 @@ test.each<[string, () => unknown]>([
   ["M136 off", () => setPerRevolution(false)],
   [`name ${job.name} → B`, () => setName("B")],
   ["material changed", () => setMaterial("c45")],
-  ["cycle 812 → 822", () => edit((now) => ({ ...now, cycle: 822 }))],
+  ["cycle 812 → 822", () => changeJob((now) => ({ ...now, cycle: 822 }))],
   [
     "Q463 3 → 5, T 1 → 20",
     () => asOneStep(() => [setPlace("tool", "1"), setPrompt("Q463", "5"), setPlace("tool", "20")]),

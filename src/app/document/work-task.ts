@@ -1,17 +1,12 @@
 import type { TaskWork } from "../../program/job/job.ts";
-import { edit, changeProgram, useEditor, type Editor } from "./store.ts";
+import { change, openContent, type Editor } from "./store.ts";
 
 /** The exercise of the open work; undefined if it is none. */
-export const taskOfWork = ({ job, program }: Editor): TaskWork | undefined => (job ?? program)?.task;
+export const taskOfWork = (editor: Editor): TaskWork | undefined => openContent(editor)?.task;
 
 /** Changes the exercise of the open work as one step of undo; successive changes at the same place are one step. */
-export function changeTask(change: (task: TaskWork) => TaskWork, place: string | null = null): void {
-  const { program } = useEditor.getState();
-  const changed = <W extends { readonly task?: TaskWork }>(work: W): W =>
-    work.task ? { ...work, task: change(work.task) } : work;
-  if (program) changeProgram(changed, place);
-  else edit(changed, place);
-}
+export const changeTask = (edit: (task: TaskWork) => TaskWork, place: string | null = null): void =>
+  change((work) => (work.task ? { ...work, task: edit(work.task) } : work), place);
 
 /** Sets the typed answer to one question. */
 export const setPrediction = (question: number, text: string): void =>

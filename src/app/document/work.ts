@@ -1,6 +1,6 @@
-import type { Measurement } from "../../kernel/plan/measured.ts";
-import type { HandedOn, Job, TaskWork } from "../../program/job/job.ts";
+import type { HandedOn, Job, OfWork } from "../../program/job/job.ts";
 import type { NcOutput } from "../../program/machine/nc-output.ts";
+import type { WorkKind } from "../place/place.ts";
 import { fileKey } from "../../program/state/program-files.ts";
 
 /** Encoding of a program file. Controls also write files that are not UTF-8. */
@@ -16,7 +16,7 @@ export interface WorkFile {
 }
 
 /** A whole program as work: its state is its text and the members below. Everything else is derived. */
-export interface ProgramWork extends WorkFile, HandedOn {
+export interface ProgramWork extends WorkFile, OfWork {
   /** Its other files: called programs, contours, tables. All have different keys. */
   readonly files?: readonly WorkFile[];
   /** Blocks with a skip mark are skipped. */
@@ -25,13 +25,6 @@ export interface ProgramWork extends WorkFile, HandedOn {
    * NC output for blocks that the app adds; by default as the program already writes them, else as set on the device.
    */
   readonly output?: NcOutput;
-  /** Remarks on its setup sheet. */
-  readonly remarks?: string;
-  /** Id of its material in the cutting data; by default that of the device. */
-  readonly material?: string;
-  /** Measurements in its picture, in the order they were made. */
-  readonly measured?: readonly Measurement[];
-  readonly task?: TaskWork;
 }
 
 /** Only the own tools, control and machine of a work. */
@@ -54,6 +47,7 @@ export const MOST_MEASURED = 100;
 export type Work = Job | ProgramWork;
 
 export const isProgram = (work: Work): work is ProgramWork => "text" in work;
+export const kindOf = (work: Work): WorkKind => (isProgram(work) ? "program" : "cycle");
 
 const NO_FILES: readonly WorkFile[] = [];
 

@@ -1,7 +1,6 @@
 import { useMemo } from "react";
 import { useOutcome, type Outcome } from "../calculation/outcome.ts";
-import { readJob, useReading, type JobReading } from "../document/reading.ts";
-import { useEditor } from "../document/store.ts";
+import { openReading, useReading, type JobReading } from "../document/reading.ts";
 import { isToDo, type FindingEntry } from "./entry.ts";
 import { findingsOf } from "./findings.ts";
 import { shownVerdict, type ShownVerdict } from "./verdict.ts";
@@ -25,10 +24,7 @@ const known = rememberingLast((read: JobReading | null, newest: Outcome | null):
 });
 
 /** The same now, outside of components. */
-export function presentFindings(): Findings {
-  const { job } = useEditor.getState();
-  return known(job && readJob(job), useOutcome.getState().newest);
-}
+export const presentFindings = (): Findings => known(openReading(), useOutcome.getState().newest);
 
 function useCurrentFindings(): Findings {
   const read = useReading();

@@ -1,7 +1,8 @@
 import { useLayoutEffect, useRef, useState } from "react";
 import { usePageUnit } from "../base/unit.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { limited, NARROWEST, setColumn, useColumns, widest, widthByKey, type Columned, type Side } from "./columns.ts";
+import type { WorkKind } from "./place.ts";
+import { limited, NARROWEST, setColumn, useColumns, widest, widthByKey, type Side } from "./columns.ts";
 
 /** A pointer that moves less only presses, CSS pixels. */
 const STILL = 3;
@@ -31,7 +32,7 @@ function useMeasured(handle: React.RefObject<HTMLElement | null>, side: Side) {
 }
 
 /** The border between a column and the picture: dragged, or moved by arrow keys. A child of the workplace. */
-export function Splitter({ of, side }: { readonly of: Columned; readonly side: Side }) {
+export function Splitter({ of, side }: { readonly of: WorkKind; readonly side: Side }) {
   const t = useTexts("first").page.columns;
   const chosen = useColumns((c) => c[of][side]);
   const handle = useRef<HTMLDivElement>(null),

@@ -1,9 +1,7 @@
 import { create } from "zustand";
 import { z } from "zod/mini";
 import { storedData } from "../base/storage.ts";
-
-/** Workplaces whose columns have widths of their own. */
-export type Columned = "cycle" | "program";
+import type { WorkKind } from "./place.ts";
 
 /** The columns on both sides of the picture. */
 export type Side = "left" | "right";
@@ -24,7 +22,7 @@ const KEPT = storedData<Columns>("columns", shape);
 export const useColumns = create<Columns>(() => KEPT.get() ?? { cycle: {}, program: {} });
 
 /** Resizes a column; undefined: back to the width of the style sheet. */
-export function setColumn(of: Columned, side: Side, width: number | undefined): void {
+export function setColumn(of: WorkKind, side: Side, width: number | undefined): void {
   useColumns.setState((all) => ({ [of]: { ...all[of], [side]: width } }));
   KEPT.set(useColumns.getState());
 }

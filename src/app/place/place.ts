@@ -6,14 +6,18 @@ import type { Ring, Segment } from "../../kernel/geometry/point.ts";
 import { focusPart, isFocusChosen } from "../base/focus-guard.ts";
 import { thirdColumn } from "../base/use-media.ts";
 
-const JOB_SECTIONS = ["prompts", "setup", "contour", "findings", "program"] as const;
-const PROGRAM_SECTIONS = ["text", "block", "structure", "findings"] as const;
-/** The sections of a program or of a job, in the order of their tabs. */
-export const sectionsOf = (isProgram: boolean): readonly WorkSection[] => (isProgram ? PROGRAM_SECTIONS : JOB_SECTIONS);
+/** The sections of each kind of work, in the order of their tabs. */
+const SECTIONS = {
+  cycle: ["prompts", "setup", "contour", "findings", "program"],
+  program: ["text", "block", "structure", "findings"],
+} as const;
+/** The kinds of work, each with its layout: one cycle by its prompts, or a whole program. */
+export type WorkKind = keyof typeof SECTIONS;
+export const sectionsOf = (kind: WorkKind): readonly WorkSection[] => SECTIONS[kind];
 /** The sections of a job; one at a time where there is little room. */
-export type JobSection = (typeof JOB_SECTIONS)[number];
+export type JobSection = (typeof SECTIONS.cycle)[number];
 /** The sections of a program: its text, the dialog of one block, the list of its structure. */
-export type ProgramSection = (typeof PROGRAM_SECTIONS)[number];
+export type ProgramSection = (typeof SECTIONS.program)[number];
 export type WorkSection = JobSection | ProgramSection;
 export type ToolKind = "turning" | "milling";
 
@@ -126,12 +130,12 @@ const showWorkPage = (page: WorkPage): void =>
   set(({ pages: [entrance] }) => ({ pages: [entrance, page], over: null }));
 
 /** Shows a work that was opened or replaced: covers close, in a section that its kind has. */
-export function showWork(isProgram: boolean): void {
+export function showWork(kind: WorkKind): void {
   showWorkPage({ page: "work" });
   set(({ section, field }) => {
-    if (sectionsOf(isProgram).includes(section)) return {};
+    if (sectionsOf(kind).includes(section)) return {};
     // With the text in its own column, the structure comes first.
-    const first = !isProgram ? "prompts" : thirdColumn() ? "structure" : "text";
+    const first = kind === "cycle" ? "prompts" : thirdColumn() ? "structure" : "text";
     return { section: first, field: first === section ? field : null };
   });
 }

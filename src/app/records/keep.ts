@@ -5,7 +5,7 @@ import { notice, withdraw } from "../base/notices.ts";
 import { retryImport } from "../base/parts.ts";
 import { oneAtATime } from "../base/once.ts";
 import { TYPING } from "../base/waits.ts";
-import { openFirstWork, flushEdits, open, useEditor } from "../document/store.ts";
+import { openFirstWork, flushEdits, open, openContent, useEditor } from "../document/store.ts";
 import type { Work } from "../document/work.ts";
 import { findWorks, keepWork, readWork, type WorkSummary } from "./device.ts";
 import { persistOnce } from "../base/persist.ts";
@@ -88,9 +88,6 @@ async function writeAll(): Promise<void> {
 /** Writes pending states one by one. A state stays pending until written, since the page may close meanwhile. */
 const writePending = oneAtATime(writeAll);
 
-/** The open work, as it is now. */
-const openJob = (): Work | null => useEditor.getState().job ?? useEditor.getState().program;
-
 /** Continues with a copy under a new name, so that the work of the other tab is not overwritten. */
 function continueWithCopy(job: Work): void {
   const copy = randomId();
@@ -116,7 +113,7 @@ async function reclaimReleased(work: string, first: Work, wait: () => void): Pro
   const kept = free ? (await readWork(work))?.job : undefined;
   const { fingerprint } = await retryImport(() => import("./difference.ts"));
   reclaiming.delete(work);
-  const job = openJob();
+  const job = openContent();
   if (useEditor.getState().work !== work || !job) return;
   const isKnown = free && (!kept || !before || fingerprint(kept) === fingerprint(before));
   if (isKnown) {
@@ -132,7 +129,7 @@ async function reclaimReleased(work: string, first: Work, wait: () => void): Pro
 /** Hands a work over to another tab: closes it here, and saves its newest state or returns it. */
 async function handOverToTab(work: string): Promise<Work | null> {
   flushEdits();
-  const job = openJob();
+  const job = openContent();
   if (job && useEditor.getState().work === work) {
     if (written.get(work) !== job) pending.set(work, job);
     closeForOtherTab(work, job, "wasTaken");
@@ -145,7 +142,7 @@ async function handOverToTab(work: string): Promise<Work | null> {
 
 /** Another tab took a work because this one did not answer. Unsaved changes continue in a copy. */
 function onTakenByTab(work: string): void {
-  const job = openJob();
+  const job = openContent();
   const isOpen = useEditor.getState().work === work;
   pending.delete(work);
   if (job && isOpen && written.get(work) !== job) continueWithCopy(job);
@@ -162,8 +159,9 @@ export function startAutosave(): () => void {
       void writePending();
     }, TYPING.keep);
   };
-  const stop = useEditor.subscribe(({ job: prompts, program, work }) => {
-    const job = prompts ?? program;
+  const stop = useEditor.subscribe((editor) => {
+    const job = openContent(editor),
+      { work } = editor;
     const name = job ? work : null;
     if (name !== known) {
       rememberWork(name);

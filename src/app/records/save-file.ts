@@ -100,12 +100,11 @@ const task = z.object({
   varied: z.optional(otherNumbers),
   asked: z.optional(askedQuestions),
 });
-const ofTask = { task: z.optional(task) };
+/** What belongs to every work. */
+const ofWork = { ...handedOn, task: z.optional(task), name: text, remarks, material: z.optional(text), measured };
 const output = z.custom<NcOutput>(isNcOutput);
 const job = z.object({
-  ...handedOn,
-  ...ofTask,
-  name: text,
+  ...ofWork,
   cycle: z.int(),
   drafts: z.record(z.string().check(z.regex(/^\d+$/)), z.record(z.string(), text)),
   parameters: z._default(z.record(z.string().check(z.regex(PARAMETER_NAME)), text), {}),
@@ -121,22 +120,15 @@ const job = z.object({
   layout: z.enum(JOB_LAYOUTS),
   output,
   ncLanguage: z.enum(NC_LANGUAGES),
-  remarks,
-  material: z.optional(text),
-  measured,
 });
 const textFile = { name: text, text: z.string(), encoding: z.enum(["utf-8", "windows-1252"]) };
 const workFile = z.object(textFile);
 const program = z.object({
-  ...handedOn,
-  ...ofTask,
+  ...ofWork,
   ...textFile,
   files: z.optional(z.array(workFile)),
   skipMarked: z.optional(z.boolean()),
   output: z.optional(output),
-  remarks,
-  material: z.optional(text),
-  measured,
 });
 /** Compile-time check that the layout above has every field of a work; a missing one would not be saved. */
 type Complete = [

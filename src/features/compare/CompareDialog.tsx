@@ -5,7 +5,7 @@ import { Icon } from "../../app/base/Icon.tsx";
 import { useLengths } from "../../app/calculation/lengths.ts";
 import { copyText, useCopying } from "../../app/findings/copy.ts";
 import { useTexts, useTextsOrNull } from "../../app/base/settings/use-texts.ts";
-import { useEditor } from "../../app/document/store.ts";
+import { useEditor, openContent } from "../../app/document/store.ts";
 import { comparisonText, findingTexts, summaryText, verdictChange, wholeTexts, type Wording } from "./compare-words.ts";
 import { isFormattingOnly, tallyOf, type ComparedFile } from "./compared.ts";
 import { Differences, rowsIn } from "./Differences.tsx";
@@ -217,7 +217,7 @@ function OtherDialog({ done, showBlock, against }: Props) {
       present &&
       (against ? { name: against.name, program: withOtherText(present, against.text) } : changedSinceOpened(present)),
   );
-  const name = useEditor((s) => s.program?.name ?? s.job?.name ?? "");
+  const name = useEditor((s) => openContent(s)?.name ?? "");
   const sides = useMemo(() => (present && other ? { before: other.program, after: present } : null), [present, other]);
   const compared = useProgramComparison(sides);
 

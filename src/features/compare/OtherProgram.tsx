@@ -6,13 +6,8 @@ import { readWork } from "../../app/records/device.ts";
 import { refreshWorks, useSavedWorks } from "../../app/records/keep.ts";
 import { useEditor } from "../../app/document/store.ts";
 import type { ProgramWork } from "../../app/document/work.ts";
-import {
-  asProgram,
-  openedProgram,
-  textOfFile,
-  withOtherText,
-  type ComparedProgram,
-} from "../../app/fields/compare/sides.ts";
+import { openedProgram, textOfFile, withOtherText, type ComparedProgram } from "../../app/fields/compare/sides.ts";
+import { asProgram } from "../../app/document/printed.ts";
 import type { CompareTexts } from "../../i18n/en/compare.ts";
 
 /** Source of the other program: values of the select. */

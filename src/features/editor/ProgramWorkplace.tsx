@@ -3,24 +3,16 @@ import { Suspense, useEffect, useMemo, type ReactNode } from "react";
 import { partialWork } from "../../program/job/partial-work.ts";
 import { MachineView } from "../../app/pictures/plane/MachineView.tsx";
 import { clock } from "../../app/base/clock.ts";
-import { Centre, HelpDock } from "../../app/fields/dialog/HelpDock.tsx";
-import { PinnedCard } from "../../app/findings/effect/Pinned.tsx";
 import { cycleGivens } from "../../app/calculation/cycle-givens.ts";
-import { Working } from "../../app/calculation/Working.tsx";
 import { useOutcome } from "../../app/calculation/outcome.ts";
 import { FindingsPanel } from "../../app/findings/FindingsPanel.tsx";
-import { FindingsHostContext } from "../../app/findings/host-context.ts";
-import { useListed } from "../../app/findings/use-findings.ts";
 import { useDeferredUntilPaint } from "../../app/base/typing.ts";
 import { MeasuredTargetContext } from "../../app/document/measured-target-context.ts";
-import { ConfirmExportDialog } from "../../app/fields/leaving/ConfirmExportDialog.tsx";
 import { useMeasuredTarget } from "../../app/document/measured-target.ts";
 import { useInserting } from "../../app/document/inserting.ts";
 import { enterSection, showSection, usePlace, type ProgramSection } from "../../app/place/place.ts";
 import { playback } from "../../app/calculation/playback.ts";
-import { PrintedProgram } from "../../app/fields/program/PrintedProgram.tsx";
-import { SectionTabs } from "../../app/place/SectionTabs.tsx";
-import { Splitter } from "../../app/place/Splitter.tsx";
+import { WorkColumns } from "../../app/fields/workplace/WorkColumns.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { pendingEdits, useEditor } from "../../app/document/store.ts";
 import { useToolList } from "../../app/document/work-tools.ts";
@@ -90,7 +82,6 @@ export function ProgramWorkplace() {
   const asked = usePlace((p) => (p.section === "prompts" ? "block" : p.section));
   const shown = useOutcome((s) => s.pictured);
   const dimmed = useOutcome((s) => s.dimmed);
-  const findings = useListed();
   const host = useProgramHost();
   const inserting = useInserting();
   const { read } = useOpenBlock(),
@@ -131,26 +122,18 @@ export function ProgramWorkplace() {
     findings: <FindingsPanel host={host} />,
   };
   return (
-    <main className={`workplace program-work${wide ? "" : " two-columns"}`}>
-      <div className="left">
-        <FindingsHostContext value={host}>
-          <SectionTabs
-            name={t.sectionsName}
-            open={open}
-            tabs={possible.map((section) => ({
-              section,
-              name: section === "findings" ? words.title : t.sections[section],
-              content: content[section],
-              ...(section === "findings" && {
-                badge: { count: findings.length, severity: findings[0]?.issue.severity ?? "info" },
-              }),
-            }))}
-          />
-        </FindingsHostContext>
-      </div>
-      <Splitter of="program" side="left" />
-      <TotalsStrip />
-      <Centre>
+    <WorkColumns
+      of="program"
+      host={host}
+      name={t.sectionsName}
+      open={open}
+      sections={possible.map((section) => ({
+        section,
+        name: section === "findings" ? words.title : t.sections[section],
+        content: content[section],
+      }))}
+      strip={<TotalsStrip />}
+      picture={
         <MeasuredTargetContext value={measured}>
           <MachineView
             result={shown}
@@ -161,23 +144,14 @@ export function ProgramWorkplace() {
             onMove={openMove}
           />
         </MeasuredTargetContext>
-        <HelpDock />
-        <PinnedCard />
-        <Working />
-      </Centre>
-      {wide && <Splitter of="program" side="right" />}
-      {wide && (
-        <div className="right">
-          <TextPanel bar={bar} />
-        </div>
-      )}
+      }
+      text={wide ? <TextPanel bar={bar} /> : null}
+    >
       {inserting && (
         <Suspense>
           <InsertOperation behind={inserting.behind} />
         </Suspense>
       )}
-      <PrintedProgram />
-      <ConfirmExportDialog cycleOf={host.cycleOf} />
-    </main>
+    </WorkColumns>
   );
 }

@@ -1,9 +1,7 @@
 import { Suspense, useEffect, useMemo, useRef, useState } from "react";
-import { useActions } from "../../app/base/actions.ts";
-import { Icon } from "../../app/base/Icon.tsx";
 import { lazyPart } from "../../app/base/parts.ts";
 import { Message } from "../../app/base/Message.tsx";
-import { useVerdict } from "../../app/findings/use-findings.ts";
+import { CopyButton } from "../../app/fields/program/CopyButton.tsx";
 import { copyProgram } from "../../app/fields/leaving/copy-program.ts";
 import { CopyStatus } from "../../app/fields/leaving/CopyStatus.tsx";
 import { hasListWithoutTilde } from "../../nc/program.ts";
@@ -11,21 +9,13 @@ import { withListTildes } from "../../nc/list-tildes.ts";
 import { FileNote } from "../../app/fields/program/FileNote.tsx";
 import { useFileKind } from "../../app/document/output.ts";
 import { isoFile } from "../../app/document/printed.ts";
-import { confirmExport, type ExportWay } from "../../app/fields/leaving/confirm-export.ts";
+import { confirmExport } from "../../app/fields/leaving/confirm-export.ts";
 import { ProgramMenus } from "../../app/fields/program/ProgramMenus.tsx";
-import { useCopying } from "../../app/findings/copy.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { useEditor } from "../../app/document/store.ts";
 import { encode, notIn } from "../../app/document/encoding.ts";
 import { downloadBytes } from "../../app/base/download.ts";
-import {
-  editProgram,
-  flushText,
-  sessionDom,
-  sessionText,
-  sessionView,
-  useSession,
-} from "../../app/fields/blocks/session.ts";
+import { editProgram, sessionDom, sessionText, sessionView, useSession } from "../../app/fields/blocks/session.ts";
 import { shownFile, useShownName } from "../../app/document/shown-file.ts";
 import { showTextBlock } from "../../app/fields/blocks/show-text-block.ts";
 import { TEXT_AREA, type TextBar } from "../../app/fields/find/text-bar.ts";
@@ -48,10 +38,8 @@ export function TextPanel({ bar, toBlock }: Props) {
   const box = useRef<HTMLDivElement>(null);
   const name = useShownName();
   const ready = useSession((s) => s.reading);
-  const { faults } = useVerdict();
   const kind = useFileKind();
   const isUntiedText = useMemo(() => ready.program.blocks.some(hasListWithoutTilde), [ready]);
-  const copied = useCopying((c) => c.state === "copied" && c.verdict !== null);
   const leavesOut = useEditor((s) => s.program?.skipMarked ?? false);
   const [saved, setSaved] = useState<string | null>(null);
   const foreign = useEditor((s) => (s.program ? notIn(shownFile(s.program)) : null));
@@ -67,20 +55,11 @@ export function TextPanel({ bar, toBlock }: Props) {
     const { program } = useEditor.getState();
     return encode(sessionText() ?? "", program ? shownFile(program).encoding : "utf-8");
   };
-  /** An exported file is judged by the program that runs with it. */
-  const running = () => {
-    flushText();
-    return useEditor.getState().program?.text ?? "";
-  };
-  const allowed = (way: ExportWay) => confirmExport(way, running());
   const download = () => downloadBytes(bytes(), name);
   const downloadIso = async () => {
     const { text } = await isoFile(sessionText() ?? "");
-    if (await allowed("download")) downloadBytes(encode(text, "utf-8"), `${name.replace(/\.[^.]*$/, "")}.i`);
+    if (await confirmExport("download")) downloadBytes(encode(text, "utf-8"), `${name.replace(/\.[^.]*$/, "")}.i`);
   };
-
-  const copy = () => void copyProgram(running(), sessionText() ?? "");
-  useActions([{ id: "do.copy", name: t.page.text.copyLong, run: copy }]);
 
   return (
     <section className={`program text-panel${leavesOut ? " leaves-out" : ""}`} aria-label={t.page.text.title}>
@@ -113,18 +92,10 @@ export function TextPanel({ bar, toBlock }: Props) {
           </button>
         )}
         <div className="program-buttons">
-          <button
-            type="button"
-            className="button"
-            aria-label={`${t.page.text.copyLong}: ${t.page.text.files[kind]}`}
-            onClick={copy}
-          >
-            <Icon name={faults > 0 ? "warning" : copied ? "check" : "copy"} />{" "}
-            {copied ? t.page.text.copied : t.page.text.copy}
-          </button>
+          <CopyButton copy={() => void copyProgram(sessionText() ?? "")} />
           <SaveButton
             name={name}
-            mayLeave={async () => (await allowed("save")) !== null}
+            mayLeave={async () => (await confirmExport("save")) !== null}
             onSaved={setSaved}
             onDownload={download}
             showBlock={showTextBlock}
@@ -136,7 +107,7 @@ export function TextPanel({ bar, toBlock }: Props) {
                 name: t.page.text.download(name),
                 icon: "download",
                 hint: t.page.text.files[kind],
-                go: () => void allowed("download").then((verdict) => verdict && download()),
+                go: () => void confirmExport("download").then((verdict) => verdict && download()),
               },
               { name: t.page.text.asIso, icon: "download", go: () => void downloadIso() },
             ]}

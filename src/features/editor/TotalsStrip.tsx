@@ -1,25 +1,12 @@
-import { useEffect, type ReactNode } from "react";
-import { formatFixed } from "../../i18n/number.ts";
+import { useEffect } from "react";
 import type { Step } from "../../kernel/time/step.ts";
 import { blockNumbers, type Program } from "../../nc/program.ts";
 import { isOff, operationsOf } from "../../program/edits/operations.ts";
 import type { Run } from "../../program/state/run-types.ts";
-import { restartComparison, followComparing } from "../../app/findings/effect/compared.ts";
-import { areaDecimals, type ComparedNumber } from "../../app/findings/effect/changes.ts";
-import { effectNow } from "../../app/findings/effect/effect.ts";
-import { PinButton } from "../../app/findings/effect/Pinned.tsx";
-import { durationText } from "../../app/base/clock-text.ts";
-import { TimeName } from "../../app/findings/effect/TimeName.tsx";
-import { FaultsChange, useChanges } from "../../app/findings/effect/EffectChanges.tsx";
-import { Checking, useChecking } from "../../app/calculation/Checking.tsx";
-import { useOutcome } from "../../app/calculation/outcome.ts";
-import { StripStatus } from "../../app/findings/StripStatus.tsx";
-import { useVerdict } from "../../app/findings/use-findings.ts";
-import { VerdictText } from "../../app/findings/VerdictText.tsx";
-import { useLengths } from "../../app/calculation/lengths.ts";
+import { restartComparison } from "../../app/findings/effect/compared.ts";
+import { EffectStrip, useEffectCells } from "../../app/findings/effect/EffectStrip.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { useSession } from "../../app/fields/blocks/session.ts";
-import { SpokenEffect } from "../../app/findings/effect/SpokenEffect.tsx";
 
 /** How many tool calls of a text change the tool. */
 function toolCalls({ blocks }: Program): number {
@@ -64,82 +51,34 @@ export function operationCount(
   return Math.max(operations.length, listed.length);
 }
 
-/** Totals of the program: operations, passes, tool changes, time, residual material, and the verdict. */
+/** The strip of a program: also its operations, tool changes and blocks. */
 export function TotalsStrip() {
-  const t = useTexts();
-  const lengths = useLengths(),
-    { language } = lengths;
-  const shown = useOutcome((s) => s.pictured);
-  const proved = useOutcome((s) => s.shown);
-  const dimmed = useOutcome((s) => s.dimmed);
-  const checking = useChecking();
-  const verdict = useVerdict();
-  const effect = shown && effectNow(shown, proved);
-  const words = t.page.effect;
-  const number = (value: number | null | undefined, decimals: number) =>
-    value === undefined || value === null ? words.unknown : formatFixed(language, value, decimals);
+  const t = useTexts().editor;
+  const { shown, number, cells } = useEffectCells();
   const program = useSession((s) => s.reading.program),
     run = shown?.run;
   // Milling moves have neither tool nor operation: those of the text are counted.
   const tools = run && (run.plane.length > 0 ? toolCalls(program) : toolChangesOf(run));
   const operations = run && operationCount(program, run);
-  useEffect(() => {
-    const stop = followComparing();
-    // Another block opens another dialog, which may show the same prompt.
-    const stopBlocks = useSession.subscribe((now, before) => {
-      if (now.index !== before.index) restartComparison();
-    });
-    return () => {
-      stopBlocks();
-      stop();
-    };
-  }, []);
-  const { changed } = useChanges();
-  const cell = (name: ReactNode, value: ReactNode, unit = "", compared: ComparedNumber | null = null) => (
-    <div className={`effect-cell${compared === "residual" ? " stays" : ""}`}>
-      <dt>{name}</dt>
-      <dd {...(compared && changed(compared))}>
-        <span className="number">{value}</span>
-        {unit && <span className="soft small"> {unit}</span>}
-      </dd>
-    </div>
+  // Another block opens another dialog, which may show the same prompt.
+  useEffect(
+    () =>
+      useSession.subscribe((now, before) => {
+        if (now.index !== before.index) restartComparison();
+      }),
+    [],
   );
   return (
-    <section className="effect" aria-label={t.editor.total} aria-busy={checking.now} data-checking={checking.seen}>
-      <dl className={dimmed ? "dimmed" : ""}>
-        {cell(t.editor.operations, number(operations, 0))}
-        {cell(t.editor.toolChanges, number(tools, 0))}
-        {cell(words.passes, number(effect?.passes, 0), "", "passes")}
-        {cell(
-          <TimeName name={words.time} />,
-          effect ? durationText(words.duration, language, effect.seconds) : words.unknown,
-          "",
-          "time",
-        )}
-        {cell(
-          words.residual,
-          effect?.residual
-            ? lengths.fixedArea(effect.residual, areaDecimals(effect.residual))
-            : effect?.residual === 0
-              ? words.none
-              : words.unknown,
-          effect?.residual ? lengths.words("mm²") : "",
-          "residual",
-        )}
-        {cell(t.editor.blocks, number(shown?.run.program.blocks, 0))}
-        <div className="effect-cell proof">
-          <dt>
-            {t.findings.verdict.title} <FaultsChange />
-          </dt>
-          <dd>
-            <VerdictText verdict={verdict} reasons={verdict.state === "faults" ? 0 : 1} />
-            {checking.seen && <Checking />}
-          </dd>
-        </div>
-      </dl>
-      <PinButton />
-      <StripStatus />
-      <SpokenEffect />
-    </section>
+    <EffectStrip
+      name={t.total}
+      cells={[
+        { name: t.operations, value: number(operations, 0) },
+        { name: t.toolChanges, value: number(tools, 0) },
+        cells.passes,
+        cells.time,
+        cells.residual,
+        { name: t.blocks, value: number(shown?.run.program.blocks, 0) },
+      ]}
+    />
   );
 }

@@ -4,7 +4,7 @@ import { setPrompt, setSpindle } from "../../app/document/edits.ts";
 import type { BlockKind } from "../../nc/blocks/names.ts";
 import { retryImport } from "../../app/base/parts.ts";
 import { closeStep } from "../../app/document/steps.ts";
-import { edit, useEditor } from "../../app/document/store.ts";
+import { changeJob, useEditor } from "../../app/document/store.ts";
 import type { SizedWord } from "./form-values.ts";
 import { type OpenCall, useOpenCall } from "../../app/place/open-call.ts";
 import { withSetupValue, type SetupPageId } from "./setup-variants.ts";
@@ -38,7 +38,7 @@ export async function applyValue(cycle: number, at: string, value: number | "aut
  */
 export function applySetupValue(id: SetupPageId, value: number, letter: string, shown: number | string): void {
   closeStep();
-  applyAndReport(letter, shown, () => edit((job) => withSetupValue(job, id, value)));
+  applyAndReport(letter, shown, () => changeJob((job) => withSetupValue(job, id, value)));
   closeStep();
 }
 

@@ -2,6 +2,7 @@ import { Suspense } from "react";
 import { lazyPart } from "../../app/base/parts.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { bundleOf, useEditor } from "../../app/document/store.ts";
+import { taskOfWork } from "../../app/document/work-task.ts";
 import { useIncoming } from "../../app/records/incoming.ts";
 
 /** Loaded when a work was received or has its own tools. */
@@ -24,7 +25,7 @@ export function IncomingWork() {
  * The line above a work that runs with other settings than this device. A task names its tools in its goals instead.
  */
 export function SharedSetupLine() {
-  const isTask = useEditor(({ job, program }) => (job ?? program)?.task !== undefined);
+  const isTask = useEditor((s) => taskOfWork(s) !== undefined);
   const tools = useEditor((s) => bundleOf(s).tools !== undefined);
   const control = useEditor((s) => bundleOf(s).control);
   const machine = useEditor((s) => bundleOf(s).machine);

@@ -2,7 +2,7 @@ import { useMemo, type ReactNode } from "react";
 import type { HandedTexts } from "../../i18n/en/handed.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import { parse } from "../../nc/parse.ts";
-import { printedText } from "../../app/document/printed.ts";
+import { textOf } from "../../app/document/printed.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { nameOfMachine } from "./machine-name.ts";
@@ -13,8 +13,7 @@ const sizeOf = (text: string): number => new TextEncoder().encode(text).length;
 
 /** Number of blocks, and size in bytes. */
 function sizesOfWork(work: Work) {
-  const text = isProgram(work) ? work.text : printedText(work);
-  const blocks = parse(text).blocks.filter(({ statement }) => statement.kind !== "empty").length;
+  const blocks = parse(textOf(work)).blocks.filter(({ statement }) => statement.kind !== "empty").length;
   const size = (isProgram(work) ? textsOf(work).map((file) => file.text) : [JSON.stringify(work)]).reduce(
     (sum, each) => sum + sizeOf(each),
     0,

@@ -2,7 +2,7 @@ import { rowsCalled } from "../../program/tools/tool-list.ts";
 import { time } from "../../app/base/clock.ts";
 import { draftOf } from "../../app/document/edits.ts";
 import { reportOf } from "../../app/calculation/other-outcome.ts";
-import { fileOfJob } from "../../app/document/printed.ts";
+import { fileOfWork } from "../../app/document/printed.ts";
 import { completeJob } from "../../app/document/reading.ts";
 import { writeArchive } from "../../app/records/archive.ts";
 import { controlInUse, listInUse, machineInUse } from "../../app/document/work-tools.ts";
@@ -28,7 +28,7 @@ const selfContainedJob = (job: Job): Job => ({
 
 /** Packs the open work with the tools it uses, its control and its machine. */
 export async function packWork(open: Work): Promise<Packed> {
-  const file = isProgram(open) ? open.name : fileOfJob(open);
+  const file = fileOfWork(open);
   const [list, control, machine] = [listInUse(), controlInUse(), machineInUse()];
   const made = await reportOf(open, file);
   const tools = rowsCalled(list, made?.used ?? null);

@@ -13,7 +13,7 @@ import { editProgram, sessionView, useSession } from "../../app/fields/blocks/se
 import { shownFile } from "../../app/document/shown-file.ts";
 import { completeJob } from "../../app/document/reading.ts";
 import { asOneStep } from "../../app/document/steps.ts";
-import { changeProgram, edit, bundleOf, flushEdits, setBundle, useEditor } from "../../app/document/store.ts";
+import { changeJob, changeProgram, bundleOf, flushEdits, setBundle, useEditor } from "../../app/document/store.ts";
 import { editTools, useTools } from "../../app/document/tool-store.ts";
 import { onlyBundle, textsOf, withText, type ProgramWork } from "../../app/document/work.ts";
 
@@ -63,7 +63,7 @@ export function renumberCalls(moved: Renumbering): void {
   const toolsOf = (tools: NonNullable<ProgramWork["tools"]>) => ({ tools: renumberedTools(tools, moved) });
   if (job) {
     const called = moved.find(({ from }) => from === completeJob(job).tool);
-    return edit((now) => ({ ...now, ...(called && { tool: called.to }), ...(now.tools && toolsOf(now.tools)) }));
+    return changeJob((now) => ({ ...now, ...(called && { tool: called.to }), ...(now.tools && toolsOf(now.tools)) }));
   }
   if (!program) return;
   // The open text is changed in its editor, to keep one history.

@@ -3,11 +3,12 @@ import { parse } from "../../nc/parse.ts";
 import type { Program } from "../../nc/program.ts";
 import type { Control } from "../../program/tools/plane-types.ts";
 import { setupData, type SetupData } from "../../report/sheet/setup-data.ts";
-import { isMadeFrom, useOutcome, type Outcome } from "../../app/calculation/outcome.ts";
-import { fileOfJob, printedText } from "../../app/document/printed.ts";
+import { useOutcome, type Outcome } from "../../app/calculation/outcome.ts";
+import { isResultOf } from "../../app/calculation/result-of.ts";
+import { fileOfWork, textOf } from "../../app/document/printed.ts";
 import { useIsoFile } from "../../app/document/output.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
-import { bundleOf, useEditor } from "../../app/document/store.ts";
+import { bundleOf, openContent, useEditor } from "../../app/document/store.ts";
 import { toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
 
 /** Inputs of the sheet. */
@@ -28,29 +29,29 @@ export interface SheetSource {
 /** Inputs of the sheet for the open work; null if none is open. */
 export function useSheetSource(): SheetSource | null {
   const job = useEditor((s) => s.job);
-  const work = useEditor((s) => s.program);
+  const work = useEditor(openContent);
   const newest = useOutcome((s) => s.newest);
   const shop = useTools((s) => s.list);
   const own = useEditor(bundleOf);
   const iso = useIsoFile(job);
   const settings = useSettings((s) => s.control);
   const { table } = toolsOnDevice(own.tools ?? shop);
-  const text = job ? printedText(job) : (work?.text ?? null);
-  const isOwn = newest !== null && !newest.isBeginning && (work ? isMadeFrom(newest, work) : newest.text === text);
+  const text = work && textOf(work);
+  const isOwn = newest !== null && !newest.isBeginning && work !== null && isResultOf(newest, work);
   const outcome = isOwn ? newest : null;
   const program = useMemo(() => (text === null ? null : parse(text)), [text]);
   const data = useMemo(
     () => program && setupData({ program, run: outcome?.run ?? null, tools: table.tools, mills: table.mills ?? [] }),
     [program, outcome, table],
   );
-  if (text === null || !program || !data) return null;
+  if (!work || !program || !data) return null;
   return {
     program,
     data,
     outcome,
     control: own.control ?? settings,
-    file: job ? fileOfJob(job) : (work?.name ?? ""),
+    file: fileOfWork(work),
     iso: iso?.text ?? null,
-    remarks: (job ?? work)?.remarks ?? "",
+    remarks: work.remarks ?? "",
   };
 }

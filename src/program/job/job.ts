@@ -100,9 +100,20 @@ export interface TaskWork {
   readonly asked?: readonly number[];
 }
 
-/** Everything an operator enters, kept as typed; the program text is generated from it. */
-export interface Job extends HandedOn {
+/** What belongs to every work, whatever its kind. */
+export interface OfWork extends HandedOn {
   readonly name: string;
+  /** Remarks on its setup sheet. */
+  readonly remarks?: string;
+  /** Id of its material in the cutting data; by default that of the device. */
+  readonly material?: string;
+  /** Measurements in its picture, in the order they were made. */
+  readonly measured?: readonly Measurement[];
+  readonly task?: TaskWork;
+}
+
+/** Everything an operator enters, kept as typed; the program text is generated from it. */
+export interface Job extends OfWork {
   readonly cycle: number;
   /** Values of every edited cycle, so that changing the cycle loses nothing. */
   readonly drafts: Readonly<Record<number, Draft>>;
@@ -126,13 +137,6 @@ export interface Job extends HandedOn {
   readonly layout: JobLayout;
   readonly output: NcOutput;
   readonly ncLanguage: NcLanguage;
-  /** Remarks on the set-up sheet. */
-  readonly remarks?: string;
-  /** Material by its id in the cutting data; absent: that of the device. */
-  readonly material?: string;
-  /** Measurements kept in its picture, in order. */
-  readonly measured?: readonly Measurement[];
-  readonly task?: TaskWork;
 }
 
 /** A job with a complete set-up: set or proposed values. */

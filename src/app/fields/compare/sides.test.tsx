@@ -3,10 +3,11 @@ import { cuttingCycles } from "../../../cycles/index.ts";
 import { exampleJob, UNSET } from "../../../program/job/job.ts";
 import { shippedList } from "../../../program/tools/tool-list.ts";
 import { changeSettings } from "../../base/settings/settings.ts";
-import { openFirstWork, edit, setBundle } from "../../document/store.ts";
+import { openFirstWork, changeJob, setBundle } from "../../document/store.ts";
 import { toolRecord } from "../../document/tool-store.ts";
 import { shopOf } from "../../document/work-tools.ts";
-import { asProgram, openedProgram, presentProgram, withOtherText } from "./sides.ts";
+import { openedProgram, presentProgram, withOtherText } from "./sides.ts";
+import { asProgram } from "../../document/printed.ts";
 
 const [cycle] = cuttingCycles;
 if (!cycle) throw new Error("the catalogue is empty");
@@ -41,7 +42,7 @@ test("a cycle without a chosen tool calls one of its own tools, not one of the o
 
 test("the open work as it was opened, and another text for it, use its present tools and control", () => {
   openFirstWork({ ...exampleJob(cycle), tools: withRs("0.3") }, "open");
-  edit((job) => ({ ...job, parameters: { Q5: "7.3" } }));
+  changeJob((job) => ({ ...job, parameters: { Q5: "7.3" } }));
   setBundle({ tools: withRs("0.5"), control: "TNC7" });
   const opened = openedProgram();
   expect(opened && [radius(opened), shopOf(opened).control]).toEqual([0.5, "TNC7"]);

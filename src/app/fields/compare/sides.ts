@@ -1,24 +1,15 @@
 import { decode } from "../../document/encoding.ts";
 import { LARGEST_PROGRAM } from "../../base/limits.ts";
 import { shownFile } from "../../document/shown-file.ts";
-import { printedText, programName } from "../../document/printed.ts";
-import { openedVersion, bundleOf, flushEdits, useEditor, withBundle } from "../../document/store.ts";
-import { shopOf } from "../../document/work-tools.ts";
+import { asProgram } from "../../document/printed.ts";
+import { openedVersion, bundleOf, flushEdits, openContent, useEditor, withBundle } from "../../document/store.ts";
 import { fileKey } from "../../../program/state/program-files.ts";
-import { onlyBundle, filesOf, isProgram, withText, type ProgramWork, type Work } from "../../document/work.ts";
-
-/** A work as a program with its tools and settings; a cycle job is printed. */
-export function asProgram(work: Work): ProgramWork {
-  if (isProgram(work)) return work;
-  const text = printedText(work, shopOf(work).table.tools);
-  return { name: `${programName(text)}.h`, text, encoding: "utf-8", ...onlyBundle(work) };
-}
+import { onlyBundle, filesOf, withText, type ProgramWork } from "../../document/work.ts";
 
 /** The open work in its current state; null if none is open. */
 export function presentProgram(): ProgramWork | null {
   flushEdits();
-  const { job, program } = useEditor.getState();
-  const open = program ?? job;
+  const open = openContent();
   return open && asProgram(open);
 }
 

@@ -1,10 +1,11 @@
 import { create } from "zustand";
-import { isMadeFrom, useOutcome } from "../../calculation/outcome.ts";
+import { useOutcome } from "../../calculation/outcome.ts";
+import { isResultOf } from "../../calculation/result-of.ts";
 import { isError, isToDo, type FindingEntry } from "../../findings/entry.ts";
 import { presentFindings } from "../../findings/use-findings.ts";
 import type { ShownVerdict } from "../../findings/verdict.ts";
-import { readJob } from "../../document/reading.ts";
-import { useEditor } from "../../document/store.ts";
+import { openReading } from "../../document/reading.ts";
+import { flushEdits, openContent } from "../../document/store.ts";
 
 /** Ways to export a program. */
 export type ExportWay = "copy" | "save" | "download" | "share";
@@ -25,14 +26,16 @@ export const useExportRequest = create<{ readonly asking: ExportRequest | null }
 /** Longest wait for a running calculation, ms. Browsers soon forget the click that copying needs. */
 const PATIENCE = 3000;
 
-/** Resolves to true when the result for a text is there, to false when it is late or impossible. */
-function waitForResult(text: string): Promise<boolean> {
-  const { job, program } = useEditor.getState();
+/** Resolves to true when the result for the open work is there, to false when it is late or impossible. */
+function waitForResult(): Promise<boolean> {
+  flushEdits();
+  const content = openContent();
   const isThere = () => {
     const { newest } = useOutcome.getState();
-    return newest !== null && (program ? isMadeFrom(newest, program) : newest.text === text);
+    return newest !== null && content !== null && isResultOf(newest, content);
   };
-  if (isThere() || (job && !readJob(job)?.reading.values)) return Promise.resolve(isThere());
+  const isIncomplete = openReading()?.reading.values === null;
+  if (isThere() || isIncomplete) return Promise.resolve(isThere());
   return new Promise((resolve) => {
     const stop = useOutcome.subscribe(() => {
       if (!isThere()) return;
@@ -48,11 +51,11 @@ function waitForResult(text: string): Promise<boolean> {
 }
 
 /**
- * Asks before a program with faults is exported; resolves to its verdict, or to null if cancelled. A program that is
- * only partly verified is exported without asking, but its verdict is shown.
+ * Asks before the open work is exported with faults; resolves to its verdict, or to null if cancelled. A program that
+ * is only partly verified is exported without asking, but its verdict is shown.
  */
-export async function confirmExport(way: ExportWay, text: string): Promise<ShownVerdict | null> {
-  const checked = await waitForResult(text);
+export async function confirmExport(way: ExportWay): Promise<ShownVerdict | null> {
+  const checked = await waitForResult();
   const { entries, verdict } = presentFindings();
   if (checked && verdict.faults === 0 && verdict.open === 0) return verdict;
   return new Promise((resolve) => {

@@ -1,13 +1,13 @@
 import type { Job } from "../../../program/job/job.ts";
-import { exportedText, printedText } from "../../document/printed.ts";
+import { exportedText } from "../../document/printed.ts";
 import { copyText } from "../../findings/copy.ts";
 import { confirmExport } from "./confirm-export.ts";
 
-/** Copies a program or its selected part; one with faults only after confirmation. */
-export async function copyProgram(program: string, marked = program): Promise<void> {
-  const verdict = await confirmExport("copy", program);
-  if (verdict) await copyText(marked, verdict);
+/** Copies a text of the open work; one with faults only after confirmation. */
+export async function copyProgram(text: string): Promise<void> {
+  const verdict = await confirmExport("copy");
+  if (verdict) await copyText(text, verdict);
 }
 
 /** Copies the program of a job as the file that its control loads. */
-export const copyJob = async (job: Job): Promise<void> => copyProgram(printedText(job), await exportedText(job));
+export const copyJob = async (job: Job): Promise<void> => copyProgram(await exportedText(job));

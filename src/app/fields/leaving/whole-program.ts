@@ -12,9 +12,9 @@ const isWholeProgram = (text: string): boolean =>
  */
 export function guardCopy(event: ClipboardEvent, marked: string): boolean {
   const { faults, open } = presentFindings().verdict;
-  const { job, program } = useEditor.getState();
+  const { job } = useEditor.getState();
   if ((faults === 0 && open === 0 && job?.layout !== "manual") || !isWholeProgram(marked)) return false;
   event.preventDefault();
-  void (job ? copyJob(job) : copyProgram(program?.text ?? "", marked));
+  void (job ? copyJob(job) : copyProgram(marked));
   return true;
 }

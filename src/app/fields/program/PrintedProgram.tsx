@@ -1,7 +1,7 @@
 import { useEffect, useState } from "react";
 import { flushSync } from "react-dom";
 import { pageLength, pageUnit } from "../../base/unit.ts";
-import { printedText } from "../../document/printed.ts";
+import { openText } from "../../document/printed.ts";
 import { flushEdits, useEditor } from "../../document/store.ts";
 import { useIsoFile } from "../../document/output.ts";
 
@@ -23,9 +23,7 @@ function fixPictures(): void {
 
 function present(iso: string | null): string {
   flushEdits();
-  const { job, program } = useEditor.getState();
-  if (job) return iso ?? printedText(job);
-  return program?.text ?? "";
+  return iso ?? openText() ?? "";
 }
 
 /** The whole program for printing, since the workplace may scroll or hide its text. */

@@ -1,5 +1,5 @@
 import { Suspense, useState, type ReactNode } from "react";
-import { flushEdits, useEditor } from "../../document/store.ts";
+import { flushEdits, openContent, useEditor } from "../../document/store.ts";
 import type { ShownVerdict } from "../../findings/verdict.ts";
 import { showComparison, type ShowBlock, showSheet } from "../../place/place.ts";
 import { useActions } from "../../base/actions.ts";
@@ -7,9 +7,9 @@ import { Menu, type MenuItem } from "../../base/Menu.tsx";
 import { confirmExport } from "../leaving/confirm-export.ts";
 import { lazyPart } from "../../base/parts.ts";
 import { drawingSlot, exportSlot, shareSlot, exerciseSlot } from "../slots.ts";
-import { printedText, programName } from "../../document/printed.ts";
+import { asProgram, openText } from "../../document/printed.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
-import { isProgram, type Work } from "../../document/work.ts";
+import type { Work } from "../../document/work.ts";
 
 /** Loaded when first opened. */
 const HandOnDialog = lazyPart(async () => ({ default: await shareSlot.fetch() }));
@@ -29,26 +29,22 @@ export interface Leaving {
 /** The open work with its verdict; null if sharing was cancelled. */
 export async function leaving(): Promise<Leaving | null> {
   flushEdits();
-  const { job, program } = useEditor.getState();
-  const open = job ?? program;
-  const verdict = open && (await confirmExport("share", isProgram(open) ? open.text : printedText(open)));
+  const open = openContent();
+  const verdict = open && (await confirmExport("share"));
   return open && verdict && { open, verdict };
 }
 
 /** The text of what is open. */
-function openText(): string {
+function presentText(): string {
   flushEdits();
-  const { job, program } = useEditor.getState();
-  if (program) return program.text;
-  return job ? printedText(job) : "";
+  return openText() ?? "";
 }
 
 /** Name of the open program without extension, for files made from it. */
 export function openStem(): string {
   flushEdits();
-  const { job, program } = useEditor.getState();
-  if (program) return program.name.replace(/\.[^.]*$/, "");
-  return job ? programName(printedText(job)) : "";
+  const open = openContent();
+  return open ? asProgram(open).name.replace(/\.[^.]*$/, "") : "";
 }
 
 /** What can be made of the open program, and what can be done with it; the workplace adds its own actions. */
@@ -80,12 +76,12 @@ export function ProgramMenus({
     const handed = await leaving();
     if (handed) show(<HandOnDialog {...handed} done={done} />);
   };
-  const exercise = () => show(<TeachDialog text={openText()} work={useEditor.getState().work ?? ""} done={done} />);
+  const exercise = () => show(<TeachDialog text={presentText()} work={useEditor.getState().work ?? ""} done={done} />);
   const draw = () => show(<ProgramDrawing stem={openStem()} done={done} />);
   const exportPart = () => show(<PartExport stem={openStem()} done={done} />);
   const compare = () => showComparison(showBlock);
   const improve = () => showComparison(showBlock, "better");
-  const flip = () => show(<TurnRound text={openText()} done={done} />);
+  const flip = () => show(<TurnRound text={presentText()} done={done} />);
   const clamp = () => show(<ClampingDialog done={done} />);
   const setOutput = () => show(<OutputDialog done={done} />);
   useActions([

@@ -70,7 +70,7 @@ export function ProgramPanel({
   const focusText = useCallback(() => panel.current?.querySelector<HTMLElement>(".program-text")?.focus(), []);
   const download = async () => {
     const leaving = await exportedText(job);
-    if (await confirmExport("download", printedText(job))) downloadText(leaving, file);
+    if (await confirmExport("download")) downloadText(leaving, file);
   };
 
   return (

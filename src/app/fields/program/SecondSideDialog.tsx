@@ -17,7 +17,7 @@ import { Message } from "../../base/Message.tsx";
 import { useLengths } from "../../calculation/lengths.ts";
 import { programName } from "../../document/printed.ts";
 import { useTextsOrNull } from "../../base/settings/use-texts.ts";
-import { useEditor } from "../../document/store.ts";
+import { openContent } from "../../document/store.ts";
 import { onlyBundle } from "../../document/work.ts";
 import { outputInUse } from "../../document/output.ts";
 import "./turn-round.css";
@@ -79,8 +79,7 @@ interface ChoiceProps {
 
 /** Opens the new program as a new work with the tools and output settings of the previous one. */
 function openTurned(text: string): void {
-  const { job, program } = useEditor.getState(),
-    before = job ?? program;
+  const before = openContent();
   openProgram({
     name: fileNameOf(text),
     text,

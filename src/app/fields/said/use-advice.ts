@@ -13,7 +13,7 @@ import {
 } from "../../../program/tools/cutting-table.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
 import { useSettings } from "../../base/settings/settings.ts";
-import { useEditor } from "../../document/store.ts";
+import { useEditor, openContent } from "../../document/store.ts";
 import { useIsGuidedCall } from "./open-call.ts";
 
 /** The cutting data of this device: the shop's own, or the default ones. */
@@ -28,7 +28,7 @@ const named = ({ materials }: CuttingTable, id: string | undefined): CutMaterial
 /** Material of the open work, or the default material; `own` is the id stated by the work. */
 export function useMaterialOfWork(): { readonly material: CutMaterial; readonly own: string | undefined } {
   const table = useCuttingTable();
-  const own = useEditor(({ job, program }) => (job ?? program)?.material);
+  const own = useEditor((s) => openContent(s)?.material);
   const device = useSettings((s) => s.material);
   const first = (table.materials[0] ?? usualTable.materials[0]) as CutMaterial;
   return { material: named(table, own) ?? named(table, device) ?? first, own: named(table, own) && own };

@@ -5,7 +5,7 @@ import { useLengths } from "../../calculation/lengths.ts";
 import { useOutcome, type Outcome } from "../../calculation/outcome.ts";
 import { useEditor } from "../../document/store.ts";
 import { usePlace } from "../../place/place.ts";
-import { textOf } from "./compared.ts";
+import { openText } from "../../document/printed.ts";
 import { effectOf } from "./effect.ts";
 
 /** Decimals of a spoken infeed, mm. */
@@ -36,7 +36,7 @@ export function SpokenEffect() {
   useEffect(() => {
     /** The text that is announced once it is checked. */
     let taken: string | null = null;
-    let told = textOf(useEditor.getState());
+    let told = openText();
     const look = () => {
       const { newest } = useOutcome.getState();
       if (taken === null || newest?.text !== taken) return;
@@ -47,13 +47,13 @@ export function SpokenEffect() {
     const stops = [
       usePlace.subscribe((now, before) => {
         if (now.prompt === before.prompt && now.section === before.section) return;
-        const text = textOf(useEditor.getState());
+        const text = openText();
         taken = text === told ? null : text;
         look();
       }),
       useOutcome.subscribe(look),
       useEditor.subscribe((now, before) => {
-        if (now.work !== before.work) [told, taken] = [textOf(now), null];
+        if (now.work !== before.work) [told, taken] = [openText(now), null];
       }),
     ];
     return () => {

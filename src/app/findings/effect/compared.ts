@@ -1,10 +1,10 @@
 import { create } from "zustand";
 import { useOutcome, type Outcome, type Planned } from "../../calculation/outcome.ts";
 import { usePlace } from "../../place/place.ts";
-import { printedText } from "../../document/printed.ts";
-import { readJob } from "../../document/reading.ts";
+import { openText } from "../../document/printed.ts";
+import { openReading } from "../../document/reading.ts";
 import { closeStep } from "../../document/steps.ts";
-import { changeProgram, edit, useEditor, type Editor } from "../../document/store.ts";
+import { change, openContent, useEditor, type Editor } from "../../document/store.ts";
 import { chipArea, cutAtOnce, effectNow, type Effect } from "./effect.ts";
 
 /** A setting with its results, for comparison. */
@@ -28,12 +28,9 @@ interface Compared {
 const NOTHING: Compared = { text: null, before: null, pinned: null };
 export const useCompared = create<Compared>(() => NOTHING);
 
-export const textOf = ({ job, program }: Editor): string | null => (job ? printedText(job) : (program?.text ?? null));
-
 /** A result with its numbers; those of the run are from a newer planned path if there is one. */
 export function settingOf(outcome: Outcome, made: Outcome | Planned = outcome): MeasuredSetting {
-  const { job } = useEditor.getState();
-  const read = job && readJob(job);
+  const read = openReading();
   return {
     outcome,
     effect: effectNow(made, outcome),
@@ -50,7 +47,7 @@ function resultOf(text: string | null): MeasuredSetting | null {
 
 /** Restarts the comparison from the present state of the work. */
 export function restartComparison(): void {
-  const text = textOf(useEditor.getState());
+  const text = openText();
   useCompared.setState({ text, before: resultOf(text) });
 }
 
@@ -78,16 +75,15 @@ export function followComparing(): () => void {
 /** Pins the present setting as a reference, or unpins it. */
 export function setPinned(on: boolean): void {
   const work = useEditor.getState();
-  const now = on ? resultOf(textOf(work)) : null;
+  const now = on ? resultOf(openText(work)) : null;
   useCompared.setState({ pinned: now && { ...now, work } });
 }
 
 /** Restores the pinned state of the work, in one step of undo. */
 export function restorePinned(): void {
   const { pinned } = useCompared.getState();
-  const { job, program } = pinned?.work ?? {};
-  if (program) return changeProgram(() => program);
+  const content = pinned && openContent(pinned.work);
   closeStep();
-  if (job) edit(() => job);
+  if (content) change(() => content);
   closeStep();
 }

@@ -3,7 +3,7 @@ import { time } from "../../base/clock.ts";
 import { record } from "../../base/record.ts";
 import { COURSE } from "../../document/documents.ts";
 import { historyOf, useSteps } from "../../document/steps.ts";
-import { openDocument, useEditor } from "../../document/store.ts";
+import { openDocument, useEditor, openContent } from "../../document/store.ts";
 
 /** How long a task was open and visible, ms, and how many changes were made in it. */
 export interface Worked {
@@ -41,8 +41,7 @@ function add(id: string, more: Partial<Worked>): void {
 
 /** The open task while the page is visible; else null. */
 function openTask(): string | null {
-  const { job, program } = useEditor.getState();
-  return document.visibilityState === "visible" ? ((job ?? program)?.task?.id ?? null) : null;
+  return document.visibilityState === "visible" ? (openContent()?.task?.id ?? null) : null;
 }
 
 /** Interval at which running time is saved, ms. */

@@ -9,7 +9,7 @@ import { Icon } from "../../../app/base/Icon.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useTexts, useTextsOrNull } from "../../../app/base/settings/use-texts.ts";
 import { useMedia } from "../../../app/base/use-media.ts";
-import { printedText } from "../../../app/document/printed.ts";
+import { openText } from "../../../app/document/printed.ts";
 import { flushEdits, useEditor } from "../../../app/document/store.ts";
 import { changeTask, taskOfWork } from "../../../app/document/work-task.ts";
 import { noteExamCheck } from "../../../app/records/course/exams.ts";
@@ -66,8 +66,7 @@ function Assignment({ task, t, ask }: Omit<Props, "exam"> & { readonly ask: stri
 /** Checks the open work and counts it; false if nothing cuts yet, which is no try. */
 async function check(task: Task): Promise<boolean> {
   flushEdits();
-  const { job, program } = useEditor.getState();
-  const text = program?.text ?? (job ? printedText(job) : null);
+  const text = openText();
   const found = text === null ? null : await examCheckHere(task, text);
   if (found) noteExamCheck(task.id, found);
   return found !== null;

@@ -3,7 +3,7 @@ import { Icon } from "../../../app/base/Icon.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { startWorkingTime } from "../../../app/records/course/working-time.ts";
-import { useEditor } from "../../../app/document/store.ts";
+import { useEditor, openContent } from "../../../app/document/store.ts";
 import { inScreenLanguage } from "../../../course/words.ts";
 import { useExamOfTask } from "../../../app/records/course/exams.ts";
 import { watchExams } from "../teach/exam-watch.ts";
@@ -23,7 +23,7 @@ export function TaskBar({ work }: { readonly work: string }) {
   const t = useTexts("course-task");
   const task = useTaskFile();
   const language = useSettings((s) => s.language);
-  const named = useEditor((s) => (s.job ?? s.program)?.name ?? "");
+  const named = useEditor((s) => openContent(s)?.name ?? "");
   const exam = useExamOfTask(task && task !== "none" ? task.id : "");
   useEffect(() => viewTask(work), [work]);
   const title = (task !== null && task !== "none" && inScreenLanguage(task.words, language)?.title) || named;

@@ -2,6 +2,7 @@ import { Suspense } from "react";
 import { lazyPart } from "../../../app/base/parts.ts";
 import { fetchShownTexts } from "../../../app/base/settings/use-texts.ts";
 import { useEditor } from "../../../app/document/store.ts";
+import { taskOfWork } from "../../../app/document/work-task.ts";
 import { useOpenedCourseFile } from "../../../app/records/course/opened-course-file.ts";
 
 /** Loaded with the texts of the workplace when a task is open. */
@@ -17,7 +18,7 @@ const SubmissionBar = lazyPart(async () => ({
 /** The line of a task above its work, or of a learner's program that was handed in. */
 export function TaskLine() {
   const work = useEditor((s) => s.work);
-  const isTask = useEditor(({ job, program }) => (job ?? program)?.task !== undefined);
+  const isTask = useEditor((s) => taskOfWork(s) !== undefined);
   const submission = useOpenedCourseFile(({ submission: opened }) => (opened?.work === work ? opened : null));
   return (
     <Suspense>

@@ -3,15 +3,16 @@ import type { Answer, TaskJudgement } from "../../../course/judge/judgement.ts";
 import { findSlip, hasSlip, withoutSlip, withSlip } from "../../../course/judge/slips.ts";
 import type { Task } from "../../../course/task.ts";
 import { areAllRight } from "../../../course/predicted-answers.ts";
-import { asProgram, presentProgram } from "../../../app/fields/compare/sides.ts";
+import { presentProgram } from "../../../app/fields/compare/sides.ts";
 import { stopwatch } from "../../../app/base/clock.ts";
 import { outcomeOfOther } from "../../../app/calculation/other-outcome.ts";
-import { isMadeFrom, useOutcome, type Outcome } from "../../../app/calculation/outcome.ts";
+import { useOutcome, type Outcome } from "../../../app/calculation/outcome.ts";
+import { isResultOf } from "../../../app/calculation/result-of.ts";
 import { isOpen } from "../../../app/findings/entry.ts";
 import { chooseFinding } from "../../../app/document/chosen-finding.ts";
-import { printedText } from "../../../app/document/printed.ts";
-import { readJob } from "../../../app/document/reading.ts";
-import { flushEdits, useEditor } from "../../../app/document/store.ts";
+import { asProgram } from "../../../app/document/printed.ts";
+import { openReading } from "../../../app/document/reading.ts";
+import { flushEdits, openContent, useEditor } from "../../../app/document/store.ts";
 import { progressOfTask } from "../../../course/progress.ts";
 import { notePass, noteTry, progressRecord } from "../../../app/records/course/progress.ts";
 import { areFixesShown } from "./fixes-shown.ts";
@@ -20,9 +21,8 @@ import { useTaskView, type NotReady } from "./task-view.ts";
 
 /** Whether a result belongs to the current state of the open work. */
 export function isOfWork(outcome: Outcome | null): outcome is Outcome {
-  const { job, program } = useEditor.getState();
-  if (!outcome) return false;
-  return program ? isMadeFrom(outcome, program) : job !== null && outcome.text === printedText(job);
+  const content = openContent();
+  return outcome !== null && content !== null && isResultOf(outcome, content);
 }
 
 /** Waits for the result of the current state of the open work; null if it fails or another work is opened. */
@@ -46,8 +46,7 @@ export function awaitOutcome(): Promise<Outcome | null> {
 
 /** What the open work needs before it can be judged; null if nothing. */
 function notReadyReason(): NotReady | null {
-  const { job } = useEditor.getState();
-  const read = job && readJob(job);
+  const read = openReading();
   if (!read) return null;
   if (read.cycle.contour === "free" && read.job.contour.length === 0) return { why: "noContour" };
   if (read.reading.values) return null;

@@ -13,7 +13,7 @@ import { outcomeOfOther } from "../../../app/calculation/other-outcome.ts";
 import { playback } from "../../../app/calculation/playback.ts";
 import { changeProgram, useEditor } from "../../../app/document/store.ts";
 import { changeTask, taskOfWork } from "../../../app/document/work-task.ts";
-import { asProgram } from "../../../app/fields/compare/sides.ts";
+import { asProgram } from "../../../app/document/printed.ts";
 import { restartComparison } from "../../../app/findings/effect/compared.ts";
 import { notePass, noteSolution, noteTry, progressRecord } from "../../../app/records/course/progress.ts";
 import { workOfTask } from "./begin.ts";

@@ -9,7 +9,7 @@ import { targetPartOfForm, proposedTask } from "../../../course/made/task-from-f
 import type { Task } from "../../../course/task.ts";
 import { targetPart } from "../../../course/target-part.ts";
 import { Message } from "../../../app/base/Message.tsx";
-import { useEditor } from "../../../app/document/store.ts";
+import { openContent } from "../../../app/document/store.ts";
 import { decimalSign } from "../../../i18n/number.ts";
 import { usualTable } from "../../../program/tools/cutting-table.ts";
 import { fingerprint } from "../../../app/records/difference.ts";
@@ -31,8 +31,7 @@ const milledFrom = ({ run }: Answer): number | null => run.plane.find(({ kind })
 
 /** The material of the open work, if it is on the default list. */
 function openMaterial(): TaskForm["material"] {
-  const { job, program } = useEditor.getState(),
-    open = (job ?? program)?.material;
+  const open = openContent()?.material;
   return usualTable.materials.find(({ id }) => id === open)?.id ?? null;
 }
 

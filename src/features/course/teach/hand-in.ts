@@ -13,11 +13,9 @@ import type { TaskWork } from "../../../program/job/job.ts";
 import { shippedList } from "../../../program/tools/tool-list.ts";
 import { time } from "../../../app/base/clock.ts";
 import { outcomeOfOther } from "../../../app/calculation/other-outcome.ts";
-import { printedText } from "../../../app/document/printed.ts";
+import { asProgram, textOf } from "../../../app/document/printed.ts";
 import { flushEdits } from "../../../app/document/store.ts";
-import { asProgram } from "../../../app/fields/compare/sides.ts";
 import { newestState, refreshWorks } from "../../../app/records/keep.ts";
-import { isProgram } from "../../../app/document/work.ts";
 import { inScreenLanguage } from "../../../course/words.ts";
 import { fetchTask } from "../../../app/records/course/content.ts";
 import { newestWorkOfTask, workOfTask } from "../task/begin.ts";
@@ -92,7 +90,7 @@ export async function rerunResult(result: TaskResult): Promise<Rerun> {
 async function lastWork(id: string): Promise<{ readonly program: string; readonly task: TaskWork | undefined } | null> {
   const work = newestWorkOfTask(id),
     kept = work === undefined ? null : await newestState(work);
-  return kept && { program: isProgram(kept) ? kept.text : printedText(kept), task: kept.task };
+  return kept && { program: textOf(kept), task: kept.task };
 }
 
 /** The answers to the questions as typed, with what they were asked for. */

@@ -1,7 +1,7 @@
 import { useState } from "react";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { downloadWorks } from "../../../app/records/rescue.ts";
-import { useEditor } from "../../../app/document/store.ts";
+import { openContent } from "../../../app/document/store.ts";
 import { BackUpButton } from "../BackUpButton.tsx";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { ReportList } from "./ReportList.tsx";
@@ -11,8 +11,7 @@ import "../works.css";
 export function CrashHelp() {
   const { reports } = useTexts("device");
   const [said, say] = useState("");
-  const { job, program } = useEditor.getState();
-  const work = job ?? program;
+  const work = openContent();
   return (
     <>
       <div className="bring-buttons">

@@ -1,15 +1,13 @@
 import { useState } from "react";
-import { printedText } from "../../../app/document/printed.ts";
+import { openText } from "../../../app/document/printed.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
-import { useEditor } from "../../../app/document/store.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { forgetReports, reportText, useReports } from "../../../app/records/reports.ts";
 
 /** The text of the open work; null if it cannot be printed. */
-function openText(): string | null {
-  const { job, program } = useEditor.getState();
+function printableText(): string | null {
   try {
-    return program?.text ?? (job && printedText(job));
+    return openText();
   } catch {
     return null;
   }
@@ -31,9 +29,9 @@ export function ReportList({ open = false }: { readonly open?: boolean }) {
   const [copied, setCopied] = useState<"no" | "copied" | "notCopied">("no");
   const report = list[chosen] ?? list[0];
   const when = new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "medium" });
-  const hasProgram = openText() !== null;
+  const hasProgram = printableText() !== null;
   if (!report) return <p className="soft small">{t.none}</p>;
-  const text = reportText(report, withProgram ? openText() : null);
+  const text = reportText(report, withProgram ? printableText() : null);
   return (
     <div className="reports">
       <p className="soft small">{t.lead}</p>
