@@ -4,7 +4,7 @@ import { readRows } from "../../program/job/contour-rows.ts";
 import { newRow } from "../../program/job/job.ts";
 import { placedDimensions } from "../../view/contour/dimension-places.ts";
 import { contourDrawing } from "../../view/help/contour-drawing.ts";
-import { labelsOverlap, type LabelBox } from "../../view/help/labels.ts";
+import { labelsOverlap, type LabelBox } from "../../view/dimensions/labels.ts";
 import { drawnDimensions } from "./drawing-dimensions.ts";
 import { holdSigns } from "./hold-signs.ts";
 

@@ -1,8 +1,8 @@
 import type { Approach } from "../../kernel/plane/approach.ts";
 import type { PlanePoint } from "../../kernel/plane/plane.ts";
 import type { Camera, Place } from "../camera.ts";
-import type { Candidate, Item } from "../help/arrange.ts";
-import { lineBox, textBox } from "../help/labels.ts";
+import type { Candidate, Item } from "../dimensions/arrange.ts";
+import { lineBox, textBox } from "../dimensions/labels.ts";
 import { arcPath, arrowHead } from "../help/marks.ts";
 import { between, extension, filled, stroke, value, type Tag } from "../help/stroke.ts";
 import { onScreen } from "./frame.ts";

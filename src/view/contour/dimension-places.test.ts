@@ -2,7 +2,7 @@ import fc from "fast-check";
 import { expect, test } from "vitest";
 import { part } from "../../kernel/geometry/point.ts";
 import { fitted, toScreen } from "../camera.ts";
-import { labelsOverlap } from "../help/labels.ts";
+import { labelsOverlap } from "../dimensions/labels.ts";
 import { placedDimensions, type DimensionRequest, type DimensionSheet } from "./dimension-places.ts";
 
 const size = { width: 713, height: 431 };

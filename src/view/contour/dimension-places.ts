@@ -1,8 +1,8 @@
 import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { radians } from "../../kernel/units.ts";
 import { toScreen, type Camera, type Place, type Size } from "../camera.ts";
-import { arrange, type Item, type Spot } from "../help/arrange.ts";
-import { textWidth, type LabelBox } from "../help/labels.ts";
+import { arrange, type Item, type Spot } from "../dimensions/arrange.ts";
+import { textWidth, type LabelBox } from "../dimensions/labels.ts";
 import { arcPath, arrowHead, polyline } from "../help/marks.ts";
 
 /** What a dimension measures, and where on the part. Angles are degrees, counter-clockwise from +Z. */

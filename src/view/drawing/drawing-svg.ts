@@ -1,4 +1,4 @@
-import { textWidth } from "../help/labels.ts";
+import { textWidth } from "../dimensions/labels.ts";
 import { FIGURES } from "../sheet/sizes.ts";
 import { NEXT, nominalWidth, onPaperGrid as n, SMALL, STACKED, widthOf, type PrintText } from "./paper.ts";
 import type { WorkshopPrint } from "./workshop-drawing.ts";

@@ -1,6 +1,6 @@
 import type { Place } from "../camera.ts";
 import { FIGURES } from "../sheet/sizes.ts";
-import { spread } from "../sheet/spread.ts";
+import { spread } from "../dimensions/spread.ts";
 import {
   arrow,
   tallOf,

@@ -1,5 +1,5 @@
 import type { Place } from "../camera.ts";
-import { spread } from "../sheet/spread.ts";
+import { spread } from "../dimensions/spread.ts";
 import {
   arrow,
   ARROW,

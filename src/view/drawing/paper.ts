@@ -1,4 +1,4 @@
-import { textWidth, type LabelBox } from "../help/labels.ts";
+import { textWidth, type LabelBox } from "../dimensions/labels.ts";
 import type { Place } from "../camera.ts";
 import { FIGURES } from "../sheet/sizes.ts";
 

@@ -2,10 +2,10 @@ import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { axial, diameter, toRadius } from "../../kernel/units.ts";
 import { boundsOf } from "../bounds.ts";
 import { fitted, toPlace, toScreen, type Camera, type Margin, type Place, type Size } from "../camera.ts";
-import { textBox, type LabelBox } from "./labels.ts";
+import { textBox, type LabelBox } from "../dimensions/labels.ts";
 import { polyline, px, segmentPath } from "./marks.ts";
 import { drawnLine } from "./section.ts";
-import { boxesOn, placesOn } from "./sheet-grid.ts";
+import { boxesOn, placesOn } from "../dimensions/sheet-grid.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 
 const { pointOn } = part;

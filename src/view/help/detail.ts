@@ -1,7 +1,7 @@
 import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { toScreen, type Camera, type Place } from "../camera.ts";
-import type { Placed } from "./arrange.ts";
-import { textBox, type LabelBox } from "./labels.ts";
+import type { Placed } from "../dimensions/arrange.ts";
+import { textBox, type LabelBox } from "../dimensions/labels.ts";
 import { elementAt } from "./process.ts";
 import { openSide } from "./frame.ts";
 import type { Context } from "./context.ts";

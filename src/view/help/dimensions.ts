@@ -1,8 +1,8 @@
 import type { Dimension } from "../../cycles/define.ts";
 import { shortest } from "../../kernel/geometry/segments.ts";
 import type { Place } from "../camera.ts";
-import type { Candidate, Item } from "./arrange.ts";
-import { lineBox, SIZE, textBox, textWidth, type LabelBox } from "./labels.ts";
+import type { Candidate, Item } from "../dimensions/arrange.ts";
+import { lineBox, SIZE, textBox, textWidth, type LabelBox } from "../dimensions/labels.ts";
 import { FIRST, spot, TRACK, type Layout } from "./layout.ts";
 import { arcPath, arrowHead, polyline, type Mark } from "./marks.ts";
 import { between, extension, filled, SHORT, stroke, TAIL, value, type Tag } from "./stroke.ts";

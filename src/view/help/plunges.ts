@@ -4,7 +4,7 @@ import { toScreen } from "../camera.ts";
 import { numberOf, type Context } from "./context.ts";
 import { dimensionItem, leader, type Lettering } from "./dimensions.ts";
 import { along, infeedForm, outward, pointAt } from "./frame.ts";
-import type { Item } from "./arrange.ts";
+import type { Item } from "../dimensions/arrange.ts";
 import { spot } from "./layout.ts";
 import { circle, polyline, type Mark } from "./marks.ts";
 import { plungesOf, type Pass } from "./passes.ts";

@@ -8,7 +8,7 @@ import { toScreen, type Place } from "../camera.ts";
 import { longest, numberOf, startPoint, type Context } from "./context.ts";
 import { dimensionItem, leader, type Lettering } from "./dimensions.ts";
 import { along, infeedForm, openSide, outward, pointAt } from "./frame.ts";
-import type { Item } from "./arrange.ts";
+import type { Item } from "../dimensions/arrange.ts";
 import { spot } from "./layout.ts";
 import { arrowHead, circle, polygon, polyline, segmentPath, type Mark } from "./marks.ts";
 import { drawnLine } from "./section.ts";

@@ -1,5 +1,5 @@
 import type { Place } from "../camera.ts";
-import { SIZE } from "./labels.ts";
+import { SIZE } from "../dimensions/labels.ts";
 import { arrowHead, polyline, type Fill, type Line, type Mark } from "./marks.ts";
 
 /** The owner of a mark. */

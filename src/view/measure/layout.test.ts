@@ -2,7 +2,7 @@ import fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import { at } from "../../kernel/geometry/point.ts";
 import { toScreen, type Camera } from "../camera.ts";
-import { labelsOverlap } from "../help/labels.ts";
+import { labelsOverlap } from "../dimensions/labels.ts";
 import { measuredOnPaper } from "../sheet/measured.ts";
 import type { Figure } from "./figure.ts";
 import { placedMeasurements, type MeasurementRequest, type MeasurementPaper } from "./layout.ts";

@@ -1,6 +1,6 @@
 import { at, type Pt } from "../../kernel/geometry/point.ts";
 import { toScreen, type Place, type Size } from "../camera.ts";
-import { labelsOverlap, textWidth, type LabelBox } from "../help/labels.ts";
+import { labelsOverlap, textWidth, type LabelBox } from "../dimensions/labels.ts";
 import { dimensionLines, opening, type DimensionLines, type DimensionPaper } from "./dimension.ts";
 import type { Figure } from "./figure.ts";
 

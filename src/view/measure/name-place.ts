@@ -1,5 +1,5 @@
 import type { Place, Size } from "../camera.ts";
-import { labelsOverlap, type LabelBox } from "../help/labels.ts";
+import { labelsOverlap, type LabelBox } from "../dimensions/labels.ts";
 
 /** Height of a name, and its distances from the place that it names, pixels. */
 const TALL = 16,

@@ -1,5 +1,5 @@
 import type { Camera } from "../camera.ts";
-import type { LabelBox } from "../help/labels.ts";
+import type { LabelBox } from "../dimensions/labels.ts";
 import type { Figure } from "../measure/figure.ts";
 import { MEASURED_TEXT, placedMeasurements } from "../measure/layout.ts";
 import { FIGURES } from "./sizes.ts";

@@ -6,12 +6,12 @@ import { boundsOf, joined, mirrored } from "../bounds.ts";
 import type { Place } from "../camera.ts";
 import { clampingNear } from "./clamping-on-paper.ts";
 import { unstatedClamping } from "../unstated-clamping.ts";
-import { textWidth, type LabelBox } from "../help/labels.ts";
+import { textWidth, type LabelBox } from "../dimensions/labels.ts";
 import { featuresOf, type DiameterFeature, type PositionFeature, type TurnedContour } from "./features.ts";
 import { measuredOnPaper, type SheetMeasurement } from "./measured.ts";
 import { factorOf, usualScale, type DrawingScale } from "./scales.ts";
 import { FIGURES } from "./sizes.ts";
-import { spread } from "./spread.ts";
+import { spread } from "../dimensions/spread.ts";
 
 /** What is drawn. Part space, mm. */
 export interface DrawnWork {

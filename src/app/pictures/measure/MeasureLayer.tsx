@@ -3,7 +3,7 @@ import { useStore } from "zustand";
 import type { MeasuredPlace } from "../../../kernel/plan/measured.ts";
 import { part } from "../../../kernel/geometry/point.ts";
 import { toScreen, type Camera } from "../../../view/camera.ts";
-import { textWidth, type LabelBox } from "../../../view/help/labels.ts";
+import { textWidth, type LabelBox } from "../../../view/dimensions/labels.ts";
 import { namePlace } from "../../../view/measure/name-place.ts";
 import { polyline } from "../../../view/help/marks.ts";
 import { placedMeasurements } from "../../../view/measure/layout.ts";

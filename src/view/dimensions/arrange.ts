@@ -1,6 +1,6 @@
 import type { Place, Size } from "../camera.ts";
 import { labelsOverlap, type LabelBox } from "./labels.ts";
-import type { Mark } from "./marks.ts";
+import type { Mark } from "../help/marks.ts";
 import { boxesOn, placesOn } from "./sheet-grid.ts";
 
 /** A candidate place of a text: its box, and boxes of its lines that no other text may cover. */
