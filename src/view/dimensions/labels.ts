@@ -27,10 +27,54 @@ export function textBox(middle: Place, text: string, turn: 0 | -90, size: number
 export const labelsOverlap = (a: LabelBox, b: LabelBox): boolean =>
   a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 
-/** The box round two places, a pixel thick at least. */
-export const lineBox = (a: Place, b: Place): LabelBox => ({
-  x: Math.min(a.x, b.x) - 0.5,
-  y: Math.min(a.y, b.y) - 0.5,
-  width: Math.abs(a.x - b.x) + 1,
-  height: Math.abs(a.y - b.y) + 1,
+/** A straight line on the screen. */
+export type Line = readonly [from: Place, to: Place];
+
+/** The area that two boxes share. */
+export const sharedArea = (a: LabelBox, b: LabelBox): number =>
+  Math.max(0, Math.min(a.x + a.width, b.x + b.width) - Math.max(a.x, b.x)) *
+  Math.max(0, Math.min(a.y + a.height, b.y + b.height) - Math.max(a.y, b.y));
+
+/** Whether a box is whole in a room. */
+export const isWithin = (b: LabelBox, room: LabelBox): boolean =>
+  b.x >= room.x && b.y >= room.y && b.x + b.width <= room.x + room.width && b.y + b.height <= room.y + room.height;
+
+/** A box moved the shortest way to where it is whole in a room; one larger than the room keeps to its left and top. */
+export function movedInto(b: LabelBox, room: LabelBox): LabelBox {
+  const inside = (at: number, long: number, low: number, high: number) => Math.max(low, Math.min(at, high - long));
+  return {
+    ...b,
+    x: inside(b.x, b.width, room.x, room.x + room.width),
+    y: inside(b.y, b.height, room.y, room.y + room.height),
+  };
+}
+
+/** Whether a line runs through a box. */
+export function runsThrough([a, b]: Line, { x, y, width, height }: LabelBox): boolean {
+  let [low, high] = [0, 1];
+  for (const [from, way, least, most] of [
+    [a.x, b.x - a.x, x, x + width],
+    [a.y, b.y - a.y, y, y + height],
+  ] as const) {
+    if (way === 0) {
+      if (from <= least || from >= most) return false;
+      continue;
+    }
+    const ends = [(least - from) / way, (most - from) / way] as const;
+    low = Math.max(low, Math.min(...ends));
+    high = Math.min(high, Math.max(...ends));
+  }
+  return low < high;
+}
+
+/** The straight lines through places, one after the other. */
+export const linesThrough = (places: readonly Place[]): Line[] =>
+  places.slice(1).map((to, i) => [places[i] ?? to, to] as const);
+
+/** The box round a line. */
+export const boxOfLine = ([a, b]: Line): LabelBox => ({
+  x: Math.min(a.x, b.x),
+  y: Math.min(a.y, b.y),
+  width: Math.abs(a.x - b.x),
+  height: Math.abs(a.y - b.y),
 });
