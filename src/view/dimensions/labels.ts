@@ -1,4 +1,4 @@
-import type { Place } from "../camera.ts";
+import type { Place, Size } from "../camera.ts";
 
 /** A box on the screen, pixels. */
 export interface LabelBox {
@@ -20,12 +20,21 @@ export function textBox(middle: Place, text: string, turn: 0 | -90, size: number
   const long = textWidth(text, size) + 4,
     tall = size + 2;
   const [width, height] = turn === 0 ? [long, tall] : [tall, long];
-  return { x: middle.x - width / 2, y: middle.y - height / 2, width, height };
+  return boxAbout(middle, { width, height });
 }
 
 /** Whether two boxes share any area. */
 export const labelsOverlap = (a: LabelBox, b: LabelBox): boolean =>
   a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+
+/** The box of a size about its middle. */
+export const boxAbout = ({ x, y }: Place, { width, height }: Size): LabelBox => ({
+  x: x - width / 2,
+  y: y - height / 2,
+  width,
+  height,
+});
+export const middleOf = ({ x, y, width, height }: LabelBox): Place => ({ x: x + width / 2, y: y + height / 2 });
 
 /** A straight line on the screen. */
 export type Line = readonly [from: Place, to: Place];
@@ -66,10 +75,6 @@ export function runsThrough([a, b]: Line, { x, y, width, height }: LabelBox): bo
   }
   return low < high;
 }
-
-/** The straight lines through places, one after the other. */
-export const linesThrough = (places: readonly Place[]): Line[] =>
-  places.slice(1).map((to, i) => [places[i] ?? to, to] as const);
 
 /** The box round a line. */
 export const boxOfLine = ([a, b]: Line): LabelBox => ({

@@ -8,7 +8,8 @@ import { clampingNear } from "./clamping-on-paper.ts";
 import { unstatedClamping } from "../unstated-clamping.ts";
 import { textWidth, type LabelBox } from "../dimensions/labels.ts";
 import { featuresOf, type DiameterFeature, type PositionFeature, type TurnedContour } from "./features.ts";
-import { measuredOnPaper, type SheetMeasurement } from "./measured.ts";
+import type { DimensionRequest } from "../dimensions/placed-dimensions.ts";
+import { measuredOnPaper } from "./measured.ts";
 import { factorOf, usualScale, type DrawingScale } from "./scales.ts";
 import { FIGURES } from "./sizes.ts";
 import { spread } from "../dimensions/spread.ts";
@@ -22,7 +23,7 @@ export interface DrawnWork {
   /** The clamping; null or absent if not stated. */
   readonly clamping?: Clamped | null;
   /** Measurements on the part; none if absent. */
-  readonly measured?: readonly SheetMeasurement[];
+  readonly measured?: readonly DimensionRequest[];
 }
 
 /** Words and numbers as the sheet's language writes them. */
