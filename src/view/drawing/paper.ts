@@ -9,8 +9,23 @@ export interface PrintSize {
   readonly lower?: string;
 }
 
-/** What a line or an area of a workshop drawing stands for. */
-export type PrintRole = "section" | "outline" | "edge" | "axis" | "thin" | "arrow" | "break" | "mark" | "origin";
+/** What a line or an area of a drawing stands for; its weight and dashes belong to whoever paints it. */
+export type PrintRole =
+  | "section"
+  | "outline"
+  | "edge"
+  | "axis"
+  | "thin"
+  | "arrow"
+  | "break"
+  | "mark"
+  | "origin"
+  | "chuck"
+  | "chuckEdge"
+  | "blank"
+  | "zero"
+  | "zeroFilled"
+  | "measured";
 
 export interface PrintShape {
   readonly role: PrintRole;
