@@ -2,7 +2,7 @@ import type { Approach, PointName } from "../../kernel/plane/approach.ts";
 import { plane, type PlanePoint } from "../../kernel/plane/plane.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import type { Camera, Place } from "../camera.ts";
-import { SIZE, textWidth, type LabelBox, type Line } from "../dimensions/labels.ts";
+import { SIZE, textWidth, type LabelBox, type StraightLine } from "../dimensions/labels.ts";
 import { polyline, type Mark } from "../help/marks.ts";
 import { stroke, type Candidate, type HelpItem, type Tag } from "../help/stroke.ts";
 import { onScreen } from "./frame.ts";
@@ -69,7 +69,7 @@ const RINGS = [13, 32, 56, 84, 116] as const;
 const LEADER = { from: 13, short: 1.5 } as const;
 
 /** The leader from a point to its text. */
-function leader(tag: Tag, from: Place, label: LabelBox): { readonly mark: Mark; readonly line: Line } {
+function leader(tag: Tag, from: Place, label: LabelBox): { readonly mark: Mark; readonly line: StraightLine } {
   const to = {
     x: Math.max(label.x, Math.min(from.x, label.x + label.width)),
     y: Math.max(label.y, Math.min(from.y, label.y + label.height)),

@@ -1,20 +1,20 @@
 import type { Place, Size } from "../camera.ts";
 import {
   boxOfLine,
-  isWithin,
+  isWholeIn,
   labelsOverlap,
   movedInto,
   runsThrough,
   sharedArea,
   type LabelBox,
-  type Line,
+  type StraightLine,
 } from "./labels.ts";
 import { gridOn, placesOn } from "./sheet-grid.ts";
 
 /** A candidate place of a text: its box, and its lines. */
 export interface Spot {
   readonly label: LabelBox;
-  readonly lines: readonly Line[];
+  readonly lines: readonly StraightLine[];
   /** Prefer the smaller. */
   readonly cost: number;
 }
@@ -58,7 +58,7 @@ const ON_TOP = { apart: 1, long: 6 } as const;
  * How much two lines conflict: not at all, once where they cross, or like four crossings where they run on top of each
  * other.
  */
-function met([a, b]: Line, [c, d]: Line): 0 | 1 | 4 {
+function met([a, b]: StraightLine, [c, d]: StraightLine): 0 | 1 | 4 {
   const [u, v] = [
     { x: b.x - a.x, y: b.y - a.y },
     { x: d.x - c.x, y: d.y - c.y },
@@ -107,7 +107,7 @@ export function arrange<S extends Spot>(
   const { crossing = 0, through, room = { x: 0, y: 0, width: sheet.width, height: sheet.height } } = sheet;
   const out: Placed<S>[] = [];
   const taken: LabelBox[] = [],
-    drawn: Line[] = [];
+    drawn: StraightLine[] = [];
   const labels = gridOn(sheet, (box: LabelBox) => box),
     lines = gridOn(sheet, boxOfLine),
     covered = placesOn(sheet, sheet.avoid);
@@ -140,7 +140,7 @@ export function arrange<S extends Spot>(
     let best: S | undefined;
     let least = item.most ?? Infinity;
     for (const c of item.candidates) {
-      if (c.cost >= least || !isWithin(c.label, room) || isTaken(c.label)) continue;
+      if (c.cost >= least || !isWholeIn(c.label, room) || isTaken(c.label)) continue;
       if (through === undefined && isCrossed(c)) continue;
       const cost = costOf(c);
       if (cost < least) [best, least] = [c, cost];

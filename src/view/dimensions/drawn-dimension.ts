@@ -1,7 +1,8 @@
 import { at, part } from "../../kernel/geometry/point.ts";
 import { toScreen, type Camera, type Place } from "../camera.ts";
 import type { Dimension, DimensionOf } from "./dimension.ts";
-import { middleOf, type LabelBox, type Line } from "./labels.ts";
+import { middleOf, type LabelBox, type StraightLine } from "./labels.ts";
+import { arrowAt, lineThrough, onPaperGrid as n } from "./strokes.ts";
 
 /** The drawing that dimensions are put on: pixels of a screen, or mm on paper. */
 export interface DimensionScale {
@@ -12,7 +13,7 @@ export interface DimensionScale {
 
 /** One thin line of a dimension, as path data; an arc runs from end to end of its line. */
 interface Stroke {
-  readonly line: Line;
+  readonly line: StraightLine;
   readonly d: string;
 }
 
@@ -26,7 +27,7 @@ interface Drawn {
 export interface DrawnDimension {
   readonly lines: string;
   readonly arrows: string;
-  readonly pieces: readonly Line[];
+  readonly pieces: readonly StraightLine[];
 }
 
 /** Gap between a place and its extension line, and how far that runs past the dimension line; pixels. */
@@ -40,9 +41,7 @@ const CENTRE = 5;
 /** How far from its text the line of an ordinate turns to it, pixels. */
 const KNEE = 16;
 
-const n = (v: number): string => String(Math.round(v * 100) / 100 + 0);
-const spot = ({ x, y }: Place): string => `${n(x)} ${n(y)}`;
-const line = (a: Place, b: Place): Stroke => ({ line: [a, b], d: `M${spot(a)}L${spot(b)}` });
+const line = (a: Place, b: Place): Stroke => ({ line: [a, b], d: lineThrough([a, b]) });
 const from = (p: Place, way: Place, by: number): Place => ({ x: p.x + way.x * by, y: p.y + way.y * by });
 const to = (a: Place, b: Place): { readonly way: Place; readonly long: number } => {
   const long = Math.hypot(b.x - a.x, b.y - a.y);
@@ -51,11 +50,8 @@ const to = (a: Place, b: Place): { readonly way: Place; readonly long: number } 
 const dot = (a: Place, b: Place): number => a.x * b.x + a.y * b.y;
 const minus = (a: Place, b: Place): Place => ({ x: a.x - b.x, y: a.y - b.y });
 
-function arrow(tip: Place, way: Place, unit: number): string {
-  const back = from(tip, way, -ARROW.long * unit),
-    across = { x: -way.y, y: way.x };
-  return `M${spot(tip)}L${spot(from(back, across, ARROW.half * unit))}L${spot(from(back, across, -ARROW.half * unit))}Z`;
-}
+const arrow = (tip: Place, way: Place, unit: number): string =>
+  arrowAt(tip, way, { long: ARROW.long * unit, half: ARROW.half * unit });
 
 /**
  * A dimension line between two ends with its arrows, inside if they fit and otherwise outside, extended to the text.
@@ -125,7 +121,7 @@ function arcLine(centre: Place, far: number, start: number, sweep: number): Stro
   const [a, b] = [from(centre, heading(start), far), from(centre, heading(start + sweep), far)];
   return {
     line: [a, b],
-    d: `M${spot(a)}A${n(far)} ${n(far)} 0 ${Math.abs(sweep) > Math.PI ? 1 : 0} ${sweep > 0 ? 0 : 1} ${spot(b)}`,
+    d: `${lineThrough([a])}A${n(far)} ${n(far)} 0 ${Math.abs(sweep) > Math.PI ? 1 : 0} ${sweep > 0 ? 0 : 1} ${n(b.x)} ${n(b.y)}`,
   };
 }
 

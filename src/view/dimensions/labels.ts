@@ -37,7 +37,7 @@ export const boxAbout = ({ x, y }: Place, { width, height }: Size): LabelBox => 
 export const middleOf = ({ x, y, width, height }: LabelBox): Place => ({ x: x + width / 2, y: y + height / 2 });
 
 /** A straight line on the screen. */
-export type Line = readonly [from: Place, to: Place];
+export type StraightLine = readonly [from: Place, to: Place];
 
 /** The area that two boxes share. */
 export const sharedArea = (a: LabelBox, b: LabelBox): number =>
@@ -45,7 +45,7 @@ export const sharedArea = (a: LabelBox, b: LabelBox): number =>
   Math.max(0, Math.min(a.y + a.height, b.y + b.height) - Math.max(a.y, b.y));
 
 /** Whether a box is whole in a room. */
-export const isWithin = (b: LabelBox, room: LabelBox): boolean =>
+export const isWholeIn = (b: LabelBox, room: LabelBox): boolean =>
   b.x >= room.x && b.y >= room.y && b.x + b.width <= room.x + room.width && b.y + b.height <= room.y + room.height;
 
 /** A box moved the shortest way to where it is whole in a room; one larger than the room keeps to its left and top. */
@@ -59,7 +59,7 @@ export function movedInto(b: LabelBox, room: LabelBox): LabelBox {
 }
 
 /** Whether a line runs through a box. */
-export function runsThrough([a, b]: Line, { x, y, width, height }: LabelBox): boolean {
+export function runsThrough([a, b]: StraightLine, { x, y, width, height }: LabelBox): boolean {
   let [low, high] = [0, 1];
   for (const [from, way, least, most] of [
     [a.x, b.x - a.x, x, x + width],
@@ -77,7 +77,7 @@ export function runsThrough([a, b]: Line, { x, y, width, height }: LabelBox): bo
 }
 
 /** The box round a line. */
-export const boxOfLine = ([a, b]: Line): LabelBox => ({
+export const boxOfLine = ([a, b]: StraightLine): LabelBox => ({
   x: Math.min(a.x, b.x),
   y: Math.min(a.y, b.y),
   width: Math.abs(a.x - b.x),

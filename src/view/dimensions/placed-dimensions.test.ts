@@ -2,7 +2,7 @@ import fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import { at } from "../../kernel/geometry/point.ts";
 import { toScreen, type Camera } from "../camera.ts";
-import { isWithin, labelsOverlap, middleOf, runsThrough } from "./labels.ts";
+import { isWholeIn, labelsOverlap, middleOf, runsThrough } from "./labels.ts";
 import { measuredOnPaper } from "../sheet/measured.ts";
 import type { Dimension } from "./dimension.ts";
 import { placedDimensions, type DimensionPaper, type DimensionRequest } from "./placed-dimensions.ts";
@@ -46,7 +46,7 @@ describe("dimensions over the picture", () => {
     const boxes = [...paper.kept, ...standing.map(({ box }) => box)];
     for (const [i, a] of boxes.entries()) for (const b of boxes.slice(i + 1)) expect(labelsOverlap(a, b)).toBe(false);
     for (const { box } of standing) {
-      expect(isWithin(box, paper.room)).toBe(true);
+      expect(isWholeIn(box, paper.room)).toBe(true);
     }
   });
 

@@ -2,7 +2,8 @@ import { boxAround } from "../../kernel/area/box.ts";
 import { simplified } from "../../kernel/area/clip.ts";
 import { at, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 import type { Place } from "../camera.ts";
-import { lineThrough, onPaperGrid, type PrintShape } from "./paper.ts";
+import { type PrintShape } from "./paper.ts";
+import { lineThrough, onPaperGrid } from "../dimensions/strokes.ts";
 
 /** A thread in a surface: its start and end, its root radius, mm, if it has one, and its name. */
 export interface PrintThread {

@@ -12,13 +12,13 @@ import {
   halfDimensionLine,
   isCrossed,
   tallOf,
-  lineThrough,
   widthOf,
   writtenAt,
   type PrintShape,
   type PrintSize,
   type PrintText,
 } from "./paper.ts";
+import { lineThrough } from "../dimensions/strokes.ts";
 import type { MeasuredFeature } from "./measured-feature.ts";
 import { printFeatures } from "./print-features.ts";
 import {

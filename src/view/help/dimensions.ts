@@ -1,7 +1,7 @@
 import type { Dimension } from "../../cycles/define.ts";
 import { shortest } from "../../kernel/geometry/segments.ts";
 import type { Place } from "../camera.ts";
-import { runsThrough, SIZE, textBox, textWidth, type Line } from "../dimensions/labels.ts";
+import { runsThrough, SIZE, textBox, textWidth, type StraightLine } from "../dimensions/labels.ts";
 import { FIRST, spot, TRACK, type Layout } from "./layout.ts";
 import { arcPath, arrowHead, polyline, type Mark } from "./marks.ts";
 import {
@@ -30,7 +30,7 @@ const candidate = (
   marks: readonly Mark[],
   middle: Place,
   turn: 0 | -90,
-  lines: readonly Line[],
+  lines: readonly StraightLine[],
   cost: number,
 ): Candidate => ({
   marks: [...marks, value({ q: l.q, active: l.active }, middle, l.text, turn, l.underlined ?? false)],
@@ -44,7 +44,7 @@ const width = (l: Lettering) => textWidth(l.text, SIZE.strong);
 const range = (n: number) => Array.from({ length: n }, (_, i) => i);
 
 /** A dimension line with the outside tails of a short one. */
-function tailed(p: Place, q: Place): Line {
+function tailed(p: Place, q: Place): StraightLine {
   const long = Math.hypot(q.x - p.x, q.y - p.y);
   if (long < 0.5 || long >= SHORT) return [p, q];
   const by = { x: ((q.x - p.x) / long) * TAIL, y: ((q.y - p.y) / long) * TAIL };
@@ -76,7 +76,7 @@ function horizontal(layout: Layout, l: Lettering, a: Place, b: Place): Candidate
           { x: b.x, y },
         ];
         const marks = [...extension(l, a, p), ...(point ? [] : extension(l, b, q)), ...between(l, p, q)];
-        const lines: Line[] = [[a, p], ...(point ? [] : [[b, q] as const, tailed(p, q)])];
+        const lines: StraightLine[] = [[a, p], ...(point ? [] : [[b, q] as const, tailed(p, q)])];
         return candidate(l, marks, { x, y }, 0, lines, cost + i);
       }),
     );
@@ -105,7 +105,7 @@ function diameter(layout: Layout, l: Lettering, at: Place): Candidate[] {
         stroke(l, "thin", polyline([head, ...(layout.broken ? zigzag(foot, head) : []), { x, y: axisY + 7 * down }])),
         filled(l, "arrow", arrowHead(head, 0, -down)),
       ];
-      const lines: Line[] = [
+      const lines: StraightLine[] = [
         [at, head],
         [foot, head],
       ];
@@ -159,7 +159,7 @@ function upright(layout: Layout, l: Lettering, a: Place, b: Place): Candidate[] 
         { x, y: b.y },
       ];
       const marks = [...extension(l, a, p), ...extension(l, b, q), ...between(l, p, q)];
-      const lines: Line[] = [[a, p], [b, q], tailed(p, q)];
+      const lines: StraightLine[] = [[a, p], [b, q], tailed(p, q)];
       return [
         candidate(l, marks, { x: x + side * (width(l) / 2 + 7), y: (low + high) / 2 }, 0, lines, cost),
         candidate(l, marks, { x, y: high - 22 }, 0, lines, cost + 2),
@@ -202,7 +202,7 @@ function angle(l: Lettering, vertex: Place, from: Place, to: Place): Candidate[]
       head(start + sweep, narrow ? -way : way),
     ];
     const half = width(l) / 2;
-    const arc: Line = [on(begin, r), on(end, r)];
+    const arc: StraightLine = [on(begin, r), on(end, r)];
     const spots: { p: Place; cost: number }[] = narrow
       ? [
           { p: on(end + way * (10 / r), r + half * 0.3), cost: 0 },
@@ -216,7 +216,7 @@ function angle(l: Lettering, vertex: Place, from: Place, to: Place): Candidate[]
           { p: on(start + sweep / 2, r + half + 6), cost: 0 },
           { p: on(start + sweep / 2, r - half - 6), cost: 1 },
         ];
-    const legs = [start, start + sweep].map((a): Line => [vertex, on(a, r)]);
+    const legs = [start, start + sweep].map((a): StraightLine => [vertex, on(a, r)]);
     return spots.map(({ p, cost }) => {
       const own = candidate(l, marks, p, 0, [...legs, arc], i * 1.5 + cost);
       return legs.some((leg) => runsThrough(leg, own.label)) ? { ...own, cost: own.cost + OVER_LEG } : own;

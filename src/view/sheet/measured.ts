@@ -1,6 +1,7 @@
 import type { Camera } from "../camera.ts";
 import type { LabelBox } from "../dimensions/labels.ts";
 import { DIMENSION_TEXT, placedDimensions, type DimensionRequest } from "../dimensions/placed-dimensions.ts";
+import { onPaperGrid } from "../dimensions/strokes.ts";
 import { FIGURES } from "./sizes.ts";
 
 /**
@@ -15,12 +16,10 @@ export interface PaperMeasurement {
   readonly box: LabelBox;
 }
 
-const mm = (v: number): string => String(Math.round(v * 100) / 100 + 0);
-
 function frameOf({ x, y, width, height }: LabelBox): string {
   const r = height / 2,
     long = width - height;
-  return `M${mm(x + r)} ${mm(y)}h${mm(long)}a${mm(r)} ${mm(r)} 0 0 1 0 ${mm(height)}h${mm(-long)}a${mm(r)} ${mm(r)} 0 0 1 0 ${mm(
+  return `M${onPaperGrid(x + r)} ${onPaperGrid(y)}h${onPaperGrid(long)}a${onPaperGrid(r)} ${onPaperGrid(r)} 0 0 1 0 ${onPaperGrid(height)}h${onPaperGrid(-long)}a${onPaperGrid(r)} ${onPaperGrid(r)} 0 0 1 0 ${onPaperGrid(
     -height,
   )}Z`;
 }

@@ -8,16 +8,8 @@ import { clampingNear } from "./clamping-on-paper.ts";
 import { unstatedClamping } from "../unstated-clamping.ts";
 import { middleOf } from "../dimensions/labels.ts";
 import { bodyShapes, mirroredAt } from "../drawing/body.ts";
-import {
-  dimensionLine,
-  LINE,
-  lineThrough,
-  onPaperGrid,
-  widthOf,
-  writtenAt,
-  type PrintShape,
-  type PrintText,
-} from "../drawing/paper.ts";
+import { dimensionLine, LINE, widthOf, writtenAt, type PrintShape, type PrintText } from "../drawing/paper.ts";
+import { lineThrough, onPaperGrid } from "../dimensions/strokes.ts";
 import { featuresOf, type DiameterFeature, type PositionFeature, type TurnedContour } from "./features.ts";
 import type { DimensionRequest } from "../dimensions/placed-dimensions.ts";
 import { measuredOnPaper } from "./measured.ts";
