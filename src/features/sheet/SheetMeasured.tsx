@@ -44,7 +44,7 @@ export function useDrawnMeasured(
         } = each;
         const isDrawn = !isStale && plane === "ZX" && moment?.block === undefined;
         return isDrawn
-          ? [{ key: id, measured: figure, text: measurementWords(t, lengths, each).text, needed: true }]
+          ? [{ key: id, measured: figure, text: measurementWords(t, lengths, each).text, needed: false }]
           : [];
       }),
     [measured, t, lengths],

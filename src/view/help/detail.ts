@@ -30,7 +30,8 @@ function lensPlace(
   const blank = c.section.blank.map((p) => toScreen(c.layout.camera, p));
   let best: Place = { x: width - radius - 2, y: radius + 2 };
   let least = Infinity;
-  for (let x = radius + 3; x <= width - radius - 3; x += 8)
+  const half = Math.max(radius, text.width / 2);
+  for (let x = half + 3; x <= width - half - 3; x += 8)
     for (let y = radius + 3; y <= height - radius - text.height - 5; y += 8) {
       const lens = { x: x - radius, y: y - radius, width: 2 * radius, height: 2 * radius + text.height + 4 };
       const over = (p: Place) => Math.hypot(p.x - x, p.y - y) < radius + 3;

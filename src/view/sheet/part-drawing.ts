@@ -243,12 +243,10 @@ export function partDrawing(
   }
   shapes.push(...zeroSign(zero));
   const camera = { scale: k, zero, xUp: true };
-  for (const each of measuredOnPaper(work.measured ?? [], {
-    camera,
-    width: room.width,
-    height,
-    kept: texts.map(({ box }) => box),
-  })) {
+  const { measured = [] } = work,
+    kept = texts.map(({ box }) => box),
+    shownMeasured = measuredOnPaper(measured, { camera, width: room.width, height, kept });
+  for (const each of shownMeasured) {
     shapes.push(
       { role: "thin", d: each.lines },
       { role: "arrow", d: each.arrows },
@@ -257,8 +255,8 @@ export function partDrawing(
     writeAt(each.text, middleOf(each.box), false);
   }
   const wanted = distinct(diameters, (d) => seen(d).y).length + distinct(marks, (p) => onPaper(p.at).x).length;
-  const missing = wanted - shownDiameters.length - shownPositions.length;
-  return { scale, width: room.width, height, shapes, texts, omitted: missing };
+  const shown = shownDiameters.length + shownPositions.length + shownMeasured.length;
+  return { scale, width: room.width, height, shapes, texts, omitted: wanted + measured.length - shown };
 }
 
 /** The end of a leader on a surface. */
