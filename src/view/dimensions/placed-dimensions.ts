@@ -3,7 +3,7 @@ import { toScreen, type Place, type Size } from "../camera.ts";
 import { arrange, type Item, type Placed, type Spot } from "./arrange.ts";
 import type { Dimension, DimensionOf } from "./dimension.ts";
 import { drawnDimension, opening, type DimensionScale, type DrawnDimension } from "./drawn-dimension.ts";
-import { boxAbout, textWidth, type LabelBox } from "./labels.ts";
+import { boxAbout, movedInto, textWidth, type LabelBox } from "./labels.ts";
 
 /** A dimension to place on a drawing. */
 export interface DimensionRequest {
@@ -214,10 +214,13 @@ function spotAt(paper: DimensionPaper, { measured }: DimensionRequest, label: La
 function itemOf(paper: DimensionPaper, each: DimensionRequest): Item<DimensionSpot> {
   const size = sizeOf(each, paper);
   const places = each.put ? [toScreen(paper.camera, each.put)] : middles(paper, each.measured, size);
+  // The line of an ordinate follows its text, so that one at the edge of the room moves into it.
+  const isLed = each.measured.form === "ordinate" && !each.put;
+  const boxAt = (p: Place) => (isLed ? movedInto(boxAbout(p, size), paper.room) : boxAbout(p, size));
   return {
     q: each.key,
     needed: each.needed,
-    candidates: places.map((p, i) => spotAt(paper, each, boxAbout(p, size), COST.step * i)),
+    candidates: places.map((p, i) => spotAt(paper, each, boxAt(p), COST.step * i)),
     moved: ({ cost }, label) => spotAt(paper, each, label, cost),
   };
 }
