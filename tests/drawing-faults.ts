@@ -1,4 +1,4 @@
-import { labelsOverlap, type LabelBox } from "../src/view/help/labels.ts";
+import { labelsOverlap, type LabelBox } from "../src/view/dimensions/labels.ts";
 import type { WorkshopPrint } from "../src/view/drawing/workshop-drawing.ts";
 
 /** A box without the margin around its letters. */

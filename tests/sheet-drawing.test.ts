@@ -10,7 +10,7 @@ import { printJob } from "../src/program/job/print-job.ts";
 import { run } from "../src/program/run/run.ts";
 import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 import { simulate } from "../src/sim/simulate.ts";
-import { labelsOverlap } from "../src/view/help/labels.ts";
+import { labelsOverlap } from "../src/view/dimensions/labels.ts";
 import { factorOf } from "../src/view/sheet/scales.ts";
 import { partDrawing, type DrawnWork, type DrawingWords, type PartDrawing } from "../src/view/sheet/part-drawing.ts";
 

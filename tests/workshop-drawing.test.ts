@@ -4,7 +4,7 @@ import { drawnTask } from "../src/course/drawn-task.ts";
 import type { Task } from "../src/course/task.ts";
 import { courseDrawing as english } from "../src/i18n/en/course-drawing.ts";
 import { courseDrawing as german } from "../src/i18n/de/course-drawing.ts";
-import { labelsOverlap } from "../src/view/help/labels.ts";
+import { labelsOverlap } from "../src/view/dimensions/labels.ts";
 import { workshopDrawing, type WorkshopPrint } from "../src/view/drawing/workshop-drawing.ts";
 import { NEXT, nominalWidth, SMALL, widthOf } from "../src/view/drawing/paper.ts";
 import { FIGURES } from "../src/view/sheet/sizes.ts";

@@ -1,8 +1,8 @@
 import type { Pt } from "../kernel/geometry/point.ts";
 import { toPlace, type Camera, type Place, type Size } from "./camera.ts";
 import type { VisibleArea } from "./edge-mark.ts";
-import { arrange } from "./help/arrange.ts";
-import { labelsOverlap, type LabelBox } from "./help/labels.ts";
+import { arrange } from "./dimensions/arrange.ts";
+import { labelsOverlap, type LabelBox } from "./dimensions/labels.ts";
 
 /**
  * Distance from a mark to the text beside it, overhang of a text above or below a mark, and vertical distance from a

@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { at } from "../kernel/geometry/point.ts";
 import { shippedTools } from "../program/tools/shipped-tools.ts";
-import { labelsOverlap, type LabelBox } from "./help/labels.ts";
+import { labelsOverlap, type LabelBox } from "./dimensions/labels.ts";
 import { namedLines, toolArea, type NamedLine } from "./known-labels.ts";
 
 const ROOM: LabelBox = { x: 46, y: 44, width: 613, height: 371 };

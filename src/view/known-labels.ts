@@ -4,8 +4,8 @@ import type { Pt } from "../kernel/geometry/point.ts";
 import type { Tool } from "../kernel/plan/tool.ts";
 import { boundsOf } from "./bounds.ts";
 import { toScreen, type Bounds, type Camera, type Size } from "./camera.ts";
-import { arrange, type Item, type Spot } from "./help/arrange.ts";
-import { textWidth, type LabelBox } from "./help/labels.ts";
+import { arrange, type Item, type Spot } from "./dimensions/arrange.ts";
+import { textWidth, type LabelBox } from "./dimensions/labels.ts";
 
 /** A line across a picture with its text: level at a height, or upright at a place along Z, pixels. */
 export interface NamedLine {

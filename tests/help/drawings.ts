@@ -38,12 +38,13 @@ export function drawn(
   active: string | null,
   size: Size,
   given: Given = printedContour,
+  said: HelpWords = speech,
 ): HelpDrawing | null {
   const read = values as Parameters<Cycle["outline"]>[0];
   const outline = cycle.outline(read, given);
   if (outline.contour.length === 0 || outline.issues.some((found) => found.severity === "error")) return null;
   const plan = pointPlan(cycle, read, outline, given);
-  return helpDrawing({ params: cycle.params, values, outline, plan, active, size, speech });
+  return helpDrawing({ params: cycle.params, values, outline, plan, active, size, speech: said });
 }
 
 /** Draws a cycle while values are missing. */

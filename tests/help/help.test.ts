@@ -6,7 +6,7 @@ import { recessOutline } from "../../src/cycles/recess-outline.ts";
 import { emptyPlan } from "../../src/kernel/strategy/leveled.ts";
 import { axial, degrees, diameter, length } from "../../src/kernel/units.ts";
 import type { Numbers } from "../../src/view/help/lettering.ts";
-import { labelsOverlap } from "../../src/view/help/labels.ts";
+import { labelsOverlap } from "../../src/view/dimensions/labels.ts";
 import { helpSvg } from "../../src/view/help/svg.ts";
 import { cycles, drawn, exampleOf, flat, partlyDrawn } from "./drawings.ts";
 import { cases, laws } from "./laws.ts";

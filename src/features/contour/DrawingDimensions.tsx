@@ -5,8 +5,9 @@ import { dimensionTyped } from "../../program/job/contour-dimensions.ts";
 import type { RowsReading } from "../../program/job/contour-rows.ts";
 import type { ContourRow } from "../../program/job/job.ts";
 import { toScreen, type Place, type Size } from "../../view/camera.ts";
-import { placedDimensions, type PlacedDimension } from "../../view/contour/dimension-places.ts";
+import { placedDimensions, type PlacedDimension } from "../../view/dimensions/placed-dimensions.ts";
 import { WORKPIECE_ZERO } from "../../view/datum.ts";
+import type { LabelBox } from "../../view/dimensions/labels.ts";
 import type { ContourPicture } from "../../view/help/contour-drawing.ts";
 import { NumberInput } from "../../app/fields/number/NumberInput.tsx";
 import { SCALE_BELOW, SCALE_LEFT } from "../../app/pictures/lathe/Axes.tsx";
@@ -32,7 +33,8 @@ interface Props {
 
 /** Least size of a dimension's text; for fingers as large as any target. */
 const TARGET = { mouse: { width: 40, height: 22 }, fingers: { width: 56, height: 48 } } as const;
-const SCALES = { left: SCALE_LEFT, below: SCALE_BELOW };
+/** Margin around the texts, pixels. */
+const AIR = 2;
 /** Distance of the texts from the contour, pixels. */
 const BESIDE = { right: 36, below: 24 } as const;
 /** Least width of a field, pixels. */
@@ -55,7 +57,8 @@ export function DrawingDimensions({ rows, reading, picture, signs, size, chosen,
         {
           camera: picture.camera,
           size,
-          scales: SCALES,
+          unit: 1,
+          room: roomOf(size),
           target: fingers ? TARGET.fingers : TARGET.mouse,
           kept: [...picture.kept, ...signs.map(({ box }) => box)],
           free: freeOf(picture),
@@ -136,6 +139,14 @@ export function DrawingDimensions({ rows, reading, picture, signs, size, chosen,
     </>
   );
 }
+
+/** Where texts may be: clear of the scales at the left and the lower edge. */
+const roomOf = ({ width, height }: Size): LabelBox => ({
+  x: SCALE_LEFT + AIR,
+  y: AIR,
+  width: width - SCALE_LEFT - 2 * AIR,
+  height: height - SCALE_BELOW - 2 * AIR,
+});
 
 /** Lines for the texts next to the contour: right of it and of Z0, below it and the axis, pixels. */
 function freeOf({ avoid, points, camera }: ContourPicture): Place {

@@ -1,12 +1,13 @@
-import { part } from "../../kernel/geometry/point.ts";
-import { axial, diameter, toRadius } from "../../kernel/units.ts";
+import { at, part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
+import { axial, diameter, radians, STEP, toRadius } from "../../kernel/units.ts";
 import type { ContourTexts } from "../../i18n/en/workplace/contour.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import { dimensionsOf, type ContourDimension } from "../../program/job/contour-dimensions.ts";
 import type { RowField, RowsReading } from "../../program/job/contour-rows.ts";
 import type { ContourRow } from "../../program/job/job.ts";
-import type { DimensionRequest, Measured } from "../../view/contour/dimension-places.ts";
+import type { Dimension } from "../../view/dimensions/dimension.ts";
+import type { DimensionRequest } from "../../view/dimensions/placed-dimensions.ts";
 
 /** A dimension with its text, ready to be put on the drawing. */
 export interface DrawnDimension extends DimensionRequest {
@@ -19,8 +20,20 @@ export interface DrawnDimension extends DimensionRequest {
 
 const pointAt = ({ x, z }: { readonly x: number; readonly z: number }) => part.point(axial(z), toRadius(diameter(x)));
 
+/** The angle of an element to +Z at a point, degrees; as far as it is known, only its legs are drawn. */
+function angleFrom(vertex: Pt, degrees: number): Dimension {
+  const leg = (way: number) => part.sum(vertex, at(STEP * Math.cos(way), STEP * Math.sin(way)));
+  return { form: "angle", vertex, from: leg(0), to: leg(radians(degrees)) };
+}
+
+/** The size of a radius or a chamfer: a leader to its middle, into the material first. */
+function sizeOf(on: Segment): Dimension {
+  const middle = part.pointOn(on, 0.5);
+  return { form: "leader", at: middle, towards: part.sum(middle, part.leftOf(part.direction(on, middle))) };
+}
+
 /** Geometry that a dimension measures, on the part; null while unknown. */
-function measuredOf({ row, field, value }: ContourDimension, reading: RowsReading): Measured | null {
+function measuredOf({ row, field, value }: ContourDimension, reading: RowsReading): Dimension | null {
   const read = reading.rows[row],
     { x, z } = read?.inherited ?? { x: null, z: null };
   const end = read?.end ? pointAt(read.end) : null,
@@ -29,19 +42,19 @@ function measuredOf({ row, field, value }: ContourDimension, reading: RowsReadin
     case "x":
     case "z": {
       const at = end ?? read?.pole;
-      return at ? { kind: field === "x" ? "diameter" : "axial", at } : null;
+      return at ? { form: "ordinate", of: field === "x" ? "diameter" : "axial", at } : null;
     }
     case "r": {
       const on = reading.contour.segments[reading.rowOfSegment.indexOf(row)];
-      return on ? { kind: "size", on } : null;
+      return on ? sizeOf(on) : null;
     }
     case "length":
-      return end && from && { kind: "length", from, to: end };
+      return end && from && { form: "along", from, to: end };
     case "PR":
-      return read?.pole && end ? { kind: "length", from: read.pole, to: end } : null;
+      return read?.pole && end ? { form: "along", from: read.pole, to: end } : null;
     default: {
       const at = field === "PA" ? read?.pole : from;
-      return at && value !== null ? { kind: "angle", at, angle: value } : null;
+      return at && value !== null ? angleFrom(at, value) : null;
     }
   }
 }

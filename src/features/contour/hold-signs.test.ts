@@ -2,9 +2,9 @@ import { expect, test } from "vitest";
 import { fetchTexts, texts } from "../../app/base/settings/loaded-texts.ts";
 import { readRows } from "../../program/job/contour-rows.ts";
 import { newRow } from "../../program/job/job.ts";
-import { placedDimensions } from "../../view/contour/dimension-places.ts";
+import { placedDimensions } from "../../view/dimensions/placed-dimensions.ts";
 import { contourDrawing } from "../../view/help/contour-drawing.ts";
-import { labelsOverlap, type LabelBox } from "../../view/help/labels.ts";
+import { labelsOverlap, type LabelBox } from "../../view/dimensions/labels.ts";
 import { drawnDimensions } from "./drawing-dimensions.ts";
 import { holdSigns } from "./hold-signs.ts";
 
@@ -45,7 +45,8 @@ test.each([
     {
       camera: picture.camera,
       size,
-      scales: { left: 46, below: 22 },
+      unit: 1,
+      room: { x: 48, y: 2, width: width - 50, height: height - 26 },
       target: { width: 40, height: 22 },
       kept,
       free: { x: width - 60, y: height - 80 },

@@ -4,7 +4,7 @@ import type { RowsReading } from "../../program/job/contour-rows.ts";
 import type { ContourRow } from "../../program/job/job.ts";
 import { toScreen, type Place } from "../../view/camera.ts";
 import type { ContourPicture } from "../../view/help/contour-drawing.ts";
-import { labelsOverlap, type LabelBox } from "../../view/help/labels.ts";
+import { labelsOverlap, type LabelBox } from "../../view/dimensions/labels.ts";
 
 /** A sign of a constraint on the drawing, with its middle. */
 export interface HoldSign {

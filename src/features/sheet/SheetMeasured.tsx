@@ -2,7 +2,7 @@ import { useMemo } from "react";
 import type { SheetTexts } from "../../i18n/en/sheet.ts";
 import type { Run } from "../../program/state/run-types.ts";
 import type { CurrentMeasurement } from "../../view/measure/reading.ts";
-import type { SheetMeasurement } from "../../view/sheet/measured.ts";
+import type { DimensionRequest } from "../../view/dimensions/placed-dimensions.ts";
 import { measurablePlane } from "../../app/pictures/plane/plane-source.ts";
 import { measuredIn } from "../../app/document/edits.ts";
 import type { Outcome } from "../../app/calculation/outcome.ts";
@@ -31,7 +31,7 @@ export function useSheetMeasured(outcome: Outcome | null): readonly CurrentMeasu
 export function useDrawnMeasured(
   measured: readonly CurrentMeasurement[],
   run: Run | undefined,
-): readonly SheetMeasurement[] {
+): readonly DimensionRequest[] {
   const t = useTexts("measure"),
     lengths = useLengths(run);
   return useMemo(
@@ -43,7 +43,9 @@ export function useDrawnMeasured(
           isStale,
         } = each;
         const isDrawn = !isStale && plane === "ZX" && moment?.block === undefined;
-        return isDrawn ? [{ id, figure, text: measurementWords(t, lengths, each).text }] : [];
+        return isDrawn
+          ? [{ key: id, measured: figure, text: measurementWords(t, lengths, each).text, needed: false }]
+          : [];
       }),
     [measured, t, lengths],
   );

@@ -1,10 +1,9 @@
 import type { Approach } from "../../kernel/plane/approach.ts";
 import type { PlanePoint } from "../../kernel/plane/plane.ts";
 import type { Camera, Place } from "../camera.ts";
-import type { Candidate, Item } from "../help/arrange.ts";
-import { lineBox, textBox } from "../help/labels.ts";
+import { textBox } from "../dimensions/labels.ts";
 import { arcPath, arrowHead } from "../help/marks.ts";
-import { between, extension, filled, stroke, value, type Tag } from "../help/stroke.ts";
+import { between, extension, filled, stroke, value, type Candidate, type HelpItem, type Tag } from "../help/stroke.ts";
 import { onScreen } from "./frame.ts";
 import type { ApproachWords } from "./words.ts";
 import { ROUND } from "../../kernel/tolerance.ts";
@@ -16,7 +15,7 @@ const ASIDE = 24;
 const moved = (p: Place, x: number, y: number, k: number): Place => ({ x: p.x + x * k, y: p.y + y * k });
 
 /** LEN between two points: beside the line, on either side. */
-function lengthItem(tag: Tag, text: string, a: Place, b: Place): Item {
+function lengthItem(tag: Tag, text: string, a: Place, b: Place): HelpItem {
   const long = Math.hypot(b.x - a.x, b.y - a.y) || 1;
   const [nx, ny] = [-(b.y - a.y) / long, (b.x - a.x) / long];
   const candidates = [1, -1, 2, -2].map((k): Candidate => {
@@ -30,7 +29,7 @@ function lengthItem(tag: Tag, text: string, a: Place, b: Place): Item {
     return {
       marks: [...extension(tag, a, c), ...extension(tag, b, d), ...between(tag, c, d), value(tag, middle, text)],
       label: textBox(middle, text, 0),
-      lines: [lineBox(c, d)],
+      lines: [[c, d]],
       cost: Math.abs(k),
     };
   });
@@ -45,7 +44,7 @@ interface Arc {
   readonly sweep: number;
 }
 
-function radiusItem(tag: Tag, text: string, arc: Arc): Item {
+function radiusItem(tag: Tag, text: string, arc: Arc): HelpItem {
   const candidates = [0.5, 0.25, 0.75, 0.12, 0.88].flatMap((part): Candidate[] => {
     const angle = arc.from + arc.sweep * part;
     const [ux, uy] = [Math.cos(angle), -Math.sin(angle)];
@@ -68,7 +67,7 @@ function radiusItem(tag: Tag, text: string, arc: Arc): Item {
   return { q: "R", candidates };
 }
 
-function angleItem(tag: Tag, text: string, arc: Arc): Item {
+function angleItem(tag: Tag, text: string, arc: Arc): HelpItem {
   const size = Math.max(14, Math.min(arc.radius * 0.42, 60));
   const to = arc.from + arc.sweep;
   const ray = (angle: number, k: number) => moved(arc.centre, Math.cos(angle), -Math.sin(angle), k);
@@ -104,7 +103,7 @@ export function dimensionItems(
   camera: Camera,
   speech: ApproachWords,
   active: string | null,
-): readonly Item[] {
+): readonly HelpItem[] {
   const tag = (q: string): Tag => ({ q, active: q === active });
   const place = (p: PlanePoint) => onScreen(camera, p);
   const { arc, points } = result;

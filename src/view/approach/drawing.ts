@@ -1,8 +1,8 @@
 import type { Approach } from "../../kernel/plane/approach.ts";
 import { partSegment, plane, type PlanePoint, type PlaneSegment } from "../../kernel/plane/plane.ts";
 import type { Camera, Place, Size } from "../camera.ts";
-import { arrange } from "../help/arrange.ts";
-import type { LabelBox } from "../help/labels.ts";
+import { arrange } from "../dimensions/arrange.ts";
+import type { LabelBox } from "../dimensions/labels.ts";
 import { arrowHead, circle, polyline, segmentPath, type Mark } from "../help/marks.ts";
 import { filled, stroke, type Tag } from "../help/stroke.ts";
 import { dimensionItems } from "./dimensions.ts";

@@ -3,7 +3,7 @@ import plate from "../../examples/plate.h?raw";
 import { parse } from "../../nc/parse.ts";
 import { run } from "../../program/run/run.ts";
 import { fitted } from "../camera.ts";
-import { labelsOverlap, textBox, type LabelBox } from "../help/labels.ts";
+import { labelsOverlap, textBox, type LabelBox } from "../dimensions/labels.ts";
 import { planeNames } from "./plane-names.ts";
 import { planeScene } from "./plane-scene.ts";
 

@@ -1,8 +1,8 @@
 import { plane } from "../../kernel/plane/plane.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import type { Camera, Place, Size } from "../camera.ts";
-import { arrange } from "../help/arrange.ts";
-import type { LabelBox } from "../help/labels.ts";
+import { arrange } from "../dimensions/arrange.ts";
+import type { LabelBox } from "../dimensions/labels.ts";
 import type { Mark } from "../help/marks.ts";
 import { contactLines, pointItem, shownPoints, type PointsOf, type ShownPoint } from "./points.ts";
 import type { ApproachWords } from "./words.ts";

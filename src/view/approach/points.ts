@@ -2,10 +2,9 @@ import type { Approach, PointName } from "../../kernel/plane/approach.ts";
 import { plane, type PlanePoint } from "../../kernel/plane/plane.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import type { Camera, Place } from "../camera.ts";
-import type { Candidate, Item } from "../help/arrange.ts";
-import { SIZE, textWidth, type LabelBox } from "../help/labels.ts";
+import { SIZE, textWidth, type LabelBox, type StraightLine } from "../dimensions/labels.ts";
 import { polyline, type Mark } from "../help/marks.ts";
-import { stroke, type Tag } from "../help/stroke.ts";
+import { stroke, type Candidate, type HelpItem, type Tag } from "../help/stroke.ts";
 import { onScreen } from "./frame.ts";
 import type { ApproachWords } from "./words.ts";
 
@@ -66,11 +65,11 @@ export const pointText = ({ at, onContour }: ShownPoint, speech: ApproachWords):
 const LINE = 15;
 /** Distances from a point to its text, pixels; a farther text has a leader. */
 const RINGS = [13, 32, 56, 84, 116] as const;
-/** Where a leader begins, from its point; distance of the boxes that keep texts off it; half their size; pixels. */
-const LEADER = { from: 13, step: 6, half: 1.5 } as const;
+/** Where a leader begins, and where it ends for other texts, from its point and from its text; pixels. */
+const LEADER = { from: 13, short: 1.5 } as const;
 
-/** The leader from a point to its text, and boxes along it. */
-function leader(tag: Tag, from: Place, label: LabelBox): { readonly mark: Mark; readonly boxes: readonly LabelBox[] } {
+/** The leader from a point to its text. */
+function leader(tag: Tag, from: Place, label: LabelBox): { readonly mark: Mark; readonly line: StraightLine } {
   const to = {
     x: Math.max(label.x, Math.min(from.x, label.x + label.width)),
     y: Math.max(label.y, Math.min(from.y, label.y + label.height)),
@@ -80,16 +79,10 @@ function leader(tag: Tag, from: Place, label: LabelBox): { readonly mark: Mark; 
     x: from.x + ((to.x - from.x) * s) / far,
     y: from.y + ((to.y - from.y) * s) / far,
   });
-  const { from: begin, step, half } = LEADER;
-  const count = Math.max(0, Math.floor((far - half - begin) / step));
+  const begin = at(Math.min(far, LEADER.from));
   return {
-    mark: stroke(tag, "thin", polyline([at(begin), to])),
-    boxes: Array.from({ length: count }, (_, i) => at(begin + i * step)).map(({ x, y }) => ({
-      x: x - half,
-      y: y - half,
-      width: 2 * half,
-      height: 2 * half,
-    })),
+    mark: stroke(tag, "thin", polyline([begin, to])),
+    line: [begin, at(Math.max(LEADER.from, far - LEADER.short))],
   };
 }
 
@@ -100,7 +93,7 @@ export function pointItem(
   middle: Place,
   active: boolean,
   coordinates: boolean,
-): Item {
+): HelpItem {
   const name = p.names.join(" = ");
   const where = coordinates ? pointText(p, speech) : "";
   const width = Math.max(textWidth(name, SIZE.strong), textWidth(where, SIZE.quiet)) + 6;
@@ -128,7 +121,7 @@ export function pointItem(
       return {
         marks: led ? [led.mark, ...marks] : marks,
         label,
-        lines: led?.boxes ?? [],
+        lines: led ? [led.line] : [],
         cost: (1 - Math.cos(angle - out)) * 2 + (eighth % 2) * 0.3 + ring * 3,
       };
     }),

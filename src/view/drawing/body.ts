@@ -2,7 +2,8 @@ import { boxAround } from "../../kernel/area/box.ts";
 import { simplified } from "../../kernel/area/clip.ts";
 import { at, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 import type { Place } from "../camera.ts";
-import { lineThrough, onPaperGrid, type PrintShape } from "./paper.ts";
+import { type PrintShape } from "./paper.ts";
+import { lineThrough, onPaperGrid } from "../dimensions/strokes.ts";
 
 /** A thread in a surface: its start and end, its root radius, mm, if it has one, and its name. */
 export interface PrintThread {
@@ -93,20 +94,27 @@ function within(body: readonly Ring[], ends: readonly [Pt, Pt]): readonly [Pt, P
 
 interface BodyView {
   readonly broken: number | null;
-  readonly isHollow: boolean;
+  /** Both halves in section, the upper one, or none. */
+  readonly section: "whole" | "upper" | "none";
+  /** Whether the edge at a corner of the outline is drawn; all if left out. */
+  readonly hasEdge?: (corner: Pt) => boolean;
   readonly onPaper: (p: Pt) => Place;
   readonly scale: number;
   readonly threads: readonly PrintThread[];
 }
 
-/** The part itself: hatched above the axis if it is hollow, its outline, and its visible edges. */
+/** The part itself: hatched where it is in section, its outline, and its visible edges. */
 export function bodyShapes(
   body: readonly Ring[],
-  { broken, isHollow: hollow, onPaper, scale, threads }: BodyView,
+  { broken, section, hasEdge, onPaper, scale, threads }: BodyView,
 ): PrintShape[] {
   const fine = simplified([...body], FINE / scale);
   const shapes: PrintShape[] = [];
-  if (hollow) shapes.push({ role: "section", d: fine.map((ring) => `${lineThrough(ring.map(onPaper))}Z`).join("") });
+  const isWhole = section === "whole",
+    hollow = section === "upper";
+  const closed = (ring: Ring) => `${lineThrough(ring.map(onPaper))}Z`;
+  const cut = section === "none" ? [] : isWhole ? [...fine, ...fine.map((ring) => ring.map(mirroredAt))] : fine;
+  if (cut.length > 0) shapes.push({ role: "section", d: cut.map(closed).join("") });
   const edges = fine.flatMap((ring) => drawnEdges(ring, broken));
   // From outside the bore is hidden: below the axis, only points without material above them.
   const isSilhouette = (line: readonly Pt[]) => line.filter((p) => isOutmost(body, p));
@@ -119,7 +127,8 @@ export function bodyShapes(
   );
   const across = (p: Pt, ends: readonly [number, number]) => lineThrough(ends.map((r) => onPaper(at(p.z, r))));
   const seen = corners.flatMap((p) => {
-    if (p.r < ON) return [];
+    if (p.r < ON || hasEdge?.(p) === false) return [];
+    if (isWhole) return isInmost(body, p) ? [across(p, [p.r, -p.r])] : [];
     if (isOutmost(body, p)) return [across(p, [hollow ? 0 : p.r, -p.r])];
     return hollow && isInmost(body, p) ? [across(p, [0, p.r])] : [];
   });

@@ -1,6 +1,7 @@
-import { textWidth } from "../help/labels.ts";
+import { textWidth } from "../dimensions/labels.ts";
 import { FIGURES } from "../sheet/sizes.ts";
-import { NEXT, nominalWidth, onPaperGrid as n, SMALL, STACKED, widthOf, type PrintText } from "./paper.ts";
+import { NEXT, nominalWidth, SMALL, STACKED, widthOf, type PrintText } from "./paper.ts";
+import { onPaperGrid as n } from "../dimensions/strokes.ts";
 import type { WorkshopPrint } from "./workshop-drawing.ts";
 
 /** A fact of a title block, with its label. */

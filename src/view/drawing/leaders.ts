@@ -1,17 +1,8 @@
 import type { Place } from "../camera.ts";
 import { FIGURES } from "../sheet/sizes.ts";
-import { spread } from "../sheet/spread.ts";
-import {
-  arrow,
-  tallOf,
-  lineThrough,
-  onPaperGrid,
-  widthOf,
-  writtenAt,
-  type PrintShape,
-  type PrintSize,
-  type PrintText,
-} from "./paper.ts";
+import { spread } from "../dimensions/spread.ts";
+import { arrow, tallOf, widthOf, writtenAt, type PrintShape, type PrintSize, type PrintText } from "./paper.ts";
+import { lineThrough, onPaperGrid } from "../dimensions/strokes.ts";
 
 /** A note joined to a place of the part by a leader. */
 export interface Leader {

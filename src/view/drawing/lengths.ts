@@ -1,5 +1,5 @@
 import type { Place } from "../camera.ts";
-import { spread } from "../sheet/spread.ts";
+import { spread } from "../dimensions/spread.ts";
 import {
   arrow,
   ARROW,
@@ -7,14 +7,13 @@ import {
   isCrossed,
   tallOf,
   LINE,
-  lineThrough,
-  onPaperGrid,
   widthOf,
   writtenAt,
   type PrintShape,
   type PrintSize,
   type PrintText,
 } from "./paper.ts";
+import { lineThrough, onPaperGrid } from "../dimensions/strokes.ts";
 
 /** A length from Z0: where its dimension begins on the part, mm on paper. */
 export interface PrintLength {

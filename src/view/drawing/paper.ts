@@ -1,4 +1,5 @@
-import { textWidth, type LabelBox } from "../help/labels.ts";
+import { boxAbout, runsThrough, textWidth, type LabelBox } from "../dimensions/labels.ts";
+import { arrowAt, lineThrough } from "../dimensions/strokes.ts";
 import type { Place } from "../camera.ts";
 import { FIGURES } from "../sheet/sizes.ts";
 
@@ -9,8 +10,23 @@ export interface PrintSize {
   readonly lower?: string;
 }
 
-/** What a line or an area of a workshop drawing stands for. */
-export type PrintRole = "section" | "outline" | "edge" | "axis" | "thin" | "arrow" | "break" | "mark" | "origin";
+/** What a line or an area of a drawing stands for; its weight and dashes belong to whoever paints it. */
+export type PrintRole =
+  | "section"
+  | "outline"
+  | "edge"
+  | "axis"
+  | "thin"
+  | "arrow"
+  | "break"
+  | "mark"
+  | "origin"
+  | "chuck"
+  | "chuckEdge"
+  | "blank"
+  | "zero"
+  | "zeroFilled"
+  | "measured";
 
 export interface PrintShape {
   readonly role: PrintRole;
@@ -36,10 +52,6 @@ export const NEXT = 0.6,
 export const LINE = { plain: 4, stacked: 5.4 } as const;
 export const ARROW = { long: 2.4, wide: 0.5 } as const;
 
-export const onPaperGrid = (v: number): string => String(Math.round(v * 100) / 100 + 0);
-export const lineThrough = (places: readonly Place[]): string =>
-  `M${places.map(({ x, y }) => `${onPaperGrid(x)} ${onPaperGrid(y)}`).join("L")}`;
-
 export const isStacked = (size: PrintSize): boolean => size.upper !== undefined || size.lower !== undefined;
 export const tallOf = (size: PrintSize): number => (isStacked(size) ? LINE.stacked : LINE.plain);
 export const nominalWidth = (size: PrintSize): number => textWidth(size.text, FIGURES);
@@ -51,45 +63,23 @@ export function widthOf(size: PrintSize): number {
 }
 
 /** An arrow whose tip points in a direction of length one. */
-export function arrow(tip: Place, dx: number, dy: number): string {
-  const back = { x: tip.x - dx * ARROW.long, y: tip.y - dy * ARROW.long };
-  const side = (by: number): Place => ({ x: back.x - dy * by, y: back.y + dx * by });
-  return `${lineThrough([tip, side(ARROW.wide), side(-ARROW.wide)])}Z`;
-}
+export const arrow = (tip: Place, dx: number, dy: number): string =>
+  arrowAt(tip, { x: dx, y: dy }, { long: ARROW.long, half: ARROW.wide });
 
 /** Padding round the letters in the box of a text, mm on paper. */
 const IN_BOX = 0.6;
 
 /** Whether one of the lines goes through the letters of a text. */
 export function isCrossed(lines: readonly (readonly Place[])[], { x, y, width, height }: LabelBox): boolean {
-  const [left, top, right, bottom] = [x + IN_BOX, y + IN_BOX, x + width - IN_BOX, y + height - IN_BOX];
-  return lines.some((line) =>
-    line.slice(1).some((b, i) => {
-      const a = line[i] ?? b;
-      // The share of the line that lies within the box, axis by axis.
-      let [from, to] = [0, 1];
-      for (const [start, way, low, high] of [
-        [a.x, b.x - a.x, left, right],
-        [a.y, b.y - a.y, top, bottom],
-      ] as const) {
-        if (way === 0) {
-          if (start <= low || start >= high) return false;
-        } else {
-          const ends = [(low - start) / way, (high - start) / way] as const;
-          from = Math.max(from, Math.min(...ends));
-          to = Math.min(to, Math.max(...ends));
-        }
-      }
-      return from < to;
-    }),
-  );
+  const letters = { x: x + IN_BOX, y: y + IN_BOX, width: width - 2 * IN_BOX, height: height - 2 * IN_BOX };
+  return lines.some((line) => line.slice(1).some((to, i) => runsThrough([line[i] ?? to, to], letters)));
 }
 
 /** A text at its place, with its box. */
 export function writtenAt(size: PrintSize, at: Place, turned: boolean): PrintText {
   const [long, tall] = [widthOf(size) + 1, tallOf(size)];
-  const [width, height] = turned ? [tall, long] : [long, tall];
-  return { ...size, size, at, turned, box: { x: at.x - width / 2, y: at.y - height / 2, width, height } };
+  const box = boxAbout(at, turned ? { width: tall, height: long } : { width: long, height: tall });
+  return { ...size, size, at, turned, box };
 }
 
 /**

@@ -12,13 +12,13 @@ import {
   halfDimensionLine,
   isCrossed,
   tallOf,
-  lineThrough,
   widthOf,
   writtenAt,
   type PrintShape,
   type PrintSize,
   type PrintText,
 } from "./paper.ts";
+import { lineThrough } from "../dimensions/strokes.ts";
 import type { MeasuredFeature } from "./measured-feature.ts";
 import { printFeatures } from "./print-features.ts";
 import {
@@ -301,7 +301,15 @@ function laidOut(
 
   const shapes: PrintShape[] = [];
   const texts: PrintText[] = [];
-  shapes.push(...bodyShapes(body, { broken, isHollow: isHollow(body), onPaper, scale: k, threads: work.threads }));
+  shapes.push(
+    ...bodyShapes(body, {
+      broken,
+      section: isHollow(body) ? "upper" : "none",
+      onPaper,
+      scale: k,
+      threads: work.threads,
+    }),
+  );
   const [axisLeft, axisRight] = [onPaper(at(box.left, 0)).x - AXIS_PAST, onPaper(at(box.right, 0)).x + AXIS_PAST];
   shapes.push({
     role: "axis",

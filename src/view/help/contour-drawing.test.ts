@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { part, type Segment } from "../../kernel/geometry/point.ts";
 import { contourDrawing } from "./contour-drawing.ts";
-import { labelsOverlap, textBox } from "./labels.ts";
+import { labelsOverlap, textBox } from "../dimensions/labels.ts";
 
 const places = [
   [0, 14],

@@ -1,11 +1,11 @@
 import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
-import { axial, diameter, toRadius } from "../../kernel/units.ts";
+import { axial, diameter, radians, toRadius } from "../../kernel/units.ts";
 import { boundsOf } from "../bounds.ts";
 import { fitted, toPlace, toScreen, type Camera, type Margin, type Place, type Size } from "../camera.ts";
-import { textBox, type LabelBox } from "./labels.ts";
+import { arrange, type Spot } from "../dimensions/arrange.ts";
+import { textBox, type LabelBox } from "../dimensions/labels.ts";
 import { polyline, px, segmentPath } from "./marks.ts";
 import { drawnLine } from "./section.ts";
-import { boxesOn, placesOn } from "./sheet-grid.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 
 const { pointOn } = part;
@@ -98,39 +98,15 @@ function dotBox({ x, y }: Place, isCorner: boolean): LabelBox {
 /** Directions from a point to its number, the best first: dimension lines run straight down and to the right. */
 const WAYS = [-45, -135, 135, 45, -90, 180, 0, 90] as const;
 
-/** A place for a number beside its point that covers no other number and as little of the line as possible. */
-function labelPlace(
-  at: Place,
-  text: string,
-  wide: boolean,
-  isTaken: (box: LabelBox) => boolean,
-  covered: (box: LabelBox) => number,
-  size: Size,
-): Place | null {
-  let best: Place | null = null;
-  let least = Infinity;
-  for (const reach of wide ? [20, 27] : [16, 20, 26])
-    for (const [k, degrees] of WAYS.entries()) {
-      const p = {
-        x: at.x + reach * Math.cos((degrees * Math.PI) / 180),
-        y: at.y + reach * Math.sin((degrees * Math.PI) / 180),
-      };
-      const box = textBox(p, text, 0, 12),
-        far = reach / 10 + k / 10;
-      if (
-        far >= least ||
-        box.x < 0 ||
-        box.y < 0 ||
-        box.x + box.width > size.width ||
-        box.y + box.height > size.height ||
-        isTaken(box)
-      )
-        continue;
-      const cost = far + covered(box) * 3;
-      if (cost < least) [best, least] = [p, cost];
-    }
-  return best;
-}
+/** Candidate places for a number beside its point. */
+const numberSpots = (at: Place, text: string, isFaulty: boolean): Spot[] =>
+  (isFaulty ? [20, 27] : [16, 20, 26]).flatMap((reach) =>
+    WAYS.map((degrees, k) => {
+      const way = radians(degrees),
+        middle = { x: at.x + reach * Math.cos(way), y: at.y + reach * Math.sin(way) };
+      return { label: textBox(middle, text, 0, 12), lines: [], cost: (reach + k) / 5 };
+    }),
+  );
 
 /** Most grid lines in one direction. */
 const MOST_LINES = 300;
@@ -201,24 +177,22 @@ export function contourDrawing(request: ContourRequest): ContourPicture {
     });
   const each = Math.max(2, Math.min(24, Math.ceil(MOST_PLACES / contour.length)));
   const avoid = contour.flatMap((s) => Array.from({ length: each }, (_, k) => toScreen(camera, pointOn(s, k / each))));
-  const covered = placesOn(size, avoid),
-    isCorner = new Set(corners.map(({ row }) => row)),
-    dots = [...stops, ...corners].map(({ row, at }) => dotBox(toScreen(camera, at), isCorner.has(row))),
-    numbers = boxesOn(size, dots),
-    kept: LabelBox[] = [...dots];
+  const isCorner = new Set(corners.map(({ row }) => row)),
+    dots = [...stops, ...corners].map(({ row, at }) => dotBox(toScreen(camera, at), isCorner.has(row)));
   const marks = [...stops, ...corners, ...missing].sort(
     (a, b) => Number(b.row === active) - Number(a.row === active) || a.row - b.row,
   );
+  const numbers = arrange(
+    marks.map(({ row, at }) => {
+      const text = faulty.has(row) ? `${row + 1}!` : String(row + 1);
+      return { q: String(row), candidates: numberSpots(toScreen(camera, at), text, faulty.has(row)) };
+    }),
+    { ...size, avoid, kept: dots },
+  );
   const points = marks.map(({ row, at }) => {
-    const place = toScreen(camera, at);
-    const text = faulty.has(row) ? `${row + 1}!` : String(row + 1);
-    const label = labelPlace(place, text, faulty.has(row), numbers.isTaken, covered, size);
-    const box = label && textBox(label, text, 0, 12);
-    if (box) {
-      numbers.take(box);
-      kept.push(box);
-    }
-    return { row, place, label, faulty: faulty.has(row) };
+    const box = numbers.find(({ q }) => q === String(row))?.label,
+      label = box ? { x: box.x + box.width / 2, y: box.y + box.height / 2 } : null;
+    return { row, place: toScreen(camera, at), label, faulty: faulty.has(row) };
   });
   const y = toScreen(camera, part.point(0, 0)).y;
   return {
@@ -234,6 +208,6 @@ export function contourDrawing(request: ContourRequest): ContourPicture {
     elements,
     points,
     avoid,
-    kept,
+    kept: [...dots, ...numbers.map(({ label }) => label)],
   };
 }

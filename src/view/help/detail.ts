@@ -1,13 +1,12 @@
 import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { toScreen, type Camera, type Place } from "../camera.ts";
-import type { Placed } from "./arrange.ts";
-import { textBox, type LabelBox } from "./labels.ts";
+import { labelsOverlap, runsThrough, textBox, type LabelBox } from "../dimensions/labels.ts";
 import { elementAt } from "./process.ts";
 import { openSide } from "./frame.ts";
 import type { Context } from "./context.ts";
 import type { Lettering } from "./dimensions.ts";
 import { arrowHead, circle, dense, polygon, polyline, segmentPath, type Mark } from "./marks.ts";
-import { filled, stroke, value } from "./stroke.ts";
+import { filled, stroke, value, type PlacedHelp } from "./stroke.ts";
 
 /** An element smaller than this on the screen is magnified while its prompt is active, pixels. */
 const SMALL = 13;
@@ -23,7 +22,7 @@ function lensPlace(
   radius: number,
   text: LabelBox,
   at: Place,
-  placed: readonly Placed[],
+  placed: readonly PlacedHelp[],
   kept: readonly LabelBox[],
 ): Place {
   const { width, height } = c.layout.size;
@@ -31,25 +30,22 @@ function lensPlace(
   const blank = c.section.blank.map((p) => toScreen(c.layout.camera, p));
   let best: Place = { x: width - radius - 2, y: radius + 2 };
   let least = Infinity;
-  for (let x = radius + 3; x <= width - radius - 3; x += 8)
+  const half = Math.max(radius, text.width / 2);
+  for (let x = half + 3; x <= width - half - 3; x += 8)
     for (let y = radius + 3; y <= height - radius - text.height - 5; y += 8) {
-      const hit = (b: LabelBox) =>
-        b.x < x + radius &&
-        b.x + b.width > x - radius &&
-        b.y < y + radius + text.height + 4 &&
-        b.y + b.height > y - radius;
+      const lens = { x: x - radius, y: y - radius, width: 2 * radius, height: 2 * radius + text.height + 4 };
       const over = (p: Place) => Math.hypot(p.x - x, p.y - y) < radius + 3;
       const gap = Math.hypot(at.x - x, at.y - y);
       const hidden =
         Math.abs(at.x - x) < text.width / 2 + 9 &&
         Math.abs(at.y - (y + radius + text.height / 2 + 2)) < text.height / 2 + 9;
       const cost =
-        placed.filter((p) => hit(p.label) || p.lines.some(hit)).length * 6 +
+        placed.filter((p) => labelsOverlap(p.label, lens) || p.lines.some((l) => runsThrough(l, lens))).length * 6 +
         line.filter(over).length * 1.2 +
         blank.filter(over).length * 3 +
         gap / 7 +
         (gap < radius + 14 || hidden ? 60 : 0) +
-        (kept.some(hit) ? 500 : 0);
+        (kept.some((b) => labelsOverlap(b, lens)) ? 500 : 0);
       if (cost < least) [best, least] = [{ x, y }, cost];
     }
   return best;
@@ -76,7 +72,7 @@ export function detail(
   c: Context,
   l: Lettering,
   { at, mm }: { readonly at: Pt; readonly mm: number },
-  placed: readonly Placed[],
+  placed: readonly PlacedHelp[],
   kept: readonly LabelBox[],
 ): { readonly marks: Mark[]; readonly boxes: readonly LabelBox[]; readonly label: LabelBox } {
   const { width, height } = c.layout.size;

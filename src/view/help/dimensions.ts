@@ -1,11 +1,21 @@
 import type { Dimension } from "../../cycles/define.ts";
 import { shortest } from "../../kernel/geometry/segments.ts";
 import type { Place } from "../camera.ts";
-import type { Candidate, Item } from "./arrange.ts";
-import { lineBox, SIZE, textBox, textWidth, type LabelBox } from "./labels.ts";
+import { runsThrough, SIZE, textBox, textWidth, type StraightLine } from "../dimensions/labels.ts";
 import { FIRST, spot, TRACK, type Layout } from "./layout.ts";
 import { arcPath, arrowHead, polyline, type Mark } from "./marks.ts";
-import { between, extension, filled, SHORT, stroke, TAIL, value, type Tag } from "./stroke.ts";
+import {
+  between,
+  extension,
+  filled,
+  SHORT,
+  stroke,
+  TAIL,
+  value,
+  type Candidate,
+  type HelpItem,
+  type Tag,
+} from "./stroke.ts";
 
 /** The text of a dimension, and how it is drawn. */
 export interface Lettering extends Tag {
@@ -20,7 +30,7 @@ const candidate = (
   marks: readonly Mark[],
   middle: Place,
   turn: 0 | -90,
-  lines: readonly LabelBox[],
+  lines: readonly StraightLine[],
   cost: number,
 ): Candidate => ({
   marks: [...marks, value({ q: l.q, active: l.active }, middle, l.text, turn, l.underlined ?? false)],
@@ -28,17 +38,20 @@ const candidate = (
   lines,
   cost,
 });
+/** Cost of the text of an angle over one of its own legs. */
+const OVER_LEG = 8;
 const width = (l: Lettering) => textWidth(l.text, SIZE.strong);
 const range = (n: number) => Array.from({ length: n }, (_, i) => i);
 
 /** A dimension line with the outside tails of a short one. */
-function tailed(p: Place, q: Place): LabelBox {
-  const box = lineBox(p, q);
+function tailed(p: Place, q: Place): StraightLine {
   const long = Math.hypot(q.x - p.x, q.y - p.y);
-  if (long < 0.5 || long >= SHORT) return box;
-  return box.width > box.height
-    ? { ...box, x: box.x - TAIL, width: box.width + 2 * TAIL }
-    : { ...box, y: box.y - TAIL, height: box.height + 2 * TAIL };
+  if (long < 0.5 || long >= SHORT) return [p, q];
+  const by = { x: ((q.x - p.x) / long) * TAIL, y: ((q.y - p.y) / long) * TAIL };
+  return [
+    { x: p.x - by.x, y: p.y - by.y },
+    { x: q.x + by.x, y: q.y + by.y },
+  ];
 }
 
 /** Z dimensions: lines stacked above the drawing, then below it. */
@@ -63,7 +76,7 @@ function horizontal(layout: Layout, l: Lettering, a: Place, b: Place): Candidate
           { x: b.x, y },
         ];
         const marks = [...extension(l, a, p), ...(point ? [] : extension(l, b, q)), ...between(l, p, q)];
-        const lines = [lineBox(a, p), ...(point ? [] : [lineBox(b, q), tailed(p, q)])];
+        const lines: StraightLine[] = [[a, p], ...(point ? [] : [[b, q] as const, tailed(p, q)])];
         return candidate(l, marks, { x, y }, 0, lines, cost + i);
       }),
     );
@@ -92,11 +105,14 @@ function diameter(layout: Layout, l: Lettering, at: Place): Candidate[] {
         stroke(l, "thin", polyline([head, ...(layout.broken ? zigzag(foot, head) : []), { x, y: axisY + 7 * down }])),
         filled(l, "arrow", arrowHead(head, 0, -down)),
       ];
-      const boxes = [lineBox(at, head), lineBox(foot, head)];
+      const lines: StraightLine[] = [
+        [at, head],
+        [foot, head],
+      ];
       const upright =
         long > width(l) + 18
           ? [0.5, 0.62, 0.38].map((t, i) =>
-              candidate(l, line, { x, y: at.y + (axisY - at.y) * t }, -90, boxes, cost + i),
+              candidate(l, line, { x, y: at.y + (axisY - at.y) * t }, -90, lines, cost + i),
             )
           : [];
       const flat = [1, -1].map((side, i) =>
@@ -105,7 +121,7 @@ function diameter(layout: Layout, l: Lettering, at: Place): Candidate[] {
           line,
           { x: x + side * (width(l) / 2 + 6), y: at.y + down * Math.min(12, long / 2) },
           0,
-          boxes,
+          lines,
           cost + 6 + i,
         ),
       );
@@ -143,11 +159,11 @@ function upright(layout: Layout, l: Lettering, a: Place, b: Place): Candidate[] 
         { x, y: b.y },
       ];
       const marks = [...extension(l, a, p), ...extension(l, b, q), ...between(l, p, q)];
-      const boxes = [lineBox(a, p), lineBox(b, q), tailed(p, q)];
+      const lines: StraightLine[] = [[a, p], [b, q], tailed(p, q)];
       return [
-        candidate(l, marks, { x: x + side * (width(l) / 2 + 7), y: (low + high) / 2 }, 0, boxes, cost),
-        candidate(l, marks, { x, y: high - 22 }, 0, boxes, cost + 2),
-        candidate(l, marks, { x, y: low + 22 }, 0, boxes, cost + 3),
+        candidate(l, marks, { x: x + side * (width(l) / 2 + 7), y: (low + high) / 2 }, 0, lines, cost),
+        candidate(l, marks, { x, y: high - 22 }, 0, lines, cost + 2),
+        candidate(l, marks, { x, y: low + 22 }, 0, lines, cost + 3),
       ];
     })
     .filter((c) => c.label.x > 0 && c.label.x + c.label.width < layout.size.width);
@@ -161,14 +177,7 @@ function parallel(l: Lettering, a: Place, b: Place): Candidate[] {
     const [p, q] = [a, b].map((o) => ({ x: o.x + n.x * d, y: o.y + n.y * d })) as [Place, Place];
     const out = Math.sign(d) * (10 + (Math.abs(n.x) * width(l)) / 2);
     const middle = { x: (p.x + q.x) / 2 + n.x * out, y: (p.y + q.y) / 2 + n.y * out };
-    return candidate(
-      l,
-      [...extension(l, a, p), ...extension(l, b, q), ...between(l, p, q)],
-      middle,
-      0,
-      [lineBox(p, q)],
-      i,
-    );
+    return candidate(l, [...extension(l, a, p), ...extension(l, b, q), ...between(l, p, q)], middle, 0, [[p, q]], i);
   });
 }
 
@@ -193,7 +202,7 @@ function angle(l: Lettering, vertex: Place, from: Place, to: Place): Candidate[]
       head(start + sweep, narrow ? -way : way),
     ];
     const half = width(l) / 2;
-    const arc = lineBox(on(begin, r), on(end, r));
+    const arc: StraightLine = [on(begin, r), on(end, r)];
     const spots: { p: Place; cost: number }[] = narrow
       ? [
           { p: on(end + way * (10 / r), r + half * 0.3), cost: 0 },
@@ -207,16 +216,11 @@ function angle(l: Lettering, vertex: Place, from: Place, to: Place): Candidate[]
           { p: on(start + sweep / 2, r + half + 6), cost: 0 },
           { p: on(start + sweep / 2, r - half - 6), cost: 1 },
         ];
-    return spots.map(({ p, cost }) =>
-      candidate(
-        l,
-        marks,
-        p,
-        0,
-        [lineBox(vertex, on(start, r)), lineBox(vertex, on(start + sweep, r)), arc],
-        i * 1.5 + cost,
-      ),
-    );
+    const legs = [start, start + sweep].map((a): StraightLine => [vertex, on(a, r)]);
+    return spots.map(({ p, cost }) => {
+      const own = candidate(l, marks, p, 0, [...legs, arc], i * 1.5 + cost);
+      return legs.some((leg) => runsThrough(leg, own.label)) ? { ...own, cost: own.cost + OVER_LEG } : own;
+    });
   });
 }
 
@@ -244,7 +248,7 @@ export function leader(l: Lettering, at: Place, towards: Place): Candidate[] {
           marks,
           middle,
           0,
-          slopeBoxes(at, knee),
+          [[at, knee]],
           (long - 22) * 0.16 + j * 1.4 + (Math.min(Math.abs(Math.cos(a)), Math.abs(Math.sin(a))) < 0.25 ? 4 : 0),
         ),
       ];
@@ -252,15 +256,8 @@ export function leader(l: Lettering, at: Place, towards: Place): Candidate[] {
   );
 }
 
-/** A slanted line as small boxes, so that texts may stand beside it. */
-const slopeBoxes = (a: Place, b: Place): LabelBox[] =>
-  range(6).map((k) => {
-    const p = (t: number): Place => ({ x: a.x + (b.x - a.x) * t, y: a.y + (b.y - a.y) * t });
-    return lineBox(p(k / 6), p((k + 1) / 6));
-  });
-
 /** All candidate places for a dimension of the outline. */
-export function dimensionItem(layout: Layout, d: Dimension, l: Lettering): Item {
+export function dimensionItem(layout: Layout, d: Dimension, l: Lettering): HelpItem {
   const s = (p: Parameters<typeof spot>[1]) => spot(layout, p);
   switch (d.form) {
     case "diameter":

@@ -3,7 +3,7 @@ import { at, type Pt } from "../../kernel/geometry/point.ts";
 import { boundsOf } from "../bounds.ts";
 import { toScreen, type Bounds, type Camera, type Place, type Size } from "../camera.ts";
 import { pointAt, type HelpFrame } from "./frame.ts";
-import type { LabelBox } from "./labels.ts";
+import type { LabelBox } from "../dimensions/labels.ts";
 import { endWays, type DrawnExtent } from "./section.ts";
 import { STEP } from "../../kernel/units.ts";
 

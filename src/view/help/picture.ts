@@ -3,13 +3,13 @@ import type { Params, Topic } from "../../cycles/params.ts";
 import type { Plan } from "../../kernel/plan/plan.ts";
 import { STEP, toDiameter } from "../../kernel/units.ts";
 import { toScreen, type Place, type Size } from "../camera.ts";
-import { arrange, forced, type Item, type Placed, type Sheet } from "./arrange.ts";
+import { arrange, type Sheet } from "../dimensions/arrange.ts";
 import * as choices from "./choices.ts";
 import { numberOf, startPoint, type Context } from "./context.ts";
 import { detail, isSmall } from "./detail.ts";
 import type { Lettering } from "./dimensions.ts";
 import { outward, type HelpFrame } from "./frame.ts";
-import { labelsOverlap, SIZE, textBox, type LabelBox } from "./labels.ts";
+import { labelsOverlap, runsThrough, SIZE, textBox, type LabelBox } from "../dimensions/labels.ts";
 import { FIRST, layoutOf } from "./layout.ts";
 import { letteringOf, positionText, type Numbers, type HelpWords } from "./lettering.ts";
 import { dense, polygon, polyline, segmentPath, type Mark } from "./marks.ts";
@@ -17,7 +17,7 @@ import { passesOf } from "./passes.ts";
 import * as plunges from "./plunges.ts";
 import * as explain from "./process.ts";
 import { blankOver, drawnLine, sectionOf } from "./section.ts";
-import { caption, filled, stroke } from "./stroke.ts";
+import { caption, filled, stroke, type Candidate, type HelpItem, type PlacedHelp } from "./stroke.ts";
 import { columnsFor, hasTiles, TILE_ROW, tiles } from "./tiles.ts";
 import * as threads from "./threads.ts";
 import { partnerOf, qOf, shownAs } from "./topics.ts";
@@ -230,25 +230,36 @@ function placementOrder(d: Dimension): number {
  * Quiet dimensions keep their places; the active one is placed first if it would find no place otherwise, and is always
  * shown.
  */
-function arranged(items: readonly Item[], active: string | null, sheet: Sheet): Placed[] {
+function arranged(items: readonly HelpItem[], active: string | null, sheet: Sheet): PlacedHelp[] {
   const placed = arrange(items, sheet);
   const own = items.find((i) => i.q === active);
   if (!own || placed.some((p) => p.q === active)) return placed;
   const others = items.filter((i) => i !== own);
   const first = arrange([own, ...others], sheet);
   if (first.some((p) => p.q === active)) return first;
-  const last = forced(own, sheet);
+  const last = arrange([{ ...own, needed: true, moved: textMoved }], sheet).map((p) => ({ ...p, item: own }))[0];
   return last ? [last, ...arrange(others, { ...sheet, kept: [...sheet.kept, last.label] })] : first;
+}
+
+/** A dimension with its text in another box; its lines stay. */
+function textMoved(c: Candidate, label: LabelBox): Candidate {
+  const [dx, dy] = [label.x - c.label.x, label.y - c.label.y];
+  const marks = c.marks.map((m): Mark =>
+    m.kind === "text" ? { ...m, place: { x: m.place.x + dx, y: m.place.y + dy } } : m,
+  );
+  return { ...c, label, marks };
 }
 
 /** Moves the dimensions that the lens covers; all others stay. */
 function arrangedAroundLens(
-  items: readonly Item[],
-  placed: readonly Placed[],
+  items: readonly HelpItem[],
+  placed: readonly PlacedHelp[],
   lens: readonly LabelBox[],
   sheet: Sheet,
-): Placed[] {
-  const standing = placed.filter((p) => ![p.label, ...p.lines].some((b) => lens.some((l) => labelsOverlap(b, l))));
+): PlacedHelp[] {
+  const isCovered = (p: PlacedHelp) =>
+    lens.some((l) => labelsOverlap(p.label, l) || p.lines.some((line) => runsThrough(line, l)));
+  const standing = placed.filter((p) => !isCovered(p));
   const moved = items.filter((i) => placed.some((p) => p.item === i) && !standing.some((p) => p.item === i));
   return arrange(moved, { ...sheet, kept: [...sheet.kept, ...lens] }, standing);
 }
@@ -271,13 +282,15 @@ export function helpDrawing(request: HelpRequest): HelpDrawing {
   const chosen = active === null || typed[active] === undefined ? null : numberOf(typed, active);
   const row = strip && active !== null ? tiles(c.frame, topic, choice, { q: active, chosen }, size, column > 0) : [];
   const kept: LabelBox[] = column > 0 ? [{ x: 0, y: 0, width: column, height: size.height }] : [];
-  const sheet = { width: c.layout.size.width, height: c.layout.size.height, avoid: strong, kept, crossing: CROSSING };
+  const { width, height } = c.layout.size,
+    room = { x: column, y: 0, width: width - column, height };
+  const sheet = { width, height, room, avoid: strong, kept, crossing: CROSSING };
   const small = active === null ? null : smallFeature(c, active);
   const own = parts.flatMap((p) => (p.item && !(small && p.q === active) ? [p.item] : []));
-  const items = [...own, ...(isBorrowed ? [] : explain.plainDimensions(c))].map((i): Item =>
+  const items = [...own, ...(isBorrowed ? [] : explain.plainDimensions(c))].map((i): HelpItem =>
     i.q === active ? i : { ...i, most: i.most ?? QUIET_MOST },
   );
-  let placed: readonly Placed[] = arranged(items, active, sheet);
+  let placed: readonly PlacedHelp[] = arranged(items, active, sheet);
   const lens = small && active ? detail(c, c.letter(active), small, placed, kept) : null;
   if (lens) placed = arrangedAroundLens(items, placed, lens.boxes, sheet);
   const back = (strong: boolean) => parts.filter((p) => (p.q === active) === strong).flatMap((p) => p.under);

@@ -4,12 +4,12 @@ import { toScreen } from "../camera.ts";
 import { numberOf, type Context } from "./context.ts";
 import { dimensionItem, leader, type Lettering } from "./dimensions.ts";
 import { along, infeedForm, outward, pointAt } from "./frame.ts";
-import type { Item } from "./arrange.ts";
+
 import { spot } from "./layout.ts";
 import { circle, polyline, type Mark } from "./marks.ts";
 import { plungesOf, type Pass } from "./passes.ts";
 import { pathMarks, type Explanation } from "./process.ts";
-import { stroke } from "./stroke.ts";
+import { stroke, type HelpItem } from "./stroke.ts";
 
 /* Parameters of the recessing cycles, drawn on the plunges that the cycle plans for a point. */
 
@@ -18,7 +18,7 @@ const mm = (c: Context, pixels: number) => pixels / c.layout.camera.scale;
 const raised = (c: Context, p: Pt, by: number): Pt => pointAt(c.frame, along(c.frame, p), outward(c.frame, p) + by);
 const lines = (c: Context, l: Lettering, all: readonly Pass[]): Mark[] =>
   all.map((p) => stroke(l, "pass", polyline([p.from, p.to].map((at) => toScreen(c.layout.camera, at)))));
-const pointed = (c: Context, l: Lettering, at: Pt): Item => ({
+const pointed = (c: Context, l: Lettering, at: Pt): HelpItem => ({
   q: l.q,
   candidates: leader(l, spot(c.layout, at), spot(c.layout, raised(c, at, mm(c, 20)))),
 });

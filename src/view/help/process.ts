@@ -8,18 +8,18 @@ import { toScreen, type Place } from "../camera.ts";
 import { longest, numberOf, startPoint, type Context } from "./context.ts";
 import { dimensionItem, leader, type Lettering } from "./dimensions.ts";
 import { along, infeedForm, openSide, outward, pointAt } from "./frame.ts";
-import type { Item } from "./arrange.ts";
+
 import { spot } from "./layout.ts";
 import { arrowHead, circle, polygon, polyline, segmentPath, type Mark } from "./marks.ts";
 import { drawnLine } from "./section.ts";
-import { filled, stroke, type Tag } from "./stroke.ts";
+import { filled, stroke, type HelpItem, type Tag } from "./stroke.ts";
 import { partnerOf, qOf, shownAs } from "./topics.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 
 /** Marks that are always drawn, and a dimension that needs a place for its text. */
 export interface Explanation {
   readonly under: readonly Mark[];
-  readonly item: Item | null;
+  readonly item: HelpItem | null;
 }
 
 /** Least drawn width of a small length while its prompt is active, and at other times, pixels. */
@@ -29,7 +29,7 @@ const BESIDE = 6;
 
 const screen = (c: Context, points: readonly Pt[]): Place[] => points.map((p) => toScreen(c.layout.camera, p));
 const mm = (c: Context, pixels: number) => pixels / c.layout.camera.scale;
-const pointed = (c: Context, l: Lettering, at: Pt, towards: Pt): Item => ({
+const pointed = (c: Context, l: Lettering, at: Pt, towards: Pt): HelpItem => ({
   q: l.q,
   candidates: leader(l, spot(c.layout, at), spot(c.layout, towards)),
 });
@@ -261,7 +261,7 @@ const OUTSIDE = 19;
  * Dimensions of the start and the end of a free contour: not values of the cycle, so they belong to no parameter. A
  * value that both ends share is written once.
  */
-export function plainDimensions(c: Context): Item[] {
+export function plainDimensions(c: Context): HelpItem[] {
   if (c.outline.dimensions.some((d) => shownAs(c.params, d.q) === "outline")) return [];
   const [start, end] = [c.section.line[0], c.section.line.at(-1)];
   const ends = [start, end].flatMap((p) => (p ? [p] : []));

@@ -1,5 +1,6 @@
 import type { Place } from "../camera.ts";
-import { SIZE } from "./labels.ts";
+import type { Item, Placed, Spot } from "../dimensions/arrange.ts";
+import { SIZE } from "../dimensions/labels.ts";
 import { arrowHead, polyline, type Fill, type Line, type Mark } from "./marks.ts";
 
 /** The owner of a mark. */
@@ -7,6 +8,13 @@ export interface Tag {
   readonly q: string | null;
   readonly active: boolean;
 }
+
+/** A candidate place of a dimension, with its marks. */
+export interface Candidate extends Spot {
+  readonly marks: readonly Mark[];
+}
+export type HelpItem = Item<Candidate>;
+export type PlacedHelp = Placed<Candidate>;
 
 /** A line with a role. */
 export const stroke = (tag: Tag, line: Line, d: string): Mark => ({ ...tag, kind: "line", line, d });

@@ -1,30 +1,14 @@
 import type { MeasuredKind, MeasuredPlace } from "../../kernel/plan/measured.ts";
 import { at, part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { ROUND, SAME } from "../../kernel/tolerance.ts";
-import { inDegrees, toDiameter } from "../../kernel/units.ts";
+import { inDegrees, STEP, toDiameter } from "../../kernel/units.ts";
+import type { Dimension } from "../dimensions/dimension.ts";
 import { onSide, halfOf } from "./snap.ts";
 
-/** The geometry that a dimension is drawn from, mm. */
-export type Figure =
-  /** Across the spindle axis. */
-  | { readonly kind: "diameter"; readonly at: Pt }
-  /** Across a circle. */
-  | { readonly kind: "circle"; readonly at: Pt; readonly centre: Pt }
-  /** Along the first axis, along the second one, or straight. */
-  | { readonly kind: "along" | "across" | "straight"; readonly from: Pt; readonly to: Pt }
-  | { readonly kind: "radius"; readonly tip: Pt; readonly centre: Pt }
-  /** Between two directions of length 1. */
-  | {
-      readonly kind: "angle";
-      readonly vertex: Pt;
-      readonly ways: readonly [Pt, Pt];
-      readonly reach: readonly [number, number];
-    };
-
-/** A value with its figure; mm or degrees. */
+/** A value, mm or degrees, with the dimension that shows it. */
 export interface MeasuredFigure {
   readonly value: number;
-  readonly figure: Figure;
+  readonly figure: Dimension;
 }
 
 const lineOf = (place: MeasuredPlace, isTurned: boolean): readonly [Pt, Pt] | null => {
@@ -42,11 +26,11 @@ function toAxis(place: MeasuredPlace, isTurned: boolean): MeasuredFigure | null 
   if (!line) return null;
   const [near, far] = Math.abs(line[0].r) <= Math.abs(line[1].r) ? line : [line[1], line[0]];
   const way = part.unit(part.difference(far, near)),
-    axis = at(way.z < 0 ? -1 : 1, 0),
-    long = part.apart(near, far);
+    axis = at(way.z < 0 ? -1 : 1, 0);
   return {
     value: angleBetween(axis, way),
-    figure: { kind: "angle", vertex: near, ways: [axis, way], reach: [0, long] },
+    // No edge lies along the axis: that leg is only drawn.
+    figure: { form: "angle", vertex: near, from: part.sum(near, part.scaled(axis, STEP)), to: far },
   };
 }
 
@@ -56,6 +40,10 @@ function armOf([from, to]: readonly [Pt, Pt], place: Pt, vertex: Pt): { readonly
   const way = part.unit(part.difference(end, vertex));
   return { way, long: Math.max(0, ...[from, to].map((p) => part.dot(part.difference(p, vertex), way))) };
 }
+
+/** Where a leg ends; the shortest where its edge lies behind the intersection. */
+const legEnd = (vertex: Pt, { way, long }: ReturnType<typeof armOf>): Pt =>
+  part.sum(vertex, part.scaled(way, Math.max(STEP, long)));
 
 /** The angle between two edges, on the sides where they were picked; null for parallel edges. */
 function between(first: MeasuredPlace, second: MeasuredPlace, isTurned: boolean): MeasuredFigure | null {
@@ -67,7 +55,7 @@ function between(first: MeasuredPlace, second: MeasuredPlace, isTurned: boolean)
   const [u, v] = [armOf(one, first.at, vertex), armOf(two, second.at, vertex)];
   return {
     value: angleBetween(u.way, v.way),
-    figure: { kind: "angle", vertex, ways: [u.way, v.way], reach: [u.long, v.long] },
+    figure: { form: "angle", vertex, from: legEnd(vertex, u), to: legEnd(vertex, v) },
   };
 }
 
@@ -91,24 +79,24 @@ export function measuredFigure(
   const arc = arcOf(first, isTurned);
   switch (kind) {
     case "diameter":
-      if (isTurned) return { value: Math.abs(toDiameter(first.at.r)), figure: { kind, at: first.at } };
-      return arc && { value: arc.size + arc.size, figure: { kind: "circle", at: first.at, centre: arc.centre } };
+      if (isTurned) return { value: Math.abs(toDiameter(first.at.r)), figure: { form: kind, at: first.at } };
+      return arc && { value: arc.size + arc.size, figure: { form: "circle", at: first.at, centre: arc.centre } };
     case "radius":
-      return arc && { value: arc.size, figure: { kind, tip: first.at, centre: arc.centre } };
+      return arc && { value: arc.size, figure: { form: kind, at: first.at, centre: arc.centre } };
     case "angle":
       return second ? between(first, second, isTurned) : toAxis(first, isTurned);
     case "length":
       return second
-        ? { value: Math.abs(second.at.z - first.at.z), figure: { kind: "along", from: first.at, to: second.at } }
+        ? { value: Math.abs(second.at.z - first.at.z), figure: { form: "z", from: first.at, to: second.at } }
         : null;
     case "depth":
       return second
-        ? { value: Math.abs(second.at.r - first.at.r), figure: { kind: "across", from: first.at, to: second.at } }
+        ? { value: Math.abs(second.at.r - first.at.r), figure: { form: "r", from: first.at, to: second.at } }
         : null;
     case "distance":
     case "wall":
       return second
-        ? { value: part.apart(first.at, second.at), figure: { kind: "straight", from: first.at, to: second.at } }
+        ? { value: part.apart(first.at, second.at), figure: { form: "along", from: first.at, to: second.at } }
         : null;
   }
 }

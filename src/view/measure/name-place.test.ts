@@ -1,6 +1,6 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
-import { labelsOverlap, type LabelBox } from "../help/labels.ts";
+import { labelsOverlap, type LabelBox } from "../dimensions/labels.ts";
 import { namePlace } from "./name-place.ts";
 
 const size = { width: 640, height: 480 };

@@ -1,6 +1,7 @@
 import { boxAround } from "../../kernel/area/box.ts";
 import { isInside } from "../../kernel/area/clip.ts";
 import { at, part, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
+import { printFeatures } from "../drawing/print-features.ts";
 
 /** A diameter of the finished part: the point where its line begins, and whether there is material inside. */
 export interface DiameterFeature {
@@ -42,12 +43,10 @@ const NEAR = 0.8;
 const ASIDE = 1;
 /**
  * Cones and arcs shorter than this share of the part's size are broken edges, not features; nor are shorter sides of
- * grooves.
+ * grooves, which leave their axis by less than a share of their length.
  */
 const SHORT = 0.05,
-  SIDE = 0.02;
-/** The side of a groove leaves its axis by less than this share of its length. */
-const STEEP = 0.27;
+  SIDE = { share: 0.02, steep: 0.27 } as const;
 
 const inMaterial = (rings: readonly Ring[], p: Pt): boolean =>
   rings.filter((ring) => isInside(ring, p)).length % 2 === 1;
@@ -58,8 +57,15 @@ function edgesOf(rings: readonly Ring[]): readonly Segment[] {
   );
 }
 
-const middleOf = (from: Pt, to: Pt): Pt => part.pointOn({ kind: "line", from, to }, 0.5);
-const rightEnd = (a: Pt, b: Pt): Pt => (a.z >= b.z ? a : b);
+/** Whether an element counts on a part of a size: the others are broken edges. */
+function isShown(segment: Segment, size: number): boolean {
+  const [long, tall] = [Math.abs(segment.to.z - segment.from.z), Math.abs(segment.to.r - segment.from.r)];
+  const [less, more] = [Math.min(long, tall), Math.max(long, tall)],
+    isLine = segment.kind === "line";
+  if (isLine && less < LEVEL) return true;
+  const share = isLine && less < SIDE.steep * more ? SIDE.share : SHORT;
+  return Math.hypot(long, tall) >= share * size;
+}
 
 /** The features of the contours on the finished part; if the program turns none, those of the part itself. */
 export function featuresOf(
@@ -67,62 +73,49 @@ export function featuresOf(
   finished: readonly Ring[],
   blank: readonly Ring[],
 ): Features {
-  const edges = edgesOf(finished);
+  const edges = edgesOf(finished),
+    ofBlank = edgesOf(blank);
   const onPart = (p: Pt) => edges.length === 0 || edges.some((edge) => part.distanceTo(edge, p) < NEAR);
-  const turned = contours.flatMap(({ segments, thread }) => segments.map((segment) => ({ segment, thread })));
-  const ofBlank = edgesOf(blank);
-  const own = edges.filter(
-    (edge) => !ofBlank.some((side) => part.distanceTo(side, middleOf(edge.from, edge.to)) < LEVEL),
-  );
-  const all = turned.length > 0 ? turned : own.map((segment) => ({ segment, thread: undefined }));
+  const isOwn = (edge: Segment) => !ofBlank.some((side) => part.distanceTo(side, part.pointOn(edge, 0.5)) < LEVEL);
+  const all: readonly TurnedContour[] = contours.some(({ segments }) => segments.length > 0)
+    ? contours
+    : [{ segments: edges.filter(isOwn) }];
   const box = boxAround([...finished]);
   const size = finished.length > 0 ? Math.hypot(box.right - box.left, box.high - box.low) : 0;
   const diameters: DiameterFeature[] = [];
   const positions: PositionFeature[] = [];
-  const addDiameter = (p: Pt, extent: number, thread?: TurnedContour["thread"]) => {
-    if (p.r < ONE || !onPart(p)) return;
-    const outside =
-      inMaterial(finished, at(p.z, Math.max(0, p.r - ASIDE))) || !inMaterial(finished, at(p.z, p.r + ASIDE));
-    const i = diameters.findIndex((d) => d.outside === outside && Math.abs(d.at.r - p.r) < ONE);
-    const known = diameters[i];
-    const carried = thread ?? known?.thread;
-    const next = {
-      at: known ? rightEnd(known.at, p) : p,
-      outside,
-      extent: (known?.extent ?? 0) + extent,
-      ...(carried && { thread: carried }),
-    };
-    if (known) diameters[i] = next;
-    else diameters.push(next);
-  };
-  const addPosition = (p: Pt, extent: number) => {
-    if (!onPart(p)) return;
-    const i = positions.findIndex((d) => Math.abs(d.at.z - p.z) < ONE);
-    const known = positions[i];
-    const next = { at: known && known.at.r >= p.r ? known.at : p, extent: (known?.extent ?? 0) + extent };
-    if (known) positions[i] = next;
-    else positions.push(next);
-  };
-  for (const { segment, thread } of all) {
-    const { from, to } = segment,
-      [long, tall] = [Math.abs(to.z - from.z), Math.abs(to.r - from.r)];
-    const isLine = segment.kind === "line";
-    if (isLine && tall < LEVEL) {
-      const middle = middleOf(from, to),
-        seen = [rightEnd(from, to), middle, from, to].find(onPart);
-      if (long > LEVEL && seen) addDiameter(at(seen.z, from.r), long, thread);
-    } else if (isLine && long < LEVEL) {
-      const seen = [middleOf(from, to), from, to].find(onPart);
-      if (seen) addPosition(at(from.z, seen.r), tall);
-    } else if (Math.hypot(long, tall) >= SHORT * size) {
-      for (const end of [from, to]) {
-        addDiameter(end, 0, thread);
-        addPosition(end, 0);
-      }
-    } else if (isLine && Math.hypot(long, tall) >= SIDE * size && Math.min(long, tall) < STEEP * Math.max(long, tall)) {
-      // The side of a groove that opens a little: where it is widest.
-      if (tall < long) addDiameter(rightEnd(from, to), 0, thread);
-      else addPosition(from.r > to.r ? from : to, 0);
+  for (const { segments, thread } of all) {
+    const shown = segments.filter((each) => isShown(each, size)),
+      found = printFeatures(shown);
+    for (const { r, left, right } of found.cylinders) {
+      const seen = [right, (left + right) / 2, left].map((z) => at(z, r)).find(onPart);
+      if (!seen) continue;
+      const outside =
+        inMaterial(finished, at(seen.z, Math.max(0, r - ASIDE))) || !inMaterial(finished, at(seen.z, r + ASIDE));
+      const i = diameters.findIndex((d) => d.outside === outside && Math.abs(d.at.r - r) < ONE),
+        known = diameters[i],
+        carried = thread ?? known?.thread;
+      diameters[i < 0 ? diameters.length : i] = {
+        at: known && known.at.z > seen.z ? known.at : seen,
+        outside,
+        extent: (known?.extent ?? 0) + right - left,
+        ...(carried && { thread: carried }),
+      };
+    }
+    const upright = (z: number) =>
+      shown.filter((s) => [s.from.z, s.to.z].every((end) => Math.abs(end - z) < LEVEL)).map((s) => [s.from.r, s.to.r]);
+    for (const p of found.positions) {
+      const sides = upright(p.z).map(([a = 0, b = 0]) => [Math.abs(a - b), (a + b) / 2] as const);
+      const seen = [p, ...sides.map(([, middle]) => at(p.z, middle))].find(onPart);
+      // A contour may run out beyond the part.
+      if (!seen || (sides.length === 0 && edges.length > 0 && (p.z > box.right + ONE || p.z < box.left - ONE)))
+        continue;
+      const i = positions.findIndex((d) => Math.abs(d.at.z - p.z) < ONE),
+        known = positions[i];
+      positions[i < 0 ? positions.length : i] = {
+        at: known && known.at.r >= seen.r ? known.at : seen,
+        extent: sides.reduce((sum, [long]) => sum + long, known?.extent ?? 0),
+      };
     }
   }
   return withBlank({ diameters, positions }, blank);

@@ -1,15 +1,8 @@
 import type { Camera } from "../camera.ts";
-import type { LabelBox } from "../help/labels.ts";
-import type { Figure } from "../measure/figure.ts";
-import { MEASURED_TEXT, placedMeasurements } from "../measure/layout.ts";
+import type { LabelBox } from "../dimensions/labels.ts";
+import { DIMENSION_TEXT, placedDimensions, type DimensionRequest } from "../dimensions/placed-dimensions.ts";
+import { onPaperGrid } from "../dimensions/strokes.ts";
 import { FIGURES } from "./sizes.ts";
-
-/** A measurement that is drawn on the sheet, with its text. */
-export interface SheetMeasurement {
-  readonly id: string;
-  readonly figure: Figure;
-  readonly text: string;
-}
 
 /**
  * A measurement on paper: its lines and arrows, and its text in a frame with round ends, as drawings mark inspected
@@ -23,12 +16,10 @@ export interface PaperMeasurement {
   readonly box: LabelBox;
 }
 
-const mm = (v: number): string => String(Math.round(v * 100) / 100 + 0);
-
 function frameOf({ x, y, width, height }: LabelBox): string {
   const r = height / 2,
     long = width - height;
-  return `M${mm(x + r)} ${mm(y)}h${mm(long)}a${mm(r)} ${mm(r)} 0 0 1 0 ${mm(height)}h${mm(-long)}a${mm(r)} ${mm(r)} 0 0 1 0 ${mm(
+  return `M${onPaperGrid(x + r)} ${onPaperGrid(y)}h${onPaperGrid(long)}a${onPaperGrid(r)} ${onPaperGrid(r)} 0 0 1 0 ${onPaperGrid(height)}h${onPaperGrid(-long)}a${onPaperGrid(r)} ${onPaperGrid(r)} 0 0 1 0 ${onPaperGrid(
     -height,
   )}Z`;
 }
@@ -38,7 +29,7 @@ const EDGE = 1;
 
 /** Measurements on a drawing of both halves of a part, clear of the drawing's texts. Lengths in mm on paper. */
 export function measuredOnPaper(
-  measured: readonly SheetMeasurement[],
+  measured: readonly DimensionRequest[],
   paper: {
     readonly camera: Camera;
     readonly width: number;
@@ -47,16 +38,14 @@ export function measuredOnPaper(
   },
 ): readonly PaperMeasurement[] {
   const { camera, width, height, kept } = paper;
-  const edges = { left: EDGE, right: EDGE, top: EDGE, bottom: EDGE };
-  const sheet = { camera, unit: FIGURES / MEASURED_TEXT, size: { width, height }, edges, kept };
-  return placedMeasurements(
-    sheet,
-    measured.map((each) => ({ ...each, caption: "" })),
-  ).map(({ lines, arrows, box, text }) => ({
+  const room = { x: EDGE, y: EDGE, width: width - EDGE - EDGE, height: height - EDGE - EDGE };
+  const sheet = { camera, unit: FIGURES / DIMENSION_TEXT, size: { width, height }, room, kept };
+  const texts = new Map(measured.map(({ key, text }) => [key, text]));
+  return placedDimensions(sheet, measured).map(({ key, lines, arrows, box }) => ({
     lines,
     arrows,
     frame: frameOf(box),
-    text,
+    text: texts.get(key) ?? "",
     box,
   }));
 }

@@ -6,12 +6,15 @@ import { boundsOf, joined, mirrored } from "../bounds.ts";
 import type { Place } from "../camera.ts";
 import { clampingNear } from "./clamping-on-paper.ts";
 import { unstatedClamping } from "../unstated-clamping.ts";
-import { textWidth, type LabelBox } from "../help/labels.ts";
+import { middleOf } from "../dimensions/labels.ts";
+import { bodyShapes, mirroredAt } from "../drawing/body.ts";
+import { dimensionLine, LINE, widthOf, writtenAt, type PrintShape, type PrintText } from "../drawing/paper.ts";
+import { lineThrough, onPaperGrid } from "../dimensions/strokes.ts";
 import { featuresOf, type DiameterFeature, type PositionFeature, type TurnedContour } from "./features.ts";
-import { measuredOnPaper, type SheetMeasurement } from "./measured.ts";
+import type { DimensionRequest } from "../dimensions/placed-dimensions.ts";
+import { measuredOnPaper } from "./measured.ts";
 import { factorOf, usualScale, type DrawingScale } from "./scales.ts";
-import { FIGURES } from "./sizes.ts";
-import { spread } from "./spread.ts";
+import { spread } from "../dimensions/spread.ts";
 
 /** What is drawn. Part space, mm. */
 export interface DrawnWork {
@@ -22,7 +25,7 @@ export interface DrawnWork {
   /** The clamping; null or absent if not stated. */
   readonly clamping?: Clamped | null;
   /** Measurements on the part; none if absent. */
-  readonly measured?: readonly SheetMeasurement[];
+  readonly measured?: readonly DimensionRequest[];
 }
 
 /** Words and numbers as the sheet's language writes them. */
@@ -34,83 +37,42 @@ export interface DrawingWords {
   readonly blankLength: (value: number) => string;
 }
 
-/** What a line or an area of the drawing stands for; its weight and dashes belong to whoever paints it. */
-export type DrawingRole =
-  | "chuck"
-  | "chuckEdge"
-  | "blank"
-  | "section"
-  | "outline"
-  | "edge"
-  | "axis"
-  | "thin"
-  | "arrow"
-  | "zero"
-  | "zeroFilled"
-  | "measured";
-
-export interface DrawnShape {
-  readonly role: DrawingRole;
-  /** Path data, mm on paper. */
-  readonly d: string;
-}
-
-/** A text with the middle of its box; a turned one reads from the right. */
-export interface DrawnText {
-  readonly text: string;
-  readonly at: Place;
-  readonly turned: boolean;
-  readonly box: LabelBox;
-}
-
 /** The drawing of a set-up, all places in mm on paper from its top left corner. */
 export interface PartDrawing {
   readonly scale: DrawingScale;
   readonly width: number;
   readonly height: number;
   /** From back to front. */
-  readonly shapes: readonly DrawnShape[];
-  readonly texts: readonly DrawnText[];
+  readonly shapes: readonly PrintShape[];
+  readonly texts: readonly PrintText[];
   /** Number of dimensions without room. */
   readonly omitted: number;
 }
 
-/** The height that a figure takes, mm on paper. */
-const LINE = 3.9;
 /**
  * Least gap between two labels; from a part to the first dimension; from the knee of a leader to its text, mm on paper.
  */
 const GAP = 0.5,
   OFF = 6,
   KNEE = 5;
-const ARROW = { long: 2.4, wide: 0.75 } as const;
 const EDGE = 2;
 /** Radius of the sign at the workpiece zero, and how far its axes point, mm on paper. */
 const ZERO = 1.6;
 /** Arcs stay this near to their circle, mm on paper. */
 const CHORD_ON_PAPER = 0.05;
 
-const mm = (v: number): string => String(Math.round(v * 100) / 100 + 0);
-const lineThrough = (places: readonly Place[]): string => `M${places.map(({ x, y }) => `${mm(x)} ${mm(y)}`).join("L")}`;
+const widthIn = (text: string): number => widthOf({ text }) + 1;
 
-function arrow(tip: Place, dx: number, dy: number): string {
-  const back = { x: tip.x - dx * ARROW.long, y: tip.y - dy * ARROW.long };
-  const side = (by: number): Place => ({ x: back.x - dy * by, y: back.y + dx * by });
-  return `${lineThrough([tip, side(ARROW.wide), side(-ARROW.wide)])}Z`;
-}
-
-const wide = (text: string): number => textWidth(text, FIGURES) + 1;
-
-/** Features closer to a larger one than this are left out, mm: no line between them would show on paper. */
+/**
+ * Nearer features cannot be told apart, mm on paper: a smaller one is left out, of the two ends of a slope the one
+ * farther from the surface.
+ */
 const APART = 0.35;
-const distinct = <F extends { readonly extent: number }>(
-  features: readonly F[],
-  along: (feature: F) => number,
-): readonly F[] =>
-  features.filter(
-    (f) =>
-      !features.some((other) => other.extent > f.extent && f.extent === 0 && Math.abs(along(other) - along(f)) < APART),
-  );
+const distinct = <F extends PositionFeature>(features: readonly F[], along: (feature: F) => number): readonly F[] =>
+  features.filter((f) => {
+    const isBetter = ({ at: p, extent }: F) => extent > 0 || p.z + p.r > f.at.z + f.at.r;
+    return f.extent > 0 || !features.some((other) => isBetter(other) && Math.abs(along(other) - along(f)) < APART);
+  });
 
 /** The features that show most, as many as have room, in the order of the paper. */
 function placed<F extends { readonly extent: number }>(
@@ -133,78 +95,17 @@ function placed<F extends { readonly extent: number }>(
   return [];
 }
 
-/** Below this radius a surface is on the axis, mm. */
-const ON_AXIS = 0.0005;
-
-/** A ring as lines, without the sides on the axis, where two halves meet. */
-function offAxis(ring: Ring): readonly (readonly Pt[])[] {
-  const isOn = (i: number) =>
-    [ring[i], ring[(i + 1) % ring.length]].every((p) => p !== undefined && Math.abs(p.r) < ON_AXIS);
-  const first = ring.findIndex((_, i) => isOn(i));
-  if (first < 0) return ring.length > 1 ? [[...ring, ...ring.slice(0, 1)]] : [];
-  const lines: Pt[][] = [];
-  let line: Pt[] = [];
-  for (let k = 1; k <= ring.length; k += 1) {
-    const i = (first + k) % ring.length,
-      p = ring[i];
-    if (p) line.push(p);
-    if (!isOn(i)) continue;
-    if (line.length > 1) lines.push(line);
-    line = [];
-  }
-  return lines;
-}
-
-/** Lines across the bore at its shoulders, visible behind the cut. */
-function boreEdges(
-  finished: readonly Ring[],
-  positions: readonly PositionFeature[],
-  onPaper: (p: Pt) => Place,
-): string {
-  const corners = finished.flatMap((ring) =>
-    ring.filter((p, i) => isCorner(ring, i) && positions.some(({ at: { z } }) => Math.abs(z - p.z) < SHOULDER)),
-  );
-  const free = corners.filter((p) => p.r > SHOULDER && !finished.some((ring) => standsBelow(ring, p)));
-  return free.map((p) => lineThrough([onPaper(p), onPaper(mirror(p))])).join("");
-}
-
-/** A corner is one of a shoulder within this, mm. */
-const SHOULDER = 0.05;
-
-const mirror = (p: Pt): Pt => at(p.z, -p.r);
-
-/** Whether a ring has material between the axis and a point straight above it. */
-const standsBelow = (ring: Ring, p: Pt): boolean =>
-  ring.some((a, i) => {
-    const b = ring[(i + 1) % ring.length] ?? a;
-    return [p.z - BESIDE, p.z + BESIDE].some(
-      (z) => a.z > z !== b.z > z && a.r + ((z - a.z) / (b.z - a.z)) * (b.r - a.r) < p.r - SHOULDER,
-    );
-  });
-
-/** Offset of the probes for material on either side of a corner, mm. */
-const BESIDE = 0.01;
-
-/** A corner of the part rather than a point of a flattened arc: the sine of the turn at it. */
-const SHARP = 0.3;
-
-function isCorner(ring: Ring, i: number): boolean {
-  const [a, p, b] = [ring[(i + ring.length - 1) % ring.length], ring[i], ring[(i + 1) % ring.length]];
-  if (!a || !p || !b) return false;
-  const [before, after] = [Math.hypot(p.z - a.z, p.r - a.r), Math.hypot(b.z - p.z, b.r - p.r)];
-  if (before === 0 || after === 0) return false;
-  const turn = ((p.z - a.z) * (b.r - p.r) - (p.r - a.r) * (b.z - p.z)) / (before * after);
-  return Math.abs(turn) > SHARP;
-}
+/** Nearer along the axis is one place, mm. */
+const ONE_PLACE = 0.05;
 
 /** The sign of the workpiece zero: a circle, two opposite quarters of it filled. */
-function zeroSign({ x, y }: Place): readonly DrawnShape[] {
+function zeroSign({ x, y }: Place): readonly PrintShape[] {
   const quarter = (fx: number, fy: number) =>
-    `M${mm(x)} ${mm(y)}L${mm(x + fx * ZERO)} ${mm(y)}A${ZERO} ${ZERO} 0 0 ${fx * fy > 0 ? 1 : 0} ${mm(x)} ${mm(y + fy * ZERO)}Z`;
+    `M${onPaperGrid(x)} ${onPaperGrid(y)}L${onPaperGrid(x + fx * ZERO)} ${onPaperGrid(y)}A${ZERO} ${ZERO} 0 0 ${fx * fy > 0 ? 1 : 0} ${onPaperGrid(x)} ${onPaperGrid(y + fy * ZERO)}Z`;
   return [
     {
       role: "zero",
-      d: `M${mm(x - ZERO)} ${mm(y)}a${ZERO} ${ZERO} 0 1 1 ${ZERO + ZERO} 0a${ZERO} ${ZERO} 0 1 1 ${-ZERO - ZERO} 0Z`,
+      d: `M${onPaperGrid(x - ZERO)} ${onPaperGrid(y)}a${ZERO} ${ZERO} 0 1 1 ${ZERO + ZERO} 0a${ZERO} ${ZERO} 0 1 1 ${-ZERO - ZERO} 0Z`,
     },
     { role: "zeroFilled", d: quarter(1, -1) + quarter(-1, 1) },
   ];
@@ -234,19 +135,19 @@ export function partDrawing(
     if (ofBlank) return `(${own})`;
     return thread ? words.thread(own, thread.lead, thread.starts) : own;
   };
-  const marks: readonly PositionFeature[] = positions.some(({ at: { z } }) => Math.abs(z) < SHOULDER)
+  const marks: readonly PositionFeature[] = positions.some(({ at: { z } }) => Math.abs(z) < ONE_PLACE)
     ? positions
     : [{ at: at(0, 0), extent: Infinity }, ...positions];
   const saidPosition = ({ at: { z }, ofBlank }: PositionFeature) =>
     ofBlank ? `(${words.position(z)})` : words.position(z);
-  const column = diameters.length > 0 ? Math.max(...diameters.map((d) => wide(saidDiameter(d)))) + OFF + KNEE : OFF;
-  const row = Math.max(...marks.map((p) => wide(saidPosition(p)))) + KNEE + 2;
-  const top = LINE + OFF;
+  const column = diameters.length > 0 ? Math.max(...diameters.map((d) => widthIn(saidDiameter(d)))) + OFF + KNEE : OFF;
+  const row = Math.max(...marks.map((p) => widthIn(saidPosition(p)))) + KNEE + 2;
+  const top = LINE.plain + OFF;
   const inner = { wide: room.width - column - EDGE - EDGE, tall: room.height - top - row };
   const scale = usualScale({ wide: all.right - all.left, tall: all.high - all.low }, inner);
   const k = factorOf(scale);
   const [long, tall] = [(all.right - all.left) * k, (all.high - all.low) * k];
-  const needed = diameters.length * (LINE + GAP);
+  const needed = diameters.length * (LINE.plain + GAP);
   const height = Math.min(room.height, Math.max(tall + top + row, needed + row));
   const left = Math.max(EDGE, (room.width - column - long) / 2);
   const zero: Place = { x: left - all.left * k, y: top + (height - top - row) / 2 };
@@ -254,26 +155,22 @@ export function partDrawing(
   const ringsOnPaper = (rings: readonly Ring[]) =>
     rings
       .filter((ring) => ring.length > 2)
-      .map((ring) => `${lineThrough(ring.map(onPaper))}Z${lineThrough(ring.map((p) => onPaper(mirror(p))))}Z`)
+      .map((ring) => `${lineThrough(ring.map(onPaper))}Z${lineThrough(ring.map((p) => onPaper(mirroredAt(p))))}Z`)
       .join("");
   const bothHalves = (line: readonly Pt[]) =>
-    lineThrough(line.map(onPaper)) + lineThrough(line.map((p) => onPaper(mirror(p))));
-  const shapes: DrawnShape[] = [];
-  const texts: DrawnText[] = [];
+    lineThrough(line.map(onPaper)) + lineThrough(line.map((p) => onPaper(mirroredAt(p))));
+  const shapes: PrintShape[] = [];
+  const texts: PrintText[] = [];
   if (clamping.areas.length > 0) {
     shapes.push({ role: "chuck", d: ringsOnPaper(clamping.areas) });
     shapes.push({ role: "chuckEdge", d: clamping.edges.map(bothHalves).join("") });
   }
+  // Simulated threads have an edge at each tooth: only shoulders are drawn across the bore.
+  const hasEdge = ({ z }: Pt) => positions.some(({ at: p }) => Math.abs(p.z - z) < ONE_PLACE);
   if (held) shapes.push({ role: "edge", d: [held.plane, ...held.hatch].map(bothHalves).join("") });
-  shapes.push({ role: "section", d: ringsOnPaper(work.finished) });
-  shapes.push({
-    role: "outline",
-    d: work.finished
-      .flatMap(offAxis)
-      .map((line) => bothHalves(line))
-      .join(""),
-  });
-  shapes.push({ role: "edge", d: boreEdges(work.finished, positions, onPaper) });
+  shapes.push(
+    ...bodyShapes(work.finished, { broken: null, section: "whole", hasEdge, onPaper, scale: k, threads: [] }),
+  );
   if (work.blank.length > 0) shapes.push({ role: "blank", d: ringsOnPaper(work.blank) });
   const contourLine = (segments: readonly Segment[]) => {
     const line = part.flattenedChain(segments, CHORD_ON_PAPER / k);
@@ -290,19 +187,14 @@ export function partDrawing(
     ]),
   });
 
-  const writeAt = (text: string, middle: Place, turned: boolean) => {
-    const size = wide(text),
-      box = turned
-        ? { x: middle.x - LINE / 2, y: middle.y - size / 2, width: LINE, height: size }
-        : { x: middle.x - size / 2, y: middle.y - LINE / 2, width: size, height: LINE };
-    texts.push({ text, at: middle, turned, box });
-  };
+  const writeAt = (text: string, middle: Place, turned: boolean) =>
+    void texts.push(writtenAt({ text }, middle, turned));
   const right = left + long + OFF;
-  const seen = ({ at: p, outside }: DiameterFeature) => onPaper(outside ? p : mirror(p));
+  const seen = ({ at: p, outside }: DiameterFeature) => onPaper(outside ? p : mirroredAt(p));
   const shownDiameters = placed(
     distinct(diameters, (d) => seen(d).y),
     (d) => seen(d).y,
-    () => LINE,
+    () => LINE.plain,
     [0, height - row],
   );
   for (const { feature, middle } of shownDiameters) {
@@ -311,70 +203,63 @@ export function partDrawing(
       x = right + KNEE;
     shapes.push({ role: "thin", d: lineThrough([from, { x: Math.max(right, from.x), y: from.y }, { x, y: middle }]) });
     shapes.push({ role: "arrow", d: dot(from) });
-    writeAt(text, { x: x + GAP + wide(text) / 2, y: middle }, false);
+    writeAt(text, { x: x + GAP + widthIn(text) / 2, y: middle }, false);
   }
   const floor = height - row;
   const shownPositions = placed(
     distinct(marks, (p) => onPaper(p.at).x),
     (p) => onPaper(p.at).x,
-    () => LINE,
+    () => LINE.plain,
     [0, room.width - column],
   );
   for (const { feature, middle } of shownPositions) {
-    const from = onPaper(mirror(feature.at)),
+    const from = onPaper(mirroredAt(feature.at)),
       text = saidPosition(feature);
     const until = Math.max(floor, from.y),
       y = until + KNEE;
     shapes.push({ role: "thin", d: lineThrough([from, { x: from.x, y: until }, { x: middle, y }]) });
-    writeAt(text, { x: middle, y: y + GAP + wide(text) / 2 }, true);
+    writeAt(text, { x: middle, y: y + GAP + widthIn(text) / 2 }, true);
   }
   if (material) {
     const [a, b] = [zero.x + material.left * k, zero.x + material.right * k],
       y = zero.y - all.high * k - OFF / 2;
     const outer = zero.y - material.high * k;
-    shapes.push({
-      role: "thin",
-      d:
-        lineThrough([
-          { x: a, y: outer },
-          { x: a, y: y - 1 },
-        ]) +
-        lineThrough([
-          { x: b, y: outer },
-          { x: b, y: y - 1 },
-        ]) +
-        lineThrough([
-          { x: a, y },
-          { x: b, y },
+    for (const x of [a, b])
+      shapes.push({
+        role: "thin",
+        d: lineThrough([
+          { x, y: outer },
+          { x, y: y - 1 },
         ]),
-    });
-    shapes.push({ role: "arrow", d: arrow({ x: a, y }, -1, 0) + arrow({ x: b, y }, 1, 0) });
+      });
+    shapes.push(...dimensionLine({ x: a, y }, { x: b, y }));
     const text = words.blankLength(material.right - material.left),
-      half = wide(text) / 2;
-    writeAt(text, { x: Math.max(half, Math.min((a + b) / 2, right + KNEE - half)), y: y - LINE / 2 - 0.4 }, false);
+      half = widthIn(text) / 2;
+    writeAt(
+      text,
+      { x: Math.max(half, Math.min((a + b) / 2, right + KNEE - half)), y: y - LINE.plain / 2 - 0.4 },
+      false,
+    );
   }
   shapes.push(...zeroSign(zero));
   const camera = { scale: k, zero, xUp: true };
-  for (const each of measuredOnPaper(work.measured ?? [], {
-    camera,
-    width: room.width,
-    height,
-    kept: texts.map(({ box }) => box),
-  })) {
-    const { x, y, width, height: tall } = each.box;
+  const { measured = [] } = work,
+    kept = texts.map(({ box }) => box),
+    shownMeasured = measuredOnPaper(measured, { camera, width: room.width, height, kept });
+  for (const each of shownMeasured) {
     shapes.push(
       { role: "thin", d: each.lines },
       { role: "arrow", d: each.arrows },
       { role: "measured", d: each.frame },
     );
-    texts.push({ text: each.text, at: { x: x + width / 2, y: y + tall / 2 }, turned: false, box: each.box });
+    writeAt(each.text, middleOf(each.box), false);
   }
   const wanted = distinct(diameters, (d) => seen(d).y).length + distinct(marks, (p) => onPaper(p.at).x).length;
-  const missing = wanted - shownDiameters.length - shownPositions.length;
-  return { scale, width: room.width, height, shapes, texts, omitted: missing };
+  const shown = shownDiameters.length + shownPositions.length + shownMeasured.length;
+  return { scale, width: room.width, height, shapes, texts, omitted: wanted + measured.length - shown };
 }
 
 /** The end of a leader on a surface. */
 const DOT = 0.45;
 const dot = ({ x, y }: Place): string =>
-  `M${mm(x - DOT)} ${mm(y)}a${DOT} ${DOT} 0 1 1 ${DOT + DOT} 0a${DOT} ${DOT} 0 1 1 ${-DOT - DOT} 0Z`;
+  `M${onPaperGrid(x - DOT)} ${onPaperGrid(y)}a${DOT} ${DOT} 0 1 1 ${DOT + DOT} 0a${DOT} ${DOT} 0 1 1 ${-DOT - DOT} 0Z`;

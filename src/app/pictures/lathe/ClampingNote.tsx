@@ -1,5 +1,5 @@
 import { at } from "../../../kernel/geometry/point.ts";
-import { textWidth } from "../../../view/help/labels.ts";
+import { textWidth } from "../../../view/dimensions/labels.ts";
 import { toScreen } from "../../../view/camera.ts";
 import type { UnstatedClamping } from "../../../view/unstated-clamping.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";

@@ -6,7 +6,7 @@ import type { Tool } from "../../../kernel/plan/tool.ts";
 import type { Run } from "../../../program/state/run-types.ts";
 import { axial, diameter, radius, toRadius } from "../../../kernel/units.ts";
 import { toScreen } from "../../../view/camera.ts";
-import type { LabelBox } from "../../../view/help/labels.ts";
+import type { LabelBox } from "../../../view/dimensions/labels.ts";
 import { namedLines, toolArea, type NamedLine } from "../../../view/known-labels.ts";
 import { tipAt } from "../../../view/tip.ts";
 import { usePlace } from "../../place/place.ts";

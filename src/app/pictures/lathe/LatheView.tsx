@@ -5,7 +5,7 @@ import { NO_TIMING } from "../../../program/run/run-times.ts";
 import type { Run } from "../../../program/state/run-types.ts";
 import type { Ring } from "../../../kernel/geometry/point.ts";
 import { toPlace, type Place } from "../../../view/camera.ts";
-import type { LabelBox } from "../../../view/help/labels.ts";
+import type { LabelBox } from "../../../view/dimensions/labels.ts";
 import { datumAt, datumIndex } from "../../../view/datum.ts";
 import { trackOf } from "../../../view/playback.ts";
 import { sceneOf } from "../../../view/scene.ts";

@@ -7,7 +7,7 @@ import { leastCovering, labelPlaces } from "../../../view/edge-label.ts";
 import { boundsOf } from "../../../view/bounds.ts";
 import { toScreen, type Camera, type Place } from "../../../view/camera.ts";
 import { edgeMark, type VisibleArea } from "../../../view/edge-mark.ts";
-import { textWidth, type LabelBox } from "../../../view/help/labels.ts";
+import { textWidth, type LabelBox } from "../../../view/dimensions/labels.ts";
 import { tipAt } from "../../../view/tip.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import { holds } from "../../base/use-media.ts";

@@ -1,6 +1,6 @@
 import { badgePlaces, SHARED } from "../../../view/badge-places.ts";
 import type { Place } from "../../../view/camera.ts";
-import type { LabelBox } from "../../../view/help/labels.ts";
+import type { LabelBox } from "../../../view/dimensions/labels.ts";
 import { pageLength } from "../../base/unit.ts";
 import { holds } from "../../base/use-media.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "./Axes.tsx";

@@ -1,5 +1,5 @@
 import type { Run } from "../../../program/state/run-types.ts";
-import { textWidth } from "../../../view/help/labels.ts";
+import { textWidth } from "../../../view/dimensions/labels.ts";
 import { useProjection, type PlaceProjection } from "../lathe/place-projection.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import { useGreatest, loadValue, type LoadQuantity } from "./use-load.ts";

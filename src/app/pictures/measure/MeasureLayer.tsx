@@ -3,10 +3,10 @@ import { useStore } from "zustand";
 import type { MeasuredPlace } from "../../../kernel/plan/measured.ts";
 import { part } from "../../../kernel/geometry/point.ts";
 import { toScreen, type Camera } from "../../../view/camera.ts";
-import { textWidth, type LabelBox } from "../../../view/help/labels.ts";
+import { textWidth, type LabelBox } from "../../../view/dimensions/labels.ts";
 import { namePlace } from "../../../view/measure/name-place.ts";
 import { polyline } from "../../../view/help/marks.ts";
-import { placedMeasurements } from "../../../view/measure/layout.ts";
+import { placedDimensions } from "../../../view/dimensions/placed-dimensions.ts";
 import { onSide, halfOf } from "../../../view/measure/snap.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "../lathe/Axes.tsx";
 import { useCamera } from "../lathe/use-camera.ts";
@@ -86,6 +86,8 @@ function Cross({
 
 /** Margin around texts, pixels. */
 const AIR = 6;
+/** Room of the buttons over a narrow picture, pixels. */
+const BUTTONS = 56;
 
 /** Measurements as dimensions over a picture, and the tools while measuring. */
 export function MeasureLayer({
@@ -119,19 +121,15 @@ export function MeasureLayer({
     [readings, t, lengths],
   );
   const standing = useMemo(() => {
-    const edges = {
-      left: SCALE_LEFT + AIR,
-      right: isNarrow ? 56 : AIR,
-      top: AIR,
-      bottom: SCALE_BELOW + AIR,
-    };
-    const paper = { camera, unit: 1, size, edges, kept: panel && state.on ? [panel] : [] };
-    return placedMeasurements(
-      paper,
+    const left = SCALE_LEFT + AIR,
+      right = isNarrow ? BUTTONS : AIR;
+    const room = { x: left, y: AIR, width: size.width - left - right, height: size.height - SCALE_BELOW - 2 * AIR };
+    return placedDimensions(
+      { camera, unit: 1, size, room, kept: panel && state.on ? [panel] : [] },
       readings.map(({ measurement: { id, text }, figure }) => {
         const put = moved?.id === id ? moved.to : text,
-          said = words.get(id);
-        return { id, figure, text: said?.text ?? "", caption: said?.caption ?? "", ...(put && { put }) };
+          { text: said = "", caption = "" } = words.get(id) ?? {};
+        return { key: id, measured: figure, text: said, caption, needed: true, ...(put && { put }) };
       }),
     );
   }, [camera, size, isNarrow, panel, state.on, readings, words, moved]);
@@ -154,8 +152,8 @@ export function MeasureLayer({
   return (
     <>
       <svg className="sheet measure-sheet" viewBox={`0 0 ${size.width} ${size.height}`} aria-hidden="true">
-        {standing.map(({ id, lines, arrows }) => (
-          <g key={id} className={old.has(id) ? "measured old" : "measured"}>
+        {standing.map(({ key, lines, arrows }) => (
+          <g key={key} className={old.has(key) ? "measured old" : "measured"}>
             <path className="line" d={lines} />
             <path className="arrow" d={arrows} />
           </g>

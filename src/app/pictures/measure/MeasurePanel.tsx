@@ -5,7 +5,7 @@ import { toDiameter } from "../../../kernel/units.ts";
 import type { MeasureTexts } from "../../../i18n/en/measure.ts";
 import type { Lengths } from "../../../i18n/lengths.ts";
 import { formatNumber } from "../../../i18n/number.ts";
-import type { LabelBox } from "../../../view/help/labels.ts";
+import type { LabelBox } from "../../../view/dimensions/labels.ts";
 import { inBlockUnits, fieldValueOf, measure, rulerValueFor } from "../../../view/measure/distance.ts";
 import type { CurrentMeasurement } from "../../../view/measure/reading.ts";
 import { setMeasured } from "../../document/edits.ts";

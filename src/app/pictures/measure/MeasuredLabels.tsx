@@ -1,11 +1,12 @@
 import { useRef, useState, type KeyboardEvent, type PointerEvent } from "react";
 import type { Pt } from "../../../kernel/geometry/point.ts";
 import { toPlace, type Camera, type Place } from "../../../view/camera.ts";
-import type { PlacedMeasurement } from "../../../view/measure/layout.ts";
+import { middleOf } from "../../../view/dimensions/labels.ts";
+import type { PlacedDimension } from "../../../view/dimensions/placed-dimensions.ts";
 import { setMeasured } from "../../document/edits.ts";
 import { pageLength, pageUnit } from "../../base/unit.ts";
 import { Icon } from "../../base/Icon.tsx";
-import { type MeasurementWords } from "./measure-words.ts";
+import type { MeasurementWords } from "./measure-words.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
 /** A label while it is dragged. */
@@ -31,21 +32,22 @@ export const removeMeasurement = (id: string): void => setMeasured((list) => lis
 
 /** The label of one measurement, which can be dragged and removed. */
 function MeasuredLabel({
-  standing: { id, text, caption, middle, box },
-  name,
+  standing: { key: id, box },
+  words: { name, text, caption },
   isOld,
   camera,
   isMoving,
   move,
 }: {
-  readonly standing: PlacedMeasurement;
-  readonly name: string;
+  readonly standing: PlacedDimension;
+  readonly words: MeasurementWords;
   readonly isOld: boolean;
   readonly camera: Camera;
   readonly isMoving: boolean;
   readonly move: (moved: DraggedLabel | null) => void;
 }) {
   const t = useTexts("measure"),
+    middle = middleOf(box),
     [open, show] = useState(false);
   const drag = useRef<{ readonly from: Place; readonly middle: Place; last: Pt | null } | null>(null);
   const press = (event: PointerEvent<HTMLButtonElement>) => {
@@ -128,7 +130,7 @@ export function MeasuredLabels({
   moved,
   move,
 }: {
-  readonly standing: readonly PlacedMeasurement[];
+  readonly standing: readonly PlacedDimension[];
   readonly words: ReadonlyMap<string, MeasurementWords>;
   readonly old: ReadonlySet<string>;
   readonly camera: Camera;
@@ -137,17 +139,22 @@ export function MeasuredLabels({
 }) {
   return (
     <>
-      {standing.map((each) => (
-        <MeasuredLabel
-          key={each.id}
-          standing={each}
-          name={words.get(each.id)?.name ?? each.text}
-          isOld={old.has(each.id)}
-          camera={camera}
-          isMoving={moved?.id === each.id}
-          move={move}
-        />
-      ))}
+      {standing.map((each) => {
+        const said = words.get(each.key);
+        return (
+          said && (
+            <MeasuredLabel
+              key={each.key}
+              standing={each}
+              words={said}
+              isOld={old.has(each.key)}
+              camera={camera}
+              isMoving={moved?.id === each.key}
+              move={move}
+            />
+          )
+        );
+      })}
     </>
   );
 }

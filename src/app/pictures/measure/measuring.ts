@@ -1,7 +1,7 @@
 import { useMemo, useState } from "react";
 import { createStore, useStore, type StoreApi } from "zustand";
 import type { MeasuredKind, MeasuredPlace } from "../../../kernel/plan/measured.ts";
-import type { LabelBox } from "../../../view/help/labels.ts";
+import type { LabelBox } from "../../../view/dimensions/labels.ts";
 import type { PointerActions } from "../lathe/gestures.ts";
 
 /** State of measuring. */

@@ -1,6 +1,5 @@
 import type { Place, Size } from "../camera.ts";
 import type { LabelBox } from "./labels.ts";
-import { labelsOverlap } from "./labels.ts";
 
 /** Side of a cell, pixels: about as high as a text. */
 const CELL = 16;
@@ -47,30 +46,30 @@ export function placesOn(size: Size, places: readonly Place[]): (box: LabelBox) 
   };
 }
 
-/** Boxes on a sheet. */
-export interface TakenBoxes {
-  readonly take: (box: LabelBox) => void;
-  /** Whether a box shares any area with one on the sheet. */
-  readonly isTaken: (box: LabelBox) => boolean;
+/** Things on a sheet, found by the cells that they cover, so that only neighbours are compared. */
+export interface SheetGrid<Each> {
+  readonly put: (each: Each) => void;
+  /** Whether one of those near a box passes a test. */
+  readonly some: (near: LabelBox, test: (each: Each) => boolean) => boolean;
 }
 
-/** Stores boxes by the cells that they cover, so that only neighbours are compared. */
-export function boxesOn(size: Size, standing: readonly LabelBox[] = []): TakenBoxes {
+/** An empty grid of things with their boxes. */
+export function gridOn<Each>(size: Size, boxOf: (each: Each) => LabelBox): SheetGrid<Each> {
   const cells = cellsOf(size),
-    byCell = new Map<number, LabelBox[]>();
-  const take = (box: LabelBox) => {
-    for (const [first, last] of cells.spansOf(box))
-      for (let i = first; i <= last; i += 1) {
-        const there = byCell.get(i);
-        if (there) there.push(box);
-        else byCell.set(i, [box]);
-      }
+    byCell = new Map<number, Each[]>();
+  return {
+    put: (each) => {
+      for (const [first, last] of cells.spansOf(boxOf(each)))
+        for (let i = first; i <= last; i += 1) {
+          const there = byCell.get(i);
+          if (there) there.push(each);
+          else byCell.set(i, [each]);
+        }
+    },
+    some: (near, test) => {
+      for (const [first, last] of cells.spansOf(near))
+        for (let i = first; i <= last; i += 1) if (byCell.get(i)?.some(test)) return true;
+      return false;
+    },
   };
-  const isTaken = (box: LabelBox) => {
-    for (const [first, last] of cells.spansOf(box))
-      for (let i = first; i <= last; i += 1) if (byCell.get(i)?.some((there) => labelsOverlap(there, box))) return true;
-    return false;
-  };
-  standing.forEach(take);
-  return { take, isTaken };
 }

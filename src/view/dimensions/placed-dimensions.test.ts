@@ -2,29 +2,34 @@ import fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import { at } from "../../kernel/geometry/point.ts";
 import { toScreen, type Camera } from "../camera.ts";
-import { labelsOverlap } from "../help/labels.ts";
+import { isWholeIn, labelsOverlap, middleOf, runsThrough } from "./labels.ts";
 import { measuredOnPaper } from "../sheet/measured.ts";
-import type { Figure } from "./figure.ts";
-import { placedMeasurements, type MeasurementRequest, type MeasurementPaper } from "./layout.ts";
+import type { Dimension } from "./dimension.ts";
+import { placedDimensions, type DimensionPaper, type DimensionRequest } from "./placed-dimensions.ts";
 
 const camera: Camera = { scale: 4.37, zero: { x: 613.5, y: 387.25 }, xUp: true };
-const paper: MeasurementPaper = {
+const paper: DimensionPaper = {
   camera,
   unit: 1,
   size: { width: 817, height: 463 },
-  edges: { left: 52, right: 6, top: 6, bottom: 28 },
+  room: { x: 52, y: 6, width: 817 - 58, height: 463 - 34 },
   kept: [{ x: 54, y: 8, width: 250, height: 86 }],
 };
-const asked = (id: string, figure: Figure, text: string): MeasurementRequest => ({ id, figure, text, caption: "" });
-const some: readonly MeasurementRequest[] = [
-  asked("1", { kind: "diameter", at: at(-27.77, 8.5) }, "⌀17.000"),
-  asked("2", { kind: "diameter", at: at(-28.1, 21.03) }, "⌀42.060"),
-  asked("3", { kind: "along", from: at(-54.87, 23.1), to: at(-1.15, 8.5) }, "53.72"),
-  asked("4", { kind: "across", from: at(-14.87, 10.1), to: at(-14.87, 21.01) }, "10.91"),
-  asked("5", { kind: "radius", tip: at(-14.4, 8.97), centre: at(-13.27, 10.1) }, "R1.6"),
-  asked("6", { kind: "angle", vertex: at(-1.15, 8.5), ways: [at(1, 0), at(0.9962, 0.0872)], reach: [0, 30] }, "5°"),
-  asked("7", { kind: "straight", from: at(-41.3, 3.3), to: at(-9.9, 17.2) }, "34.34"),
-  asked("8", { kind: "circle", at: at(-33.1, 14.2), centre: at(-33.1, 9.7) }, "⌀9.000"),
+const asked = (key: string, measured: Dimension, text: string): DimensionRequest => ({
+  key,
+  measured,
+  text,
+  needed: true,
+});
+const some: readonly DimensionRequest[] = [
+  asked("1", { form: "diameter", at: at(-27.77, 8.5) }, "⌀17.000"),
+  asked("2", { form: "diameter", at: at(-28.1, 21.03) }, "⌀42.060"),
+  asked("3", { form: "z", from: at(-54.87, 23.1), to: at(-1.15, 8.5) }, "53.72"),
+  asked("4", { form: "r", from: at(-14.87, 10.1), to: at(-14.87, 21.01) }, "10.91"),
+  asked("5", { form: "radius", at: at(-14.4, 8.97), centre: at(-13.27, 10.1) }, "R1.6"),
+  asked("6", { form: "angle", vertex: at(-1.15, 8.5), from: at(-1.149, 8.5), to: at(28.736, 11.116) }, "5°"),
+  asked("7", { form: "along", from: at(-41.3, 3.3), to: at(-9.9, 17.2) }, "34.34"),
+  asked("8", { form: "circle", at: at(-33.1, 14.2), centre: at(-33.1, 9.7) }, "⌀9.000"),
 ];
 
 /** All pairs of numbers of path data. */
@@ -34,48 +39,36 @@ const ends = (d: string) =>
   [...d.matchAll(/M([-\d.]+) ([-\d.]+)L([-\d.]+) ([-\d.]+)/g)].map((m) => m.slice(1).map(Number));
 
 describe("dimensions over the picture", () => {
-  const standing = placedMeasurements(paper, some);
+  const standing = placedDimensions(paper, some);
 
   test("all dimensions are on the picture, in their order, clear of each other and of kept boxes", () => {
-    expect(standing.map(({ id }) => id)).toEqual(some.map(({ id }) => id));
+    expect(standing.map(({ key }) => key)).toEqual(some.map(({ key }) => key));
     const boxes = [...paper.kept, ...standing.map(({ box }) => box)];
     for (const [i, a] of boxes.entries()) for (const b of boxes.slice(i + 1)) expect(labelsOverlap(a, b)).toBe(false);
     for (const { box } of standing) {
-      expect(box.x).toBeGreaterThanOrEqual(paper.edges.left);
-      expect(box.y).toBeGreaterThanOrEqual(paper.edges.top);
-      expect(box.x + box.width).toBeLessThanOrEqual(paper.size.width - paper.edges.right);
-      expect(box.y + box.height).toBeLessThanOrEqual(paper.size.height - paper.edges.bottom);
+      expect(isWholeIn(box, paper.room)).toBe(true);
     }
   });
 
   test("while there is room no line crosses a text, neither of a measurement nor of the drawing", () => {
-    const through = ({ id, lines }: (typeof standing)[number]) =>
+    const through = ({ key, pieces }: (typeof standing)[number]) =>
       standing
-        .filter(
-          ({ id: other, box }) =>
-            other !== id &&
-            ends(lines).some(([x = 0, y = 0, x2 = 0, y2 = 0]) =>
-              Array.from({ length: 401 }, (_, i) => i / 400).some((k) => {
-                const [px, py] = [x + (x2 - x) * k, y + (y2 - y) * k];
-                return px > box.x && px < box.x + box.width && py > box.y && py < box.y + box.height;
-              }),
-            ),
-        )
-        .map(({ id: other }) => `${id} through ${other}`);
+        .filter((other) => other.key !== key && pieces.some((piece) => runsThrough(piece, other.box)))
+        .map((other) => `${key} through ${other.key}`);
     expect(standing.flatMap(through)).toEqual([]);
     // The first place of a length is in line with a text of the drawing, which its line would cross.
-    const length = asked("1", { kind: "along", from: at(-54.87, 23.1), to: at(-1.15, 8.5) }, "53.720");
-    const [plain] = placedMeasurements({ ...paper, kept: [] }, [length]),
-      y = plain?.middle.y ?? 0;
+    const length = asked("1", { form: "z", from: at(-54.87, 23.1), to: at(-1.15, 8.5) }, "53.720");
+    const [plain] = placedDimensions({ ...paper, kept: [] }, [length]),
+      y = plain ? middleOf(plain.box).y : 0;
     const kept = [{ x: 420, y: y - 8, width: 30, height: 16 }],
-      [clear] = placedMeasurements({ ...paper, kept }, [length]);
-    expect(Math.abs((clear?.middle.y ?? y) - y)).toBeGreaterThan(8);
+      [clear] = placedDimensions({ ...paper, kept }, [length]);
+    expect(Math.abs((clear ? middleOf(clear.box).y : y) - y)).toBeGreaterThan(8);
   });
 
   test("a text placed by hand stays there, whatever it covers, and its dimension follows", () => {
     const put = at(-37.3, 31.9),
-      [one] = placedMeasurements(paper, [{ ...some[2]!, put }]);
-    expect(one?.middle).toEqual(toScreen(camera, put));
+      [one] = placedDimensions(paper, [{ ...some[2]!, put }]);
+    expect(one && middleOf(one.box)).toEqual(toScreen(camera, put));
     const level = ends(one?.lines ?? "").filter(([, y, , y2]) => y === y2);
     // The dimension line runs at the height of the text, between what is measured.
     expect(level).toHaveLength(1);
@@ -85,15 +78,15 @@ describe("dimensions over the picture", () => {
   });
 
   test("a diameter goes right across, with both its ends on the part", () => {
-    const [drawn] = placedMeasurements(paper, [{ ...some[1]!, put: at(-28.1, 11.2) }]);
+    const [drawn] = placedDimensions(paper, [{ ...some[1]!, put: at(-28.1, 11.2) }]);
     const heights = ends(drawn?.lines ?? "").flatMap(([, y = 0, , y2 = 0]) => [y, y2]);
     expect(Math.max(...heights)).toBeCloseTo(387.25 + 21.03 * 4.37, 1);
     expect(Math.min(...heights)).toBeCloseTo(387.25 - 21.03 * 4.37, 1);
   });
 
   test("arrows stand outside where a length is too short for them", () => {
-    const short = { kind: "along", from: at(-3.31, 9.1), to: at(-1.15, 9.1) } as const,
-      [one] = placedMeasurements(paper, [asked("1", short, "2.16")]);
+    const short = { form: "z", from: at(-3.31, 9.1), to: at(-1.15, 9.1) } as const,
+      [one] = placedDimensions(paper, [asked("1", short, "2.16")]);
     const tips = [...(one?.arrows ?? "").matchAll(/M([-\d.]+) [-\d.]+L([-\d.]+)/g)].map(([, tip, back]) => [
       Number(tip),
       Number(back),
@@ -114,7 +107,7 @@ describe("dimensions over the picture", () => {
         fc.constantFrom(0.05, 3.1, 1999),
         fc.boolean(),
         (one, z, r, scale, xUp) => {
-          const [drawn] = placedMeasurements({ ...paper, camera: { ...camera, scale, xUp } }, [
+          const [drawn] = placedDimensions({ ...paper, camera: { ...camera, scale, xUp } }, [
             { ...one, put: at(z, r) },
           ]);
           const all = numbers(`${drawn?.lines}${drawn?.arrows}`);

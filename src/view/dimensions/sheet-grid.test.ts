@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
 import { labelsOverlap, type LabelBox } from "./labels.ts";
-import { boxesOn, placesOn } from "./sheet-grid.ts";
+import { gridOn, placesOn } from "./sheet-grid.ts";
 
 const SHEET = { width: 321.5, height: 97.25 };
 const along = (long: number) =>
@@ -32,9 +32,10 @@ test("the grid counts the same places as a full search", () => {
 test("a box is taken if it overlaps any box on the sheet", () => {
   fc.assert(
     fc.property(fc.array(box, { maxLength: 20 }), fc.array(box, { minLength: 1, maxLength: 20 }), (standing, boxes) => {
-      const taken = boxesOn(SHEET, standing.slice(0, 5));
-      standing.slice(5).forEach(taken.take);
-      for (const b of boxes) expect(taken.isTaken(b)).toBe(standing.some((s) => labelsOverlap(s, b)));
+      const taken = gridOn(SHEET, (each: LabelBox) => each);
+      standing.forEach(taken.put);
+      for (const b of boxes)
+        expect(taken.some(b, (each) => labelsOverlap(each, b))).toBe(standing.some((s) => labelsOverlap(s, b)));
     }),
   );
 });

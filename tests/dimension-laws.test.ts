@@ -1,0 +1,171 @@
+import { beforeAll, describe, expect, test } from "vitest";
+import { fetchTexts, texts } from "../src/app/base/settings/loaded-texts.ts";
+import { numberIn } from "../src/app/pictures/help/number-in.ts";
+import { printWords } from "../src/features/course/drawing/print-words.ts";
+import { drawnDimensions } from "../src/features/contour/drawing-dimensions.ts";
+import { sheetWords } from "../src/features/sheet/sheet-words.ts";
+import { LANGUAGES } from "../src/i18n/languages.ts";
+import { lengthsIn } from "../src/i18n/lengths.ts";
+import { part, type Segment } from "../src/kernel/geometry/point.ts";
+import { plannedPart } from "../src/planning/part/planned-part.ts";
+import { readRows } from "../src/program/job/contour-rows.ts";
+import type { Size } from "../src/view/camera.ts";
+import { labelsOverlap, runsThrough, type LabelBox } from "../src/view/dimensions/labels.ts";
+import {
+  placedDimensions,
+  type DimensionPaper,
+  type DimensionRequest,
+  type PlacedDimension,
+} from "../src/view/dimensions/placed-dimensions.ts";
+import { drawingOnSheet, workshopDrawing } from "../src/view/drawing/workshop-drawing.ts";
+import { contourDrawing } from "../src/view/help/contour-drawing.ts";
+import { partDrawing } from "../src/view/sheet/part-drawing.ts";
+import { faultsOf } from "./drawing-faults.ts";
+import { cycles, drawn, exampleOf, printedContour } from "./help/drawings.ts";
+import { PART_NAMES, partOfTrade } from "./planning/parts.ts";
+
+beforeAll(async () => {
+  for (const language of LANGUAGES)
+    for (const name of ["workplace", "sheet", "course-drawing"] as const) await fetchTexts(language, name);
+});
+
+/** Texts over one another, and those outside of the drawing. */
+function misplaced(boxes: readonly LabelBox[], { width, height }: Size): string[] {
+  const over = boxes.flatMap((a, i) =>
+    boxes.slice(i + 1).flatMap((b) => (labelsOverlap(a, b) ? [`${JSON.stringify(a)} over ${JSON.stringify(b)}`] : [])),
+  );
+  const out = boxes.filter((b) => b.x < 0 || b.y < 0 || b.x + b.width > width || b.y + b.height > height);
+  return [...over, ...out.map((b) => `${JSON.stringify(b)} outside`)];
+}
+
+/** Lines of one dimension through the text of another. */
+const crossed = (placed: readonly PlacedDimension[]): number =>
+  placed
+    .flatMap((one) => placed.map((other) => [one, other] as const))
+    .filter(([one, other]) => one !== other && one.pieces.some((piece) => runsThrough(piece, other.box))).length;
+
+const parts = PART_NAMES.map((name) => {
+  const read = partOfTrade(name),
+    { blank, part: planned, clamping } = plannedPart(read);
+  const outlines = { outside: readRows(read.outside), bore: readRows(read.inside) };
+  return { name, rows: read.outside, blank, rings: planned?.rings ?? [], clamping, ...outlines };
+});
+
+describe.each(LANGUAGES)("%s", (language) => {
+  test.each(cycles.map((cycle) => [cycle.number, cycle] as const))("help pictures of cycle %i", (_, cycle) => {
+    const { help } = texts(language);
+    const said = {
+      number: numberIn(language, null),
+      element: [help.element.none, help.element.chamfer, help.element.radius],
+      reserved: help.reserved,
+      notToScale: help.notToScale,
+    } as const;
+    for (const size of [
+      { width: 300, height: 190 },
+      { width: 420, height: 280 },
+      { width: 860, height: 520 },
+    ])
+      for (const q of [null, ...Object.keys(cycle.params)]) {
+        const drawing = drawn(cycle, exampleOf(cycle), q, size, printedContour, said);
+        expect(drawing && misplaced(drawing.labels, size), String(q)).toEqual([]);
+      }
+  });
+
+  test.each(parts.map((each) => [each.name, each] as const))(
+    "drawings of %s",
+    (_, { blank, rings, clamping, ...own }) => {
+      const outside = own.outside.contour.segments,
+        bore = own.bore.contour.segments;
+      const work = { blank, rings, outside, bore, sizes: [], threads: [], marks: [] },
+        words = printWords(texts(language, "course-drawing"), language);
+      const prints = [
+        workshopDrawing(work, words, { width: 178, height: 128 }),
+        workshopDrawing(work, words, { width: 84, height: 128 }),
+        drawingOnSheet(work, words, { width: 275, height: 158 }),
+      ];
+      expect(prints.map((print) => print && faultsOf(print))).toEqual(prints.map(() => []));
+      const lengths = lengthsIn(language, "mm", 1);
+      const measured = [...outside, ...bore].flatMap((s, i): DimensionRequest[] =>
+        s.kind === "line" && i % 3 === 0
+          ? [{ ...measuredOn(s, String(i), lengths.number(part.lengthOf(s))), needed: false }]
+          : [],
+      );
+      for (const room of [
+        { width: 124, height: 96 },
+        { width: 70, height: 96 },
+      ]) {
+        const contours = [{ segments: outside }, { segments: bore }];
+        const sheet = partDrawing(
+          { blank, finished: rings, contours, clamping, measured: measured.slice(0, 4) },
+          sheetWords(texts(language), texts(language, "sheet"), lengths),
+          room,
+        );
+        expect(
+          sheet &&
+            misplaced(
+              sheet.texts.map(({ box }) => box),
+              sheet,
+            ),
+        ).toEqual([]);
+      }
+    },
+  );
+
+  test.each(parts.map((each) => [each.name, each] as const))(
+    "the contour of %s, with measurements",
+    (_, { rows, outside }) => {
+      for (const size of [
+        { width: 390, height: 420 },
+        { width: 760, height: 520 },
+      ]) {
+        const picture = contourDrawing({
+          contour: outside.contour.segments,
+          rowOfSegment: outside.rowOfSegment,
+          ends: outside.rows.map(({ end }) => end),
+          faulty: new Set(),
+          active: null,
+          size,
+          margin: { left: 66, right: 100, top: 34, bottom: 78 },
+        });
+        const paper: DimensionPaper = {
+          camera: picture.camera,
+          unit: 1,
+          size,
+          room: { x: 48, y: 2, width: size.width - 50, height: size.height - 26 },
+          kept: picture.kept,
+          avoid: picture.avoid,
+          target: { width: 40, height: 22 },
+          free: { x: size.width - 60, y: size.height - 80 },
+        };
+        const asked = drawnDimensions({
+          rows,
+          reading: outside,
+          chosen: null,
+          language,
+          texts: texts(language).contour,
+        });
+        const placed = placedDimensions(paper, asked);
+        expect(misplaced([...placed.map(({ box }) => box)], size)).toEqual([]);
+        const few = outside.contour.segments
+          .filter((s) => s.kind === "line")
+          .slice(0, 5)
+          .map((s, i) => measuredOn(s, String(i), lengthsIn(language, "mm", 1).number(part.lengthOf(s))));
+        const measured = placedDimensions({ ...paper, kept: [], avoid: [] }, few);
+        expect(measured).toHaveLength(few.length);
+        expect(
+          misplaced(
+            measured.map(({ box }) => box),
+            size,
+          ),
+        ).toEqual([]);
+        expect(crossed(measured)).toBeLessThanOrEqual(1);
+      }
+    },
+  );
+});
+
+/** A measurement along, across or straight over a segment. */
+function measuredOn({ from, to }: Segment, key: string, text: string): DimensionRequest {
+  const form = from.r === to.r ? "z" : from.z === to.z ? "r" : "along";
+  return { key, text, needed: true, measured: { form, from, to } };
+}
