@@ -10,7 +10,7 @@ import type { SectionView } from "../../base/settings/settings.ts";
 import { NewestContour, NewestPath } from "./NewestLines.tsx";
 import { LatheAxes } from "./Axes.tsx";
 import { useViewBox } from "./use-view-box.ts";
-import { MaterialSheet } from "./MaterialSheet.tsx";
+import { TurnedSheet } from "./TurnedSheet.tsx";
 import type { PlayedScene, InitialScene } from "../../calculation/moving.ts";
 import { RunningMove } from "./RunningMove.tsx";
 import { RunningTool, WaitingTool } from "./ToolSheet.tsx";
@@ -170,7 +170,7 @@ export function Picture({
       <svg className="sheet" viewBox={viewBox}>
         <LatheAxes viewport={viewport} part="grid" />
       </svg>
-      <MaterialSheet
+      <TurnedSheet
         viewport={viewport}
         moving={moving}
         blank={waiting?.blank ?? NOTHING}
