@@ -8,7 +8,7 @@ import type { PathStretch } from "../../../view/passes.ts";
 import type { Scene, Shape } from "../../../view/scene.ts";
 import type { SectionView } from "../../base/settings/settings.ts";
 import { NewestContour, NewestPath } from "./NewestLines.tsx";
-import { LatheAxes } from "./Axes.tsx";
+import { Axes } from "./Axes.tsx";
 import { useViewBox } from "./use-view-box.ts";
 import { TurnedSheet } from "./TurnedSheet.tsx";
 import type { PlayedScene, InitialScene } from "../../calculation/moving.ts";
@@ -168,7 +168,7 @@ export function Picture({
   return (
     <div className="lathe-picture" role="img" aria-label={name}>
       <svg className="sheet" viewBox={viewBox}>
-        <LatheAxes viewport={viewport} part="grid" />
+        <Axes viewport={viewport} part="grid" />
       </svg>
       <TurnedSheet
         viewport={viewport}
@@ -231,7 +231,7 @@ export function Picture({
           {hovered} {moving && <RunningMove moving={moving} />}
         </World>
         {children}
-        <LatheAxes viewport={viewport} part="scales" />
+        <Axes viewport={viewport} part="scales" />
       </svg>
     </div>
   );

@@ -3,6 +3,7 @@ import type { Run } from "../../../program/state/run-types.ts";
 import type { RapidThrough } from "../../../sim/plane/milled.ts";
 import type { PlaneRole } from "../../../view/approach/plane-scene.ts";
 import { ringData } from "../../../view/path.ts";
+import { Axes } from "../lathe/Axes.tsx";
 import { useNewerRun } from "../lathe/NewestLines.tsx";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { useViewBox } from "../lathe/use-view-box.ts";
@@ -12,7 +13,6 @@ import type { NoStock } from "../../calculation/cut-milled.ts";
 import type { GrowingStock } from "./milled.ts";
 import { MilledSheet } from "./MilledSheet.tsx";
 import { MillSheet, RunningMotion } from "./MillSheet.tsx";
-import { PlaneAxes } from "./PlaneAxes.tsx";
 import { planeOfRun } from "../../calculation/plane-run.ts";
 
 /** Lines over milled stock have a light edge, to be visible on its darkest tone. */
@@ -66,7 +66,7 @@ export function PlanePicture({
   return (
     <div className="lathe-picture plane-picture" role="img" aria-label={name}>
       <svg className="sheet" viewBox={viewBox}>
-        <PlaneAxes viewport={viewport} part="grid" />
+        <Axes viewport={viewport} plane="XY" part="grid" />
       </svg>
       {typeof milled !== "string" && (
         <MilledSheet viewport={viewport} steps={steps} playback={playback} milled={milled} />
@@ -87,7 +87,7 @@ export function PlanePicture({
           <RunningMotion steps={steps} playback={playback} />
         </World>
         {children}
-        <PlaneAxes viewport={viewport} part="scales" />
+        <Axes viewport={viewport} plane="XY" part="scales" />
       </svg>
     </div>
   );
