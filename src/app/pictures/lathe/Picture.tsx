@@ -12,6 +12,7 @@ import { Axes } from "./Axes.tsx";
 import { useViewBox } from "./use-view-box.ts";
 import { TurnedSheet } from "./TurnedSheet.tsx";
 import type { PlayedScene, InitialScene } from "../../calculation/moving.ts";
+import { turnedMoveData } from "./Chosen.tsx";
 import { RunningMove } from "./RunningMove.tsx";
 import { RunningTool, WaitingTool } from "./ToolSheet.tsx";
 import type { Viewport } from "./viewport.ts";
@@ -228,7 +229,7 @@ export function Picture({
       )}
       <svg className="sheet" viewBox={viewBox}>
         <World viewport={viewport}>
-          {hovered} {moving && <RunningMove moving={moving} />}
+          {hovered} {moving && <RunningMove moves={moving.steps} playback={moving.playback} dataOf={turnedMoveData} />}
         </World>
         {children}
         <Axes viewport={viewport} part="scales" />
