@@ -129,6 +129,8 @@ export function followSheet<Side extends MachineSide>(
     if (shows === "given") {
       fitCanvas(over, laid.origin, laid.ratio);
       pen.setTransform(1, 0, 0, 1, 0, 0);
+      // A canvas of the same size still has the picture before that.
+      pen.clearRect(0, 0, over.width, over.height);
       pen.drawImage(given, 0, 0);
     }
     show("own");
