@@ -1,7 +1,6 @@
 import { useEffect, useId, useState } from "react";
 import type { Bounds } from "../../view/camera.ts";
 import { trackOf } from "../../view/playback.ts";
-import type { Clock } from "../base/clock.ts";
 import { reducedMotion } from "../base/settings/appearance.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
@@ -13,7 +12,6 @@ import { KEEPS_KEYBOARD } from "../place/place.ts";
 import type { Run } from "../../program/state/run-types.ts";
 import { GlyphButton } from "./lathe/GlyphButton.tsx";
 import { pressKey } from "./lathe/keys.ts";
-import { LiveSentence } from "./lathe/LiveSentence.tsx";
 import { Outdated } from "./lathe/Outdated.tsx";
 import { PlaceButtons } from "./lathe/PlaceButtons.tsx";
 import { sectionProjection } from "./lathe/place-projection.ts";
@@ -61,9 +59,14 @@ export interface ViewLayers {
   readonly legend: React.ReactNode;
   /** What follows the moment, between stage and playback. */
   readonly moment: React.ReactNode;
-  /** One sentence about the moment, for screen readers. */
-  readonly sentence: () => string;
+  /** The moment for screen readers. */
+  readonly spoken: React.ReactNode;
   readonly more: React.ReactNode;
+}
+
+/** What the pointer does in the plane: it chooses moves, or measures. */
+export interface ViewPicking extends Omit<Picking, "hover"> {
+  readonly measuring: MeasuringShown;
 }
 
 /** The marks of a view, and the chosen one. */
@@ -79,18 +82,14 @@ const NO_TOOLS: BarTools = {};
 export function View({
   scene,
   playback,
-  clock,
   layers,
   picking,
-  measuring,
   places,
 }: {
   readonly scene: ViewScene;
   readonly playback: PlaybackStore;
-  readonly clock: Clock;
   readonly layers: ViewLayers;
-  readonly picking: Omit<Picking, "hover">;
-  readonly measuring: MeasuringShown;
+  readonly picking: ViewPicking;
   readonly places: ViewPlaces;
 }) {
   const t = useTexts().lathe,
@@ -99,7 +98,8 @@ export function View({
     work = useEditor((s) => s.work);
   const [tools, showTools] = useState(false);
   const { title, viewport, bounds, xUp, timed, dimmed, ended = false, space = null, className = "" } = scene,
-    { steps } = timed;
+    { steps } = timed,
+    { measuring } = picking;
   const alone = space && !space.isBeside ? space.drawn : null,
     looking = alone ? { ...viewport, ...alone } : viewport;
   const stage = useStage(viewport, measuring.on ? measuring : picking.pointer, space?.isBeside ? 0.5 : 1);
@@ -192,7 +192,7 @@ export function View({
         </PlaybackBar>
         <DeferredUntilPaint>
           <Timeline run={timed} playback={playback} />
-          <LiveSentence playback={playback} clock={clock} sentence={layers.sentence} />
+          {layers.spoken}
         </DeferredUntilPaint>
         {layers.more && (
           <div className="lathe-more">

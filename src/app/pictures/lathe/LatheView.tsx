@@ -27,6 +27,7 @@ import type { PointerActions } from "./gestures.ts";
 import { knownText } from "./known-text.ts";
 import { ClampingNote } from "./ClampingNote.tsx";
 import { TurnedLegend } from "./TurnedLegend.tsx";
+import { LiveSentence } from "./LiveSentence.tsx";
 import { Marks } from "./Marks.tsx";
 import { MoveTable } from "./MoveTable.tsx";
 import { Picture } from "./Picture.tsx";
@@ -202,9 +203,7 @@ export function LatheView({
           space: solid.drawn && { drawn: solid.drawn, isBeside },
         }}
         playback={playback}
-        clock={clock}
-        picking={{ ...picking, pointer }}
-        measuring={measuring}
+        picking={{ ...picking, pointer, measuring }}
         places={{ shown: seen, ...focus }}
         layers={{
           bar: {
@@ -291,7 +290,7 @@ export function LatheView({
               <StepList run={run} playback={playback} />
             </>
           ),
-          sentence,
+          spoken: <LiveSentence playback={playback} clock={clock} sentence={sentence} />,
           more: shown && (
             <>
               <MoveTable run={run} playback={playback} />

@@ -11,6 +11,7 @@ import { View } from "../View.tsx";
 import type { LatheResult } from "../lathe/use-material.ts";
 import { Hovered } from "../lathe/Chosen.tsx";
 import { Legend, LegendSign } from "../lathe/Legend.tsx";
+import { LiveSentence } from "../lathe/LiveSentence.tsx";
 import { PlaceLines } from "../lathe/PlaceButtons.tsx";
 import { sectionProjection } from "../lathe/place-projection.ts";
 import { usePlaces, type PicturePlace } from "../lathe/places.ts";
@@ -145,9 +146,7 @@ export function PlaneView({
         dimmed,
       }}
       playback={playback}
-      clock={clock}
-      picking={picking}
-      measuring={measuring}
+      picking={{ ...picking, measuring }}
       places={{ shown: places, ...focus }}
       layers={{
         picture: (
@@ -183,7 +182,7 @@ export function PlaneView({
             <PlaneReadout steps={steps} approaches={approaches} playback={playback} />
           </>
         ),
-        sentence,
+        spoken: <LiveSentence playback={playback} clock={clock} sentence={sentence} />,
         more: (
           <>
             {stock && <MilledNotes run={run} rapids={rapids} />}
