@@ -1,4 +1,5 @@
 import type { Ring } from "../../kernel/geometry/point.ts";
+import type { MachineSide } from "../../program/run/plane-index.ts";
 import type { LoadInput } from "../../sim/load/along.ts";
 import type { Outcome } from "./outcome.ts";
 
@@ -24,8 +25,7 @@ export interface KnownOutcome {
   readonly moves: number;
 }
 
-/** The same by its milled motions. */
-export interface KnownMilling {
-  readonly version: number;
-  readonly motions: number;
+/** The same by the motions of one of its pictures. */
+export interface KnownSide<Side extends MachineSide = MachineSide> extends KnownOutcome {
+  readonly side: Side;
 }

@@ -1,14 +1,12 @@
 import type { MilledStock } from "../../sim/plane/milled.ts";
-import type { PlayPosition } from "../../sim/simulation.ts";
 import { milledPainter, type MilledLook } from "../../view/approach/milled-painter.ts";
-import { trackOf, type PlayedTrack } from "../../view/playback.ts";
+import { trackOf } from "../../view/playback.ts";
 import { cutFor, uncutStock } from "./cut-milled.ts";
 import type { Outcome } from "./outcome.ts";
-import { painted, playPainted, type PlayedCourse, type PlaybackCanvas } from "./played.ts";
+import type { Playable } from "./played.ts";
 
-interface Milled {
+interface Milled extends Playable<MilledLook> {
   readonly stock: MilledStock;
-  readonly track: PlayedTrack;
 }
 const known = new WeakMap<Outcome, Milled | null>();
 
@@ -23,52 +21,26 @@ async function cutAll(outcome: Outcome, { stock }: Milled): Promise<void> {
 let asked: Outcome | null = null;
 
 function milledOf(outcome: Outcome): Milled | null {
+  const { plane } = outcome.run,
+    stock = uncutStock(outcome.run, outcome.simulation);
+  if (typeof stock === "string") return null;
+  return {
+    stock,
+    painter: () => milledPainter(plane, stock),
+    track: trackOf(plane),
+    async reaches(step) {
+      while (asked === outcome && stock.reached() < Math.min(step, plane.length)) await turn();
+      return asked === outcome;
+    },
+  };
+}
+
+/** The milled stock of a result, cut once it is asked for; null if it has none. */
+export function playedMilling(outcome: Outcome): Playable<MilledLook> | null {
   const isNew = asked !== outcome;
   asked = outcome;
-  if (!known.has(outcome)) {
-    const stock = uncutStock(outcome.run, outcome.simulation);
-    known.set(outcome, typeof stock === "string" ? null : { stock, track: trackOf(outcome.run.plane) });
-  }
+  if (!known.has(outcome)) known.set(outcome, milledOf(outcome));
   const milled = known.get(outcome) ?? null;
   if (isNew && milled) void cutAll(outcome, milled);
   return milled;
-}
-
-/** Waits until all motions before a step are cut; false if another result is requested first. */
-async function reaches(outcome: Outcome, { stock }: Milled, step: number): Promise<boolean> {
-  while (asked === outcome && stock.reached() < Math.min(step, outcome.run.plane.length)) await turn();
-  return asked === outcome;
-}
-
-/** Paints the milled stock of a result at a position; null if another result was requested meanwhile. */
-export async function milledPicture(
-  outcome: Outcome,
-  look: MilledLook,
-  position: PlayPosition,
-): Promise<ImageBitmap | null> {
-  const milled = milledOf(outcome);
-  if (!milled || !(await reaches(outcome, milled, position.step))) return null;
-  const painter = milledPainter(outcome.run.plane, milled.stock);
-  painter.goTo(position);
-  return painted(look.origin, look.ratio, (pen) => painter.paintAll(pen, look));
-}
-
-/** Paints the milled stock during playback. Resolves after the first frame; false if it cannot be painted. */
-export async function playMilling(
-  outcome: Outcome,
-  on: PlaybackCanvas,
-  look: MilledLook,
-  course: PlayedCourse,
-): Promise<boolean> {
-  const milled = milledOf(outcome);
-  return (
-    milled !== null &&
-    (await playPainted(
-      { painter: milledPainter(outcome.run.plane, milled.stock), track: milled.track },
-      on,
-      look,
-      course,
-      (step) => reaches(outcome, milled, step),
-    ))
-  );
 }

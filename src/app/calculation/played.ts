@@ -1,18 +1,11 @@
 import type { PlayPosition } from "../../sim/simulation.ts";
-import { playerOf, sameBlank } from "../../sim/stock.ts";
-import type { Patch } from "../../view/material/pen.ts";
-import {
-  paintSurroundings,
-  stockPainter,
-  type PaintedRun,
-  type StockLook,
-  type StockPainter,
-} from "../../view/material/stock-painter.ts";
-import { positionAt, trackOf, type PlayedTrack } from "../../view/playback.ts";
+import type { MilledLook } from "../../view/approach/milled-painter.ts";
+import type { PaintedLook, Painter } from "../../view/material/painter.ts";
+import type { StockLook } from "../../view/material/stock-painter.ts";
+import { positionAt, type PlayedTrack } from "../../view/playback.ts";
 import { dayMoment, stopwatch } from "../base/clock.ts";
 import { onlyNewest } from "../base/once.ts";
-import { surfacesOfRun } from "./moving.ts";
-import type { Outcome } from "./outcome.ts";
+import { groundPicture, painted, sized } from "./bitmap.ts";
 
 /**
  * The course of a playback: `seconds` of machine time at the time `since` (ms since 1970), and `rate` machine seconds
@@ -30,58 +23,40 @@ export interface PlaybackCanvas {
   readonly canvas: OffscreenCanvas | null;
 }
 
-interface Playable {
-  readonly run: PaintedRun;
+/** A result whose stock can be painted on a playback. */
+export interface Playable<Look extends PaintedLook> {
+  /** A painter at the start. */
+  readonly painter: () => Painter<Look>;
   readonly track: PlayedTrack;
+  /** Waits until a step can be painted; false if another result is requested first. */
+  readonly reaches: (step: number) => Promise<boolean>;
 }
-const playables = new WeakMap<Outcome, Playable>();
 
-function playableOf(outcome: Outcome): Playable {
-  const known = playables.get(outcome);
-  if (known) return known;
-  const {
-    run: { steps },
-    simulation,
-  } = outcome;
-  const run: PaintedRun = {
-    steps,
-    stockAt: playerOf(simulation).at,
-    isSameBlank: sameBlank(simulation),
-    surfaces: surfacesOfRun(outcome.run),
-  };
-  const made = { run, track: trackOf(steps) };
-  playables.set(outcome, made);
-  return made;
+/** The views of a stock, by the picture that shows it. */
+export interface Looks {
+  readonly lathe: StockLook;
+  readonly plane: MilledLook;
 }
 
 /** Pictures of the stock and of what is around it, for another look. */
 export interface StockPictures {
   readonly work: ImageBitmap;
-  readonly shop: ImageBitmap;
+  /** Null for a look without surroundings. */
+  readonly shop: ImageBitmap | null;
 }
 
-const sized = ({ width, height }: Patch, ratio: number) =>
-  [Math.round(width * ratio), Math.round(height * ratio)] as const;
-
-/** Paints a part of a picture on its own canvas. */
-export function painted(
-  part: Patch,
-  ratio: number,
-  paint: (pen: OffscreenCanvasRenderingContext2D) => void,
-): ImageBitmap {
-  const canvas = new OffscreenCanvas(...sized(part, ratio)),
-    pen = canvas.getContext("2d");
-  if (pen) paint(pen);
-  return canvas.transferToImageBitmap();
-}
-
-/** Paints a result at a position. */
-export function stockPictures(outcome: Outcome, look: StockLook, position: PlayPosition): StockPictures {
-  const painter = stockPainter(playableOf(outcome).run);
+/** Paints a result at a position; null if another one is requested meanwhile. */
+export async function stockPictures<Look extends PaintedLook>(
+  { painter: begun, reaches }: Playable<Look>,
+  look: Look,
+  position: PlayPosition,
+): Promise<StockPictures | null> {
+  if (!(await reaches(position.step))) return null;
+  const painter = begun();
   painter.goTo(position);
   return {
-    work: painted(look.origin, look.ratio, (pen) => painter.paintAll(pen, look)),
-    shop: painted(look.ground, look.ratio, (pen) => paintSurroundings(pen, look)),
+    work: painted(look.origin, look.ratio, (pen) => painter.all(pen, look)),
+    shop: groundPicture(painter, look),
   };
 }
 
@@ -98,25 +73,15 @@ export const stopPlaying = (): void => void begin();
 
 const picture = (): Promise<number> => new Promise((done) => requestAnimationFrame(done));
 
-/** What is painted during playback. */
-interface Played<Look> {
-  readonly painter: Pick<StockPainter, "goTo"> & {
-    readonly paintAll: (pen: OffscreenCanvasRenderingContext2D, look: Look) => void;
-    readonly paintChanges: (pen: OffscreenCanvasRenderingContext2D, look: Look, position: PlayPosition) => boolean;
-  };
-  readonly track: PlayedTrack;
-}
-
 /**
- * Paints frame after frame until another playback begins or painting is stopped. Resolves after the first frame; false
- * if the canvas is unknown. `until` waits until a step can be painted.
+ * Paints a result frame after frame until another playback begins or painting is stopped. Resolves after the first
+ * frame; false if it cannot be painted.
  */
-export async function playPainted<Look extends Pick<StockLook, "origin" | "ratio">>(
-  { painter, track }: Played<Look>,
+export async function play<Look extends PaintedLook>(
+  { painter: begun, track, reaches }: Playable<Look>,
   on: PlaybackCanvas,
   look: Look,
   course: PlayedCourse,
-  until: (step: number) => Promise<boolean> = () => Promise.resolve(true),
 ): Promise<boolean> {
   const isNewest = begin();
   if (on.canvas) {
@@ -130,22 +95,17 @@ export async function playPainted<Look extends Pick<StockLook, "origin" | "ratio
   if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
   const at = (now: number) =>
     positionAt(track, course.seconds + (course.rate * (dayMoment(now) - course.since)) / 1000);
-  if (!(await until(at(stopwatch()).step)) || !isNewest()) return false;
+  if (!(await reaches(at(stopwatch()).step)) || !isNewest()) return false;
+  const painter = begun();
   painter.goTo(at(stopwatch()));
-  painter.paintAll(pen, look);
+  painter.all(pen, look);
   await picture();
   void (async () => {
     while (isNewest()) {
       if (width * height > MOST_EACH) await picture();
-      painter.paintChanges(pen, look, at(await picture()));
+      painter.follow(pen, look, at(await picture()));
     }
   })();
   await picture();
   return isNewest();
-}
-
-/** The same for the turned stock of a result. */
-export function play(outcome: Outcome, on: PlaybackCanvas, look: StockLook, course: PlayedCourse): Promise<boolean> {
-  const { run, track } = playableOf(outcome);
-  return playPainted({ painter: stockPainter(run), track }, on, look, course);
 }

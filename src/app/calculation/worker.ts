@@ -1,16 +1,15 @@
 import { expose, transfer } from "comlink";
 import { z } from "zod/mini";
+import type { MachineSide } from "../../program/run/plane-index.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
-import type { MilledLook } from "../../view/approach/milled-painter.ts";
-import type { StockLook } from "../../view/material/stock-painter.ts";
 import type { advice } from "./advice.ts";
 import type { BodiesGiven, BodiesWanted } from "./bodies.ts";
 import { engine } from "./engine.ts";
-import { loadRequestOf, type KnownMilling, type KnownOutcome, type LoadRequest } from "./load-request.ts";
+import { loadRequestOf, type KnownOutcome, type KnownSide, type LoadRequest } from "./load-request.ts";
 import { openWork } from "./open-work.ts";
 import type * as DrawingsPart from "./opened-drawing.ts";
 import type { Outcome } from "./outcome.ts";
-import type { PlayedCourse, PlaybackCanvas, StockPictures } from "./played.ts";
+import type { Looks, Playable, PlayedCourse, PlaybackCanvas, StockPictures } from "./played.ts";
 import type { planOfPart, tryValues } from "./part-plan.ts";
 import type { comparedWithPlan } from "./plan-comparison.ts";
 import type { reported } from "./reported.ts";
@@ -39,12 +38,20 @@ const fetchDrawings = (): Promise<Drawings> => import("./opened-drawing.ts");
 
 const fetchPlan = () => import("./part-plan.ts");
 const fetchPlayed = () => import("./played.ts");
-const fetchMilling = () => import("./played-milling.ts");
 
-const knownMilling = ({ version, motions }: KnownMilling): Outcome | null => {
-  const newest = work.newest();
-  return newest?.version === version && newest.run.plane.length === motions ? newest : null;
+const playables: {
+  readonly [Side in MachineSide]: () => Promise<(outcome: Outcome) => Playable<Looks[Side]> | null>;
+} = {
+  lathe: async () => (await import("./played-turning.ts")).playedTurning,
+  plane: async () => (await import("./played-milling.ts")).playedMilling,
 };
+
+/** The newest result, if it is the known one, as one of its pictures plays it. */
+async function playableOf<Side extends MachineSide>({ side, version, moves }: KnownSide<Side>) {
+  const newest = work.newest();
+  if (newest?.version !== version || newest.run[side === "plane" ? "plane" : "steps"].length !== moves) return null;
+  return (await playables[side]())(newest);
+}
 
 /** The functions that the page can call: what every work needs is loaded at once, advice on first use. */
 const served = {
@@ -62,16 +69,30 @@ const served = {
     return request && (await import("./load.ts")).roughness(request);
   },
   /** Paints the stock of the newest result during playback; false if it cannot. */
-  async play(of: KnownOutcome, on: PlaybackCanvas, look: StockLook, course: PlayedCourse): Promise<boolean> {
-    const outcome = knownTurning(of);
-    return outcome !== null && (await (await fetchPlayed()).play(outcome, on, look, course));
+  async play<Side extends MachineSide>(
+    of: KnownSide<Side>,
+    on: PlaybackCanvas,
+    look: Looks[Side],
+    course: PlayedCourse,
+  ): Promise<boolean> {
+    const played = await playableOf(of);
+    return played !== null && (await (await fetchPlayed()).play(played, on, look, course));
   },
   /** Paints the newest result at a position; null if another one is requested. */
-  async stockPictures(of: KnownOutcome, look: StockLook, position: PlayPosition): Promise<StockPictures | null> {
-    const outcome = knownTurning(of);
-    if (!outcome) return null;
-    const made = (await fetchPlayed()).stockPictures(outcome, look, position);
-    return transfer(made, [made.work, made.shop]);
+  async stockPictures<Side extends MachineSide>(
+    of: KnownSide<Side>,
+    look: Looks[Side],
+    position: PlayPosition,
+  ): Promise<StockPictures | null> {
+    const played = await playableOf(of),
+      made = played && (await (await fetchPlayed()).stockPictures(played, look, position));
+    return (
+      made &&
+      transfer(
+        made,
+        [made.work, made.shop].filter((each) => each !== null),
+      )
+    );
   },
   /** The turned bodies of the newest result at a position; null if another one is requested. */
   async bodies(of: KnownOutcome, wanted: BodiesWanted): Promise<BodiesGiven | null> {
@@ -80,17 +101,6 @@ const served = {
     if (!outcome) return null;
     const made = turnedBodies(outcome, wanted);
     return made === "same" ? made : transfer(made, buffersOf(made));
-  },
-  /** Paints the milled stock of the newest result during playback; false if it cannot. */
-  async playMilling(of: KnownMilling, on: PlaybackCanvas, look: MilledLook, course: PlayedCourse): Promise<boolean> {
-    const outcome = knownMilling(of);
-    return outcome !== null && (await (await fetchMilling()).playMilling(outcome, on, look, course));
-  },
-  /** Paints the milled stock of the newest result at a position; null if another one is requested. */
-  async milledPicture(of: KnownMilling, look: MilledLook, position: PlayPosition): Promise<ImageBitmap | null> {
-    const outcome = knownMilling(of),
-      made = outcome && (await (await fetchMilling()).milledPicture(outcome, look, position));
-    return made && transfer(made, [made]);
   },
   stopPlaying: async () => (await fetchPlayed()).stopPlaying(),
   fitsOfWork: async (...asked: Parameters<Advice["fitsOfWork"]>) => (await fetchAdvice()).fitsOfWork(...asked),

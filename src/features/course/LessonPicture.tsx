@@ -14,7 +14,7 @@ import { PlaceButtons, PlaceLines } from "../../app/pictures/lathe/PlaceButtons.
 import { sectionProjection } from "../../app/pictures/lathe/place-projection.ts";
 import { Picture } from "../../app/pictures/lathe/Picture.tsx";
 import type { PlaybackStore } from "../../app/calculation/playback-store.ts";
-import { statusText } from "../../app/pictures/lathe/Readout.tsx";
+import { statusText } from "../../app/pictures/lathe/TurnedReadout.tsx";
 import { useMaterial } from "../../app/pictures/lathe/use-material.ts";
 import { stretchesOf } from "../../app/pictures/lathe/use-paths.ts";
 import { usePlayback } from "../../app/pictures/lathe/use-playback.ts";

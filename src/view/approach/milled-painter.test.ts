@@ -21,6 +21,7 @@ const LOOK: MilledLook = {
   tones: ["deep"],
   ratio: 2,
   origin: { x: 7, y: 20, width: 180, height: 80 },
+  ground: null,
 };
 
 /** A painter of a stock that is cut by the first so many motions, and the patches that it paints. */
@@ -43,8 +44,8 @@ function painting(cut: number) {
 
 test("a later moment repaints only where the mill moved since, within the painted area", () => {
   const { painter, pen, patches } = painting(3);
-  painter.paintAll(pen, LOOK);
-  expect(painter.paintChanges(pen, LOOK, { step: 1, fraction: 0.5 })).toBe(true);
+  painter.all(pen, LOOK);
+  expect(painter.follow(pen, LOOK, { step: 1, fraction: 0.5 })).toBe(true);
   // The mill from X10 to X40 with its radius, 3 pixels of edge, on half pixels.
   expect(patches).toEqual([LOOK.origin, { x: 16.5, y: 49.5, width: 81, height: 21 }]);
   expect(painter.at()).toEqual({ step: 1, fraction: 0.5 });
@@ -53,15 +54,15 @@ test("a later moment repaints only where the mill moved since, within the painte
 test("nothing is painted where no motion ran", () => {
   const { painter, pen, patches } = painting(3);
   painter.goTo({ step: 2, fraction: 0 });
-  expect(painter.paintChanges(pen, LOOK, { step: 2, fraction: 0 })).toBe(false);
+  expect(painter.follow(pen, LOOK, { step: 2, fraction: 0 })).toBe(false);
   expect(patches).toEqual([]);
 });
 
 test("stock shown before its cut was complete is repainted in full once it is cut further", () => {
   const { painter, stock, pen, patches } = painting(0);
   painter.goTo({ step: 3, fraction: 0 });
-  painter.paintAll(pen, LOOK);
+  painter.all(pen, LOOK);
   stock.advance(3);
-  expect(painter.paintChanges(pen, LOOK, { step: 3, fraction: 0 })).toBe(true);
+  expect(painter.follow(pen, LOOK, { step: 3, fraction: 0 })).toBe(true);
   expect(patches).toEqual([LOOK.origin, LOOK.origin]);
 });

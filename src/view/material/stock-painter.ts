@@ -1,9 +1,9 @@
 import type { Ring } from "../../kernel/geometry/point.ts";
 import type { Step } from "../../kernel/time/step.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
-import type { Camera } from "../camera.ts";
 import { paintMaterial, type Material } from "./paint.ts";
 import { asPage, type PaintTarget } from "./paint-target.ts";
+import type { PaintedLook, Painter } from "./painter.ts";
 import type { Patch, Pen } from "./pen.ts";
 import { UNTOUCHED, type Surfaces } from "./surfaces.ts";
 import { patchWithin, changedBox, turnedPatchOf } from "./changed-box.ts";
@@ -19,28 +19,10 @@ export interface PaintedRun {
   readonly surfaces: Surfaces;
 }
 
-/**
- * View settings of a stock: `origin` is the painted part of the picture, `ground` the part that shows the surroundings
- * without the work, `room` everything visible.
- */
-export interface StockLook extends Pick<Material, "section" | "chuck">, Pick<PaintTarget, "colours" | "ratio"> {
-  readonly camera: Camera;
-  readonly origin: Patch;
-  readonly ground: Patch;
+/** View settings of a stock: `room` is everything visible. */
+export interface StockLook
+  extends PaintedLook, Pick<Material, "section" | "chuck">, Pick<PaintTarget, "colours" | "ratio"> {
   readonly room: Patch;
-}
-
-/** Paints the stock of a run at successive moments; later moments repaint only the differences. */
-export interface StockPainter {
-  /** Goes to another moment without painting. */
-  readonly goTo: (position: PlayPosition) => void;
-  /** The current moment, and the stock at it. */
-  readonly at: () => PlayPosition;
-  readonly rings: () => readonly Ring[];
-  /** Paints everything at the current moment. */
-  readonly paintAll: (pen: Pen, look: StockLook) => void;
-  /** Goes to another moment and repaints the differences; false if there are none. */
-  readonly paintChanges: (pen: Pen, look: StockLook, position: PlayPosition) => boolean;
 }
 
 /** A run of a blank without any move. */
@@ -51,14 +33,12 @@ export const untouchedRun = (blank: readonly Ring[]): PaintedRun => ({
   surfaces: UNTOUCHED,
 });
 
-/**
- * Paints the surroundings without the work onto a pen for the ground, and leaves out the area where the work is
- * painted.
- */
-export function paintSurroundings(pen: Pen, look: StockLook): void {
+/** Paints only the surroundings, and leaves out the area where the work is painted. */
+function paintSurroundings(pen: Pen, look: StockLook): void {
+  if (!look.ground) return;
   const onGround = { ...look, origin: look.ground },
     { x, y, width, height } = look.origin;
-  stockPainter(untouchedRun([])).paintAll(pen, onGround);
+  stockPainter(untouchedRun([])).all(pen, onGround);
   asPage({ pen, ...onGround });
   pen.clearRect(x, y, width, height);
 }
@@ -74,7 +54,7 @@ const onlyRapids = (steps: readonly Step[], one: PlayPosition, other: PlayPositi
     .every((step) => step.move.kind === "rapid");
 
 /** A painter at the start of a run. */
-export function stockPainter({ steps, stockAt, isSameBlank, surfaces }: PaintedRun): StockPainter {
+export function stockPainter({ steps, stockAt, isSameBlank, surfaces }: PaintedRun): Painter<StockLook> {
   let now: PlayPosition = { step: 0, fraction: 0 };
   let rings = stockAt(now);
   const goTo = (position: PlayPosition) => {
@@ -86,9 +66,10 @@ export function stockPainter({ steps, stockAt, isSameBlank, surfaces }: PaintedR
   return {
     goTo,
     at: () => now,
-    rings: () => rings,
-    paintAll: (pen, look) => paint(pen, look, look.origin),
-    paintChanges(pen, look, position) {
+    parts: () => [rings, surfaces],
+    around: paintSurroundings,
+    all: (pen, look) => paint(pen, look, look.origin),
+    follow(pen, look, position) {
       const [before, were] = [now, rings];
       goTo(position);
       if (rings === were && onlyRapids(steps, before, now)) return false;

@@ -1,4 +1,5 @@
 import { useMemo, useSyncExternalStore } from "react";
+import type { Step } from "../../../kernel/time/step.ts";
 import type { Run } from "../../../program/state/run-types.ts";
 import { segmentData, stretchData } from "../../../view/path.ts";
 import { toolpath } from "../../../view/scene.ts";
@@ -50,9 +51,20 @@ export function createHover(): Hover {
   };
 }
 
-/** The move that a click would choose. */
-export function HoveredMove({ run, hover }: { readonly run: Run; readonly hover: Hover }) {
+/** The move that a click would choose. `dataOf`: path data of a move. */
+export function Hovered<Move>({
+  moves,
+  hover,
+  dataOf,
+}: {
+  readonly moves: readonly Move[];
+  readonly hover: Hover;
+  readonly dataOf: (move: Move) => string;
+}) {
   const over = useSyncExternalStore(hover.subscribe, hover.get);
-  const step = over === null ? undefined : run.steps[over];
-  return step && <path className="shape-hovered" d={stretchData([step])} />;
+  const move = over === null ? undefined : moves[over];
+  return move && <path className="shape-hovered" d={dataOf(move)} />;
 }
+
+/** Path data of a turned move. */
+export const turnedMoveData = (step: Step): string => stretchData([step]);

@@ -1,57 +1,48 @@
-import { memo } from "react";
-import { PATH_ROLES, type Shape } from "../../../view/scene.ts";
+import type { ReactNode } from "react";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { pageLength } from "../../base/unit.ts";
 
-/** Meaning of lines, holder and clamping, for those that are shown, and of the letters at a chip. */
-export const Legend = memo(function Legend({
-  shapes,
-  holder,
-  clamping,
+/** One line of the legend: a drawn sign and its meaning. */
+export function LegendSign({
+  text,
+  height = 8,
+  children,
 }: {
-  readonly shapes: readonly Shape[];
-  /** A moving tool has a holder. */
-  readonly holder: boolean;
-  /** Clamping as stated, or as a plane if unstated; null: no clamping. */
-  readonly clamping: "stated" | "unstated" | null;
+  readonly text: string;
+  readonly height?: number;
+  readonly children: ReactNode;
 }) {
-  const t = useTexts().lathe,
-    there = PATH_ROLES.filter((role) => shapes.some((shape) => shape.role === role));
-  const areas = [
-    ...(holder ? [["shape-holder", t.holder]] : []),
-    ...(clamping ? [[`held-${clamping}`, t.held[clamping]]] : []),
-  ];
+  return (
+    <li>
+      <svg width={pageLength(26)} height={pageLength(height)} viewBox={`0 0 26 ${height}`} aria-hidden="true">
+        {children}
+      </svg>
+      {text}
+    </li>
+  );
+}
+
+/** Meaning of lines, by the class that draws them, and of further signs. `notes`: below them. */
+export function Legend({
+  lines,
+  children,
+  notes,
+}: {
+  readonly lines: readonly (readonly [className: string, text: string])[];
+  readonly children?: ReactNode;
+  readonly notes?: ReactNode;
+}) {
   return (
     <div className="lathe-told">
-      <ul className="lathe-legend small" aria-label={t.legend}>
-        {there.map((role) => (
-          <li key={role}>
-            <svg width={pageLength(26)} height={pageLength(8)} viewBox="0 0 26 8" aria-hidden="true">
-              <path className={`shape-${role}`} d="M1 4H25" />
-            </svg>
-            {t.lines[role]}
-          </li>
+      <ul className="lathe-legend small" aria-label={useTexts().lathe.legend}>
+        {lines.map(([className, text]) => (
+          <LegendSign key={className} text={text}>
+            <path className={className} d="M1 4H25" />
+          </LegendSign>
         ))}
-        {areas.map(([name, said]) => (
-          <li key={name}>
-            <svg width={pageLength(26)} height={pageLength(10)} viewBox="0 0 26 10" aria-hidden="true">
-              <path
-                className={name}
-                d={name === "held-unstated" ? "M16 0V10M16 3L12 7M16 7L13 10M16 -1L12 3" : "M6 1H20V9H6Z"}
-              />
-            </svg>
-            {said}
-          </li>
-        ))}
+        {children}
       </ul>
-      <dl className="lathe-letters small soft">
-        {Object.entries(t.chip).map(([letter, means]) => (
-          <div key={letter}>
-            <dt className="number">{letter}</dt>
-            <dd>{means}</dd>
-          </div>
-        ))}
-      </dl>
+      {notes}
     </div>
   );
-});
+}

@@ -8,10 +8,11 @@ import type { PathStretch } from "../../../view/passes.ts";
 import type { Scene, Shape } from "../../../view/scene.ts";
 import type { SectionView } from "../../base/settings/settings.ts";
 import { NewestContour, NewestPath } from "./NewestLines.tsx";
-import { LatheAxes } from "./Axes.tsx";
+import { Axes } from "./Axes.tsx";
 import { useViewBox } from "./use-view-box.ts";
-import { MaterialSheet } from "./MaterialSheet.tsx";
+import { TurnedSheet } from "./TurnedSheet.tsx";
 import type { PlayedScene, InitialScene } from "../../calculation/moving.ts";
+import { turnedMoveData } from "./Chosen.tsx";
 import { RunningMove } from "./RunningMove.tsx";
 import { RunningTool, WaitingTool } from "./ToolSheet.tsx";
 import type { Viewport } from "./viewport.ts";
@@ -168,9 +169,9 @@ export function Picture({
   return (
     <div className="lathe-picture" role="img" aria-label={name}>
       <svg className="sheet" viewBox={viewBox}>
-        <LatheAxes viewport={viewport} part="grid" />
+        <Axes viewport={viewport} part="grid" />
       </svg>
-      <MaterialSheet
+      <TurnedSheet
         viewport={viewport}
         moving={moving}
         blank={waiting?.blank ?? NOTHING}
@@ -228,10 +229,10 @@ export function Picture({
       )}
       <svg className="sheet" viewBox={viewBox}>
         <World viewport={viewport}>
-          {hovered} {moving && <RunningMove moving={moving} />}
+          {hovered} {moving && <RunningMove moves={moving.steps} playback={moving.playback} dataOf={turnedMoveData} />}
         </World>
         {children}
-        <LatheAxes viewport={viewport} part="scales" />
+        <Axes viewport={viewport} part="scales" />
       </svg>
     </div>
   );

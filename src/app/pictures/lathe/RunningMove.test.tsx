@@ -5,11 +5,11 @@ import { cycleByNumber } from "../../../cycles/index.ts";
 import { parse } from "../../../nc/parse.ts";
 import { run } from "../../../program/run/run.ts";
 import { shippedTools } from "../../../program/tools/shipped-tools.ts";
-import { surfacesOf } from "../../../view/material/surfaces.ts";
 import { stretchData } from "../../../view/path.ts";
 import { trackOf } from "../../../view/playback.ts";
 import { manualClock } from "../../base/clock.ts";
 import { printedText } from "../../document/printed.ts";
+import { turnedMoveData } from "./Chosen.tsx";
 import { RunningMove } from "./RunningMove.tsx";
 import { createPlaybackStore } from "../../calculation/playback-store.ts";
 
@@ -32,17 +32,7 @@ test("the running move belongs to the open work, also at the same playback posit
   playback.dispatch({ do: "seek", position: { step: AT, fraction: 0.5 } });
   const parts = (steps: typeof one) => (
     <svg>
-      <RunningMove
-        moving={{
-          steps,
-          playback,
-          stockAt: () => [],
-          blanks: [],
-          isSameBlank: () => true,
-          surfaces: surfacesOf([]),
-          chipAt: () => null,
-        }}
-      />
+      <RunningMove moves={steps} playback={playback} dataOf={turnedMoveData} />
     </svg>
   );
   const { container, rerender } = render(parts(one));

@@ -1,3 +1,4 @@
+import type { ReactNode } from "react";
 import { Toolbar } from "react-aria-components/Toolbar";
 import { useActions } from "../../base/actions.ts";
 import {
@@ -56,37 +57,68 @@ function Choice<Value extends string>({
   );
 }
 
-/** View settings: section, X up or down, ruler, zoom and fit. */
+/** The tools of one scene: before the ruler, and after it. */
+export interface BarTools {
+  readonly first?: ReactNode;
+  readonly then?: ReactNode;
+  /** Tooltip of the ruler, where it does not simply measure. */
+  readonly rulerHint?: string;
+}
+
+/** Tools of a view: those of its scene, ruler, legend, zoom and fit. */
 export function ViewBar({
   viewport,
   measuring,
-  onWhich,
+  tools: { first, then, rulerHint },
   legend,
 }: {
   readonly viewport: Viewport;
   readonly measuring: MeasuringShown;
-  /** Finds a cycle for the contour; null without a contour. */
-  readonly onWhich: (() => void) | null;
-  readonly legend: React.ReactNode;
+  readonly tools: BarTools;
+  /** Shows what lines and letters mean; small screens have a button for all tools instead. */
+  readonly legend: { readonly shown: boolean; readonly show: (on: boolean) => void };
 }) {
-  const {
-      lathe: t,
-      page: { start },
-    } = useTexts(),
-    section = useSettings((s) => s.section),
-    down = useSettings((s) => s.xDown);
-  const paths = useSettings((s) => s.paths),
-    colours = useSettings((s) => s.colours),
-    solid = useSettings((s) => s.solid);
-  const turnX = () => changeSettings({ xDown: !down });
+  const t = useTexts().lathe;
   useActions([
     { id: "do.fit", name: t.fit, run: viewport.fit },
-    { id: "do.turnX", name: t.xDown, run: turnX },
     { id: "do.ruler", name: t.ruler, run: measuring.toggle },
-    ...(onWhich ? [{ id: "do.which", name: t.which, run: onWhich } as const] : []),
   ]);
   return (
     <Toolbar className="lathe-viewbar" aria-label={t.viewTools}>
+      {first}
+      <GlyphButton
+        glyph="ruler"
+        name={t.ruler}
+        text={t.ruler}
+        isEarly
+        pressed={measuring.on}
+        onPress={measuring.toggle}
+        {...(rulerHint !== undefined && { hint: rulerHint })}
+      />
+      {then}
+      <span className="legend-switch">
+        <GlyphButton
+          glyph="view"
+          name={t.legend}
+          text={t.legend}
+          isEarly
+          pressed={legend.shown}
+          onPress={() => legend.show(!legend.shown)}
+        />
+      </span>
+      <ZoomKeys viewport={viewport} />
+    </Toolbar>
+  );
+}
+
+/** The choices of the lathe: section, visible path, colours, and X up or down. */
+export function LatheChoices() {
+  const t = useTexts().lathe,
+    { section, xDown, paths, colours, solid } = useSettings();
+  const turnX = () => changeSettings({ xDown: !xDown });
+  useActions([{ id: "do.turnX", name: t.xDown, run: turnX }]);
+  return (
+    <>
       <div className="lathe-choices">
         <Choice
           name={t.sections.title}
@@ -116,36 +148,26 @@ export function ViewBar({
           onChoose={(value) => changeSettings({ colours: value })}
         />
       </div>
-      <GlyphButton glyph={down ? "xDown" : "xUp"} name={t.xDown} text={t.xDown} pressed={down} onPress={turnX} />
-      <GlyphButton
-        glyph="ruler"
-        name={t.ruler}
-        text={t.ruler}
-        isEarly
-        pressed={measuring.on}
-        onPress={measuring.toggle}
-        {...(solid && { hint: t.rulerFlat })}
-      />
-      <GlyphButton
-        glyph="which"
-        name={t.which}
-        text={start.which}
-        disabled={onWhich === null}
-        onPress={() => onWhich?.()}
-      />
-      {legend}
-      <ZoomKeys viewport={viewport} />
-    </Toolbar>
+      <GlyphButton glyph={xDown ? "xDown" : "xUp"} name={t.xDown} text={t.xDown} pressed={xDown} onPress={turnX} />
+    </>
   );
 }
 
-/** Shows what lines and letters mean; small screens have a button for all tools instead. */
-export function LegendSwitch({ shown, show }: { readonly shown: boolean; readonly show: (on: boolean) => void }) {
-  const t = useTexts().lathe;
+/** Finds a cycle for the contour; `onWhich` is null without a contour. */
+export function WhichButton({ onWhich }: { readonly onWhich: (() => void) | null }) {
+  const {
+    lathe: t,
+    page: { start },
+  } = useTexts();
+  useActions(onWhich ? [{ id: "do.which", name: t.which, run: onWhich }] : []);
   return (
-    <span className="legend-switch">
-      <GlyphButton glyph="view" name={t.legend} text={t.legend} isEarly pressed={shown} onPress={() => show(!shown)} />
-    </span>
+    <GlyphButton
+      glyph="which"
+      name={t.which}
+      text={start.which}
+      disabled={onWhich === null}
+      onPress={() => onWhich?.()}
+    />
   );
 }
 

@@ -1,12 +1,12 @@
-import { transfer, type Remote } from "comlink";
+import { transfer } from "comlink";
 import type { Step } from "../../../kernel/time/step.ts";
-import type { StockLook } from "../../../view/material/stock-painter.ts";
+import type { MachineSide } from "../../../program/run/plane-index.ts";
+import type { PlaneStep } from "../../../program/tools/plane-types.ts";
 import { secondsAt, type PlayedTrack } from "../../../view/playback.ts";
 import { dayMoment } from "../../base/clock.ts";
-import type { KnownOutcome } from "../../calculation/load-request.ts";
+import type { KnownSide } from "../../calculation/load-request.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
-import type { PlayedCourse, PlaybackCanvas } from "../../calculation/played.ts";
-import type { Engine } from "../../calculation/worker.ts";
+import type { Looks } from "../../calculation/played.ts";
 import { askWorker } from "../../calculation/worker-life.ts";
 import { counter } from "../../base/once.ts";
 import { layOver } from "./fit-canvas.ts";
@@ -53,45 +53,41 @@ function drop(holder: HTMLElement): void {
 const canPaint = () =>
   typeof HTMLCanvasElement !== "undefined" && "transferControlToOffscreen" in HTMLCanvasElement.prototype;
 
-/** The version of the open work, if its steps are being played: the worker has that work. */
-export function knownOf(steps: readonly Step[]): KnownOutcome | null {
+/** The version of the open work, if it is the one with these motions: the worker has that work. */
+export function knownOf<Side extends MachineSide>(
+  motions: readonly Step[] | readonly PlaneStep[],
+  side: Side,
+): KnownSide<Side> | null {
   const { shown } = useOutcome.getState();
-  return shown?.run.steps === steps ? { version: shown.version, moves: steps.length } : null;
+  return shown?.run[side === "plane" ? "plane" : "steps"] === motions
+    ? { side, version: shown.version, moves: motions.length }
+    : null;
 }
 
-/** Asks the worker to paint the playback for a view. */
-export type PlayedByWorker<Look> = (
-  engine: Remote<Engine>,
-  on: PlaybackCanvas,
-  look: Look,
-  course: PlayedCourse,
-) => Promise<boolean>;
-
-async function ask<Look>(layer: Layer, play: PlayedByWorker<Look>, look: Look, course: PlayCourse): Promise<boolean> {
+async function ask<Side extends MachineSide>(
+  layer: Layer,
+  of: KnownSide<Side>,
+  look: Looks[Side],
+  course: PlayCourse,
+): Promise<boolean> {
   const canvas = layer.sent ? null : layer.canvas.transferControlToOffscreen();
   layer.sent = true;
   const on = canvas ? transfer({ name: layer.name, canvas }, [canvas]) : { name: layer.name, canvas };
   const { from: seconds, rate } = course,
     since = dayMoment(course.since);
   try {
-    return await askWorker((engine) => play(engine, on, look, { seconds, since, rate }));
+    return await askWorker((engine) => engine.play(of, on, look, { seconds, since, rate }));
   } catch {
     return false;
   }
 }
 
-/** How the worker plays the turning steps of the open work; null if it does not know them. */
-export function playedSteps(steps: readonly Step[]): PlayedByWorker<StockLook> | null {
-  const of = knownOf(steps);
-  return of && ((engine, ...asked) => engine.play(of, ...asked));
-}
-
 /** A layer in an element that follows a playback known to the worker. */
-export function playedLayer<Look extends Pick<StockLook, "origin">>(
+export function playedLayer<Side extends MachineSide>(
   holder: HTMLElement,
   playback: PlaybackStore,
-  known: () => PlayedByWorker<Look> | null,
-): PlayedLayer<Look> {
+  known: () => KnownSide<Side> | null,
+): PlayedLayer<Looks[Side]> {
   let course: PlayCourse | null = null,
     state: "asked" | "shown" | "refused" = "asked",
     begun = 0;
@@ -103,14 +99,14 @@ export function playedLayer<Look extends Pick<StockLook, "origin">>(
     if (layer) layer.canvas.style.visibility = "hidden";
     if (layer && state !== "refused") void askWorker((engine) => engine.stopPlaying()).catch(() => undefined);
   };
-  const begin = async (play: PlayedByWorker<Look>, look: Look, next: PlayCourse) => {
+  const begin = async (of: KnownSide<Side>, look: Looks[Side], next: PlayCourse) => {
     if (state !== "shown" || !course) state = "asked";
     course = next;
     begun += 1;
     const own = begun,
       layer = layerIn(holder);
     layOver(layer.canvas, look.origin);
-    const isShown = await ask(layer, play, look, next);
+    const isShown = await ask(layer, of, look, next);
     if (own !== begun) return;
     state = isShown ? "shown" : "refused";
     if (isShown) layer.canvas.style.visibility = "";
@@ -122,14 +118,14 @@ export function playedLayer<Look extends Pick<StockLook, "origin">>(
     follow(look) {
       const now = playback.get(),
         since = playback.since(),
-        play = since === null || !canPaint() ? null : known();
-      if (!play || since === null) {
+        of = since === null || !canPaint() ? null : known();
+      if (!of || since === null) {
         stop();
         return false;
       }
       if (!course || (state !== "refused" && !isOnCourse(course, now, since))) {
         const track: PlayedTrack = now.track;
-        void begin(play, look(), { track, rate: now.rate, from: secondsAt(track, now.position), since });
+        void begin(of, look(), { track, rate: now.rate, from: secondsAt(track, now.position), since });
       }
       return state === "shown";
     },

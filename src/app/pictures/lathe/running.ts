@@ -12,18 +12,11 @@ import { rpmAt, spindleAt } from "../../../sim/load/spindles.ts";
 import type { PlayPosition } from "../../../sim/simulation.ts";
 import { tipAt } from "../../../view/tip.ts";
 
-/** Texts about a moment of a run, as words and numbers of the screen language. */
-export interface Running {
-  readonly x: string;
-  readonly z: string;
-  readonly feed: string;
-  readonly speed: string;
-  readonly phase: string;
-  readonly pass: string;
-  /** The manual's step: "Step 3 of 6: …". */
-  readonly step: string;
-  readonly block: string;
-}
+/**
+ * Texts about a moment of a run, as words and numbers of the screen language; `step`: that of the manual, "Step 3 of 6:
+ * …".
+ */
+type Running = Readonly<Record<"x" | "z" | "feed" | "speed" | "phase" | "pass" | "step" | "block", string>>;
 
 /** A position as the control shows it: X as diameter. */
 export const placeText = (lengths: Lengths, p: Pt) => ({

@@ -13,14 +13,6 @@ export const useReadPlayback = <T extends string | number | boolean | null>(
   pick: (store: PlaybackStore) => T,
 ): T => useSyncExternalStore(store.subscribeReader, () => pick(store));
 
-/** Runs at once and after each change, without rendering, for what changes with every frame. */
-export function useEachPicture(store: PlaybackStore, paint: () => void): void {
-  useEffect(() => {
-    paint();
-    return store.subscribe(paint);
-  }, [store, paint]);
-}
-
 /** Runs at once, and then as often as numbers can be read. */
 export function useEachReading(store: PlaybackStore, write: () => void): void {
   useEffect(() => {

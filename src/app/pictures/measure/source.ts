@@ -1,5 +1,6 @@
 import { useMemo } from "react";
 import type { MeasuredMoment } from "../../../kernel/plan/measured.ts";
+import type { Move } from "../../../kernel/plan/move.ts";
 import type { Pt, Ring } from "../../../kernel/geometry/point.ts";
 import type { Run } from "../../../program/state/run-types.ts";
 import type { PlayPosition } from "../../../sim/simulation.ts";
@@ -38,33 +39,41 @@ export const measurableRun = (run: Run): MeasurableRun => ({
   fingerprintOf: stockFingerprints(run),
 });
 
-/** Measurable content of the lathe. */
-export function useLatheSource({
-  run,
-  stockAt,
-  playback,
-}: {
-  readonly run: Run;
-  /** The stock of this run; null if not known. */
-  readonly stockAt: ((position: PlayPosition) => readonly Ring[]) | null;
-  readonly playback: PlaybackStore;
-}): MeasureSource {
+/** The stock of a run at any moment, up to the step that it is cut to. */
+export interface MeasuredStock {
+  readonly at: (position: PlayPosition) => readonly Ring[];
+  readonly reached: () => number;
+}
+
+/** A move of the shown path: its block, and its pass in a cycle. */
+interface MeasuredMove {
+  readonly block: number;
+  readonly move?: Pick<Move, "pass">;
+}
+
+/** Measurable content of a picture with the stock of its moment. `stock`: null if not known. */
+export function useMeasureSource(
+  measurable: MeasurableRun,
+  moves: readonly MeasuredMove[],
+  stock: MeasuredStock | null,
+  playback: PlaybackStore,
+): MeasureSource {
   return useMemo(
     () => ({
-      ...measurableRun(run),
+      ...measurable,
       moment() {
         const {
             position: { step, fraction },
             playing,
           } = playback.get(),
-          running = run.steps[step];
-        if (playing || !stockAt) return null;
-        if (!running) return { step: run.steps.length, fraction: 0 };
-        const { pass } = running.move;
+          running = moves[step];
+        if (playing || !stock || stock.reached() < step) return null;
+        if (!running) return { step: moves.length, fraction: 0 };
+        const pass = running.move?.pass;
         return { step, fraction, block: running.block, ...(pass !== undefined && { pass }) };
       },
-      stock: () => stockAt?.(playback.get().position) ?? [],
+      stock: () => stock?.at(playback.get().position) ?? [],
     }),
-    [run, stockAt, playback],
+    [measurable, moves, stock, playback],
   );
 }

@@ -1,19 +1,13 @@
-import { useCallback, useEffect, useMemo, useRef } from "react";
+import { useEffect, useMemo, useRef } from "react";
 import { partPoint } from "../../../kernel/plane/plane.ts";
 import type { PlaneStep } from "../../../program/tools/plane-types.ts";
-import { planeMotionData } from "../../../view/approach/motion-data.ts";
 import { spotAt } from "../../../view/approach/plane-scene.ts";
 import { pageLength } from "../../base/unit.ts";
 import { movingTip } from "../lathe/moving-anchor.ts";
 import { TipCarrier } from "../lathe/TipCarrier.tsx";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
-import { useEachReading, usePlayback } from "../lathe/use-playback.ts";
+import { usePlayback } from "../lathe/use-playback.ts";
 import type { Viewport } from "../lathe/viewport.ts";
-
-interface Milling {
-  readonly steps: readonly PlaneStep[];
-  readonly playback: PlaybackStore;
-}
 
 /** Margin around the circle for its line, and the arms of the cross in its centre, pixels. */
 const LINE = 4,
@@ -24,7 +18,15 @@ const shownMotion = (steps: readonly PlaneStep[], playback: PlaybackStore) =>
   steps[Math.min(playback.shown().step, steps.length - 1)];
 
 /** The mill from above on a sheet no larger than itself: redrawn for another radius or zoom, else only moved. */
-export function MillSheet({ viewport, steps, playback }: Milling & { readonly viewport: Viewport }) {
+export function MillSheet({
+  viewport,
+  steps,
+  playback,
+}: {
+  readonly viewport: Viewport;
+  readonly steps: readonly PlaneStep[];
+  readonly playback: PlaybackStore;
+}) {
   const sheet = useRef<SVGSVGElement>(null),
     body = useRef<SVGCircleElement>(null);
   const radius = usePlayback(playback, () => shownMotion(steps, playback)?.radius ?? null);
@@ -67,20 +69,4 @@ export function MillSheet({ viewport, steps, playback }: Milling & { readonly vi
       </TipCarrier>
     )
   );
-}
-
-/** The running motion, highlighted; during playback it changes no faster than it can be read. */
-export function RunningMotion({ steps, playback }: Milling) {
-  const running = useRef<SVGPathElement>(null),
-    drawn = useRef<PlaneStep | null>(null);
-  useEachReading(
-    playback,
-    useCallback(() => {
-      const motion = shownMotion(steps, playback);
-      if (!motion || drawn.current === motion) return;
-      running.current?.setAttribute("d", planeMotionData(motion));
-      drawn.current = motion;
-    }, [steps, playback]),
-  );
-  return <path ref={running} className="shape-running" />;
 }

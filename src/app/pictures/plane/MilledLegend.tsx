@@ -2,7 +2,7 @@ import { formatNumber } from "../../../i18n/number.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { MOST_MILLED, type NoStock } from "../../calculation/cut-milled.ts";
-import { toneName } from "./follow-milled.ts";
+import { toneName } from "./MilledSheet.tsx";
 import type { GrowingStock } from "./milled.ts";
 
 /** Legend of the depth tones in a corner of the picture; without stock, the reason. */

@@ -1,32 +1,59 @@
-import { useEffect, useRef } from "react";
-import { useTheme } from "../../base/use-theme-colours.ts";
-import { followMilled, type MilledMemory, type MilledScene } from "./follow-milled.ts";
+import { useCallback } from "react";
+import type { PlaneStep } from "../../../program/tools/plane-types.ts";
+import { toneOfDepth, type MilledColours } from "../../../view/approach/milled-paint.ts";
+import { milledPainter } from "../../../view/approach/milled-painter.ts";
+import { patchOf, patchWithin } from "../../../view/material/changed-box.ts";
+import { pageColours, useTheme } from "../../base/use-theme-colours.ts";
+import type { PlaybackStore } from "../../calculation/playback-store.ts";
+import { NOWHERE, type PaintedScene } from "../lathe/follow-sheet.ts";
+import { PaintedSheet } from "../lathe/PaintedSheet.tsx";
+import { knownOf } from "../lathe/played-layer.ts";
+import type { Viewport } from "../lathe/viewport.ts";
+import type { GrowingStock } from "./milled.ts";
 
-/**
- * Milled stock on a canvas no larger than the blank: painted whole for another view, and only near the tool during
- * playback; by the worker on its own layer once that is ready, else by the page.
- */
-export function MilledSheet({ viewport, steps, playback, milled }: MilledScene) {
-  const canvas = useRef<HTMLCanvasElement>(null),
-    made = useRef<HTMLCanvasElement>(null),
-    layers = useRef<HTMLDivElement>(null);
-  const memory = useRef<MilledMemory>({ painted: null }),
-    theme = useTheme(),
-    shown = useRef(theme);
-  useEffect(() => {
-    const over = canvas.current,
-      given = made.current,
-      holder = layers.current;
-    if (!over || !given || !holder) return undefined;
-    if (shown.current !== theme) memory.current.painted = null;
-    shown.current = theme;
-    return followMilled({ over, given, holder }, { viewport, steps, playback, milled }, memory.current);
-  }, [viewport, steps, playback, milled, theme]);
-  return (
-    <>
-      <canvas ref={canvas} className="sheet material" />
-      <canvas ref={made} className="sheet given" style={{ visibility: "hidden" }} />
-      <div ref={layers} className="played" />
-    </>
-  );
+const COLOURS = {
+  ground: "--material",
+  edge: "--line-strong",
+  step: "--line-strong",
+} as const satisfies Record<keyof MilledColours, string>;
+
+/** The CSS property of the tone of a depth. */
+export const toneName = (depth: number, depths: number): string => `--milled-${toneOfDepth(depth, depths) + 1}`;
+
+/** Milled stock from above, in tones of its depths. */
+export function MilledSheet({
+  viewport,
+  steps,
+  playback,
+  milled: { stock, blank, subscribe },
+}: {
+  readonly viewport: Viewport;
+  readonly steps: readonly PlaneStep[];
+  readonly playback: PlaybackStore;
+  readonly milled: GrowingStock;
+}) {
+  const theme = useTheme();
+  const scene = useCallback((): PaintedScene<"plane"> => {
+    const count = stock.limits.length - 1,
+      names = Array.from({ length: count }, (_, i) => toneName(i, count));
+    const named = pageColours(Object.fromEntries(names.map((name) => [name, name]))),
+      colours = pageColours(COLOURS),
+      tones = names.map((name) => named[name] ?? "");
+    return {
+      viewport,
+      playback,
+      painter: milledPainter(steps, stock),
+      style: String(theme),
+      known: () => knownOf(steps, "plane"),
+      growing: { reached: stock.reached, subscribe },
+      look: ({ room, ...view }) => ({
+        ...view,
+        colours,
+        tones,
+        origin: (blank && patchWithin(patchOf(blank, view.camera, view.ratio), room)) ?? NOWHERE,
+        ground: null,
+      }),
+    };
+  }, [viewport, steps, playback, stock, blank, subscribe, theme]);
+  return <PaintedSheet scene={scene} />;
 }

@@ -1,10 +1,8 @@
-import { useMemo, useSyncExternalStore } from "react";
+import { useMemo } from "react";
 import { wayOf } from "../../../kernel/plane/mill-motion.ts";
 import { partSegment } from "../../../kernel/plane/plane.ts";
 import type { Run } from "../../../program/state/run-types.ts";
-import { planeMotionData } from "../../../view/approach/motion-data.ts";
 import { segmentData } from "../../../view/path.ts";
-import type { Hover } from "../lathe/Chosen.tsx";
 import { useMilledMarks } from "../selection.ts";
 
 /** The milled motions of the choice, over the path. */
@@ -18,11 +16,4 @@ export function ChosenMotions({ run }: { readonly run: Run }) {
     [stretches, run],
   );
   return d && <path className="shape-marked" d={d} />;
-}
-
-/** The motion that a click would choose. */
-export function HoveredMotion({ run, hover }: { readonly run: Run; readonly hover: Hover }) {
-  const over = useSyncExternalStore(hover.subscribe, hover.get),
-    motion = over === null ? undefined : run.plane[over];
-  return motion && <path className="shape-hovered" d={planeMotionData(motion)} />;
 }

@@ -1,18 +1,20 @@
 import { memo } from "react";
 import type { Run } from "../../../program/state/run-types.ts";
 import type { RapidThrough } from "../../../sim/plane/milled.ts";
+import { planeMotionData } from "../../../view/approach/motion-data.ts";
 import type { PlaneRole } from "../../../view/approach/plane-scene.ts";
 import { ringData } from "../../../view/path.ts";
+import { Axes } from "../lathe/Axes.tsx";
 import { useNewerRun } from "../lathe/NewestLines.tsx";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
+import { RunningMove } from "../lathe/RunningMove.tsx";
 import { useViewBox } from "../lathe/use-view-box.ts";
 import type { Viewport } from "../lathe/viewport.ts";
 import { World } from "../lathe/World.tsx";
 import type { NoStock } from "../../calculation/cut-milled.ts";
 import type { GrowingStock } from "./milled.ts";
 import { MilledSheet } from "./MilledSheet.tsx";
-import { MillSheet, RunningMotion } from "./MillSheet.tsx";
-import { PlaneAxes } from "./PlaneAxes.tsx";
+import { MillSheet } from "./MillSheet.tsx";
 import { planeOfRun } from "../../calculation/plane-run.ts";
 
 /** Lines over milled stock have a light edge, to be visible on its darkest tone. */
@@ -66,7 +68,7 @@ export function PlanePicture({
   return (
     <div className="lathe-picture plane-picture" role="img" aria-label={name}>
       <svg className="sheet" viewBox={viewBox}>
-        <PlaneAxes viewport={viewport} part="grid" />
+        <Axes viewport={viewport} plane="XY" part="grid" />
       </svg>
       {typeof milled !== "string" && (
         <MilledSheet viewport={viewport} steps={steps} playback={playback} milled={milled} />
@@ -84,10 +86,10 @@ export function PlanePicture({
       <svg className="sheet" viewBox={viewBox}>
         <World viewport={viewport}>
           {hovered}
-          <RunningMotion steps={steps} playback={playback} />
+          <RunningMove moves={steps} playback={playback} dataOf={planeMotionData} each="reading" />
         </World>
         {children}
-        <PlaneAxes viewport={viewport} part="scales" />
+        <Axes viewport={viewport} plane="XY" part="scales" />
       </svg>
     </div>
   );

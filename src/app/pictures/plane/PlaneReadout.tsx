@@ -5,25 +5,16 @@ import type { ApproachRun, PlaneStep } from "../../../program/tools/plane-types.
 import type { PlayPosition } from "../../../sim/simulation.ts";
 import { spotAt } from "../../../view/approach/plane-scene.ts";
 import { isRapid } from "../../../kernel/plane/mill-motion.ts";
-import type { Clock } from "../../base/clock.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
-import { LiveSentence } from "../lathe/LiveSentence.tsx";
-import { useMomentTexts } from "../lathe/use-moment-texts.ts";
+import { Readout } from "../lathe/Readout.tsx";
 import { useLengths } from "../../calculation/lengths.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
 /** Texts about a moment of a milling program. */
-interface Moment {
-  readonly x: string;
-  readonly y: string;
-  readonly z: string;
-  readonly feed: string;
-  readonly step: string;
-  readonly block: string;
-}
+type Moment = Readonly<Record<"x" | "y" | "z" | "feed" | "step" | "block", string>>;
 
 /** Position, feed and purpose of the motion; null in an empty run. */
-export function momentText(
+function momentText(
   t: Texts,
   lengths: Lengths,
   steps: readonly PlaneStep[],
@@ -50,9 +41,7 @@ export function momentText(
   };
 }
 
-const textOfCell = (now: Moment | null, says: string): string | null => now?.[says as keyof Moment] ?? null;
-
-/** Live position, feed and block; updated without rendering. */
+/** Live position, feed and block. */
 export function PlaneReadout({
   steps,
   approaches,
@@ -68,28 +57,19 @@ export function PlaneReadout({
     () => momentText(t, lengths, steps, approaches, playback.shown()),
     [t, lengths, steps, approaches, playback],
   );
-  const group = useMomentTexts(playback, moment, textOfCell);
-  const cells = [
-    ["x", "X"],
-    ["y", "Y"],
-    ["z", "Z"],
-    ["feed", t.lathe.feedName],
-  ] as const;
   return (
-    <div ref={group} className="lathe-readout" role="group" aria-label={t.lathe.now}>
-      <dl className="number">
-        {cells.map(([key, name]) => (
-          <div key={key} className={`readout-${key === "y" ? "x" : key}`}>
-            <dt>{name}</dt>
-            <dd data-says={key} />
-          </div>
-        ))}
-      </dl>
-      <p className="lathe-step" data-says="step" />
-      <p className="lathe-phase soft">
-        <span data-says="block" />
-      </p>
-    </div>
+    <Readout
+      playback={playback}
+      moment={moment}
+      cells={[
+        ["x", "X"],
+        ["y", "Y", "x"],
+        ["z", "Z"],
+        ["feed", t.lathe.feedName],
+      ]}
+    >
+      <span data-says="block" />
+    </Readout>
   );
 }
 
@@ -100,24 +80,3 @@ export const momentSentence = (...given: Parameters<typeof momentText>): string 
     ? [now.step, `X ${now.x}`, `Y ${now.y}`, `Z ${now.z}`, now.feed, now.block].join(". ")
     : given[0].lathe.pictureEmpty;
 };
-
-/** The same for screen readers. */
-export function SpokenMoment({
-  steps,
-  approaches,
-  playback,
-  clock,
-}: {
-  readonly steps: readonly PlaneStep[];
-  readonly approaches: readonly ApproachRun[];
-  readonly playback: PlaybackStore;
-  readonly clock: Clock;
-}) {
-  const t = useTexts(),
-    lengths = useLengths();
-  const sentence = useCallback(
-    () => momentSentence(t, lengths, steps, approaches, playback.shown()),
-    [t, lengths, steps, approaches, playback],
-  );
-  return <LiveSentence playback={playback} clock={clock} sentence={sentence} />;
-}

@@ -1,31 +1,27 @@
-import { useCallback, useEffect, useId, useMemo, useState } from "react";
-import { Toolbar } from "react-aria-components/Toolbar";
+import { useCallback, useId, useMemo, useState } from "react";
 import type { ApproachRun, PlaneStep } from "../../../program/tools/plane-types.ts";
+import { planeMotionData } from "../../../view/approach/motion-data.ts";
 import { PLANE_ROLES } from "../../../view/approach/plane-scene.ts";
+import { areasAt, type MilledStock } from "../../../sim/plane/milled.ts";
+import type { PlayPosition } from "../../../sim/simulation.ts";
+import { motionAt } from "../../../view/approach/plane-pick.ts";
 import { joined } from "../../../view/bounds.ts";
-import { trackOf } from "../../../view/playback.ts";
 import type { Clock } from "../../base/clock.ts";
-import { DeferredUntilPaint } from "../../base/typing.ts";
-import type { MovePointed } from "../lathe/LatheView.tsx";
+import { View } from "../View.tsx";
 import type { LatheResult } from "../lathe/use-material.ts";
-import { GlyphButton } from "../lathe/GlyphButton.tsx";
-import { pressKey } from "../lathe/keys.ts";
-import { PlaceButtons, PlaceLines } from "../lathe/PlaceButtons.tsx";
+import { Hovered } from "../lathe/Chosen.tsx";
+import { Legend, LegendSign } from "../lathe/Legend.tsx";
+import { LiveSentence } from "../lathe/LiveSentence.tsx";
+import { PlaceLines } from "../lathe/PlaceButtons.tsx";
 import { sectionProjection } from "../lathe/place-projection.ts";
-import { usePlaces } from "../lathe/places.ts";
-import { PlaybackBar } from "../lathe/PlaybackBar.tsx";
+import { usePlaces, type PicturePlace } from "../lathe/places.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
-import { Timeline } from "../lathe/Timeline.tsx";
 import { useFindingFocus } from "../lathe/use-finding-focus.ts";
-import { useStage } from "../lathe/use-stage.ts";
 import { usePlayback } from "../lathe/use-playback.ts";
 import { createViewport } from "../lathe/viewport.ts";
-import { LegendSwitch, ZoomKeys } from "../lathe/ViewBar.tsx";
-import { Measurements } from "../measure/Measurements.tsx";
 import { useMeasuring } from "../measure/measuring.ts";
-import { reducedMotion } from "../../base/settings/appearance.ts";
+import { useMeasureSource } from "../measure/source.ts";
 import { useLengths } from "../../calculation/lengths.ts";
-import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { DepthPicture } from "./DepthPicture.tsx";
 import { FreePoints } from "./FreePoints.tsx";
@@ -34,25 +30,24 @@ import { MilledLegend } from "./MilledLegend.tsx";
 import { MilledNotes } from "./MilledNotes.tsx";
 import { PlanePicture } from "./PlanePicture.tsx";
 import { planeOfRun } from "../../calculation/plane-run.ts";
-import { cutPlace } from "./plane-places.ts";
-import { ChosenMotions, HoveredMotion } from "./PlaneMarks.tsx";
-import { usePlaneSource } from "./plane-source.ts";
+import { ChosenMotions } from "./PlaneMarks.tsx";
+import { measurablePlane } from "./plane-source.ts";
 import { PointDot } from "./PointDot.tsx";
 import { PlanePoints } from "./PlanePoints.tsx";
 import { PointTable } from "./PointTable.tsx";
-import { momentSentence, PlaneReadout, SpokenMoment } from "./PlaneReadout.tsx";
+import { momentSentence, PlaneReadout } from "./PlaneReadout.tsx";
 import { approachSpeech } from "./speech.ts";
-import { usePlanePicking } from "./use-plane-picking.ts";
-import { KEEPS_KEYBOARD } from "../../place/place.ts";
+import { usePicking, type MovePointed, type Pickable } from "../lathe/use-picking.ts";
 import { chooseMilled, useChosenApproaches } from "../selection.ts";
 import "../help/help.css";
-import "../lathe/lathe.css";
 import "./approach.css";
-import { Outdated } from "../lathe/Outdated.tsx";
-import { pageLength } from "../../base/unit.ts";
 
 const NO_TIP = { x: 0, y: 0 };
+const NOWHERE: readonly PicturePlace[] = [];
 const DOTS = ["contour", "centre"] as const;
+
+/** The areas of milled stock at a moment. */
+const areasOf = (stock: MilledStock) => (position: PlayPosition) => areasAt(stock.at(position)).flat();
 
 /** Chooses the approaches whose points have names: those of the chosen blocks, else the running or next one. */
 function useNamedApproach(approaches: readonly ApproachRun[], steps: readonly PlaneStep[], playback: PlaybackStore) {
@@ -87,9 +82,7 @@ export function PlaneView({
     t = texts.lathe,
     own = texts.approach,
     id = useId();
-  const { motion } = useSettings();
   const [viewport] = useState(() => createViewport(true));
-  const [tools, showTools] = useState(false);
   const { run } = result,
     { plane: steps } = run,
     lengths = useLengths(run);
@@ -108,40 +101,30 @@ export function PlaneView({
   );
   const speech = useMemo(() => approachSpeech(lengths, "XY", NO_TIP), [lengths]);
   const isNamed = useNamedApproach(approaches, steps, playback);
-  const { hover, over, tap } = usePlanePicking({ run, leads: approaches, viewport, onMove });
-  const measuring = useMeasuring();
-  const source = usePlaneSource(run, typeof milled === "string" ? null : milled.stock, playback);
-  const stage = useStage(viewport, measuring.on ? measuring : { tap, hover: over, drag: null });
-  const toggle = () => {
-    measuring.toggle();
-    if (measuring.state.getState().on) stage.current?.focus({ preventScroll: true });
-    showTools(false);
-  };
-
-  useEffect(() => playback.dispatch({ do: "load", track: trackOf(steps) }), [steps, playback]);
-  useEffect(() => playback.setStill(reducedMotion({ motion })), [motion, playback]);
-  const blank = typeof milled === "string" ? null : milled.blank;
-  useEffect(() => viewport.setBounds(joined(scene.bounds, blank) ?? scene.bounds), [scene, blank, viewport]);
-
-  const resting = usePlayback(playback, (s) => (s.get().playing ? -1 : s.get().position.step));
-  /** Enter in the picture chooses the running motion and focuses its dialog. */
-  const chooseByKey = ({ key, picture }: { readonly key: string; readonly picture: boolean }) => {
-    const { position } = playback.get(),
-      step = Math.min(position.step, steps.length - 1);
-    if (key !== "Enter" || !picture || step < 0) return false;
-    chooseMilled(run, { ...position, step });
-    stage.current?.blur();
-    onMove?.(step, true);
-    return true;
-  };
-
-  const name = useMemo(
-    () => own.viewPicture(resting >= 0 ? momentSentence(texts, lengths, steps, approaches, playback.shown()) : ""),
-    [own, texts, lengths, steps, approaches, playback, resting],
+  const milledMoves = useMemo(
+    (): Pickable => ({
+      find: (place, reach) => motionAt(steps, approaches, place, reach),
+      choose: ({ step, fraction }) => chooseMilled(run, { step: Math.min(step, steps.length - 1), fraction }),
+    }),
+    [run, steps, approaches],
   );
+  const picking = usePicking(viewport, milledMoves, onMove);
+  const measuring = useMeasuring();
+  const stock = typeof milled === "string" ? null : milled;
+  const measurable = useMemo(() => measurablePlane(run), [run]),
+    areas = useMemo(() => stock && { at: areasOf(stock.stock), reached: stock.stock.reached }, [stock]);
+  const source = useMeasureSource(measurable, steps, areas, playback);
+  const bounds = useMemo(() => joined(scene.bounds, stock?.blank ?? null) ?? scene.bounds, [scene, stock]);
+  const resting = usePlayback(playback, (s) => (s.get().playing ? -1 : s.get().position.step));
+  const sentence = useCallback(
+    () => momentSentence(texts, lengths, steps, approaches, playback.shown()),
+    [texts, lengths, steps, approaches, playback],
+  );
+
+  const name = useMemo(() => own.viewPicture(resting >= 0 ? sentence() : ""), [own, resting, sentence]);
   const found = usePlaces("XY");
-  const places = useMemo(() => (dimmed ? [] : found.map(cutPlace)), [dimmed, found]);
-  const { chosen, choose } = useFindingFocus(places, viewport, playback);
+  const places = dimmed ? NOWHERE : found;
+  const focus = useFindingFocus(places, viewport, playback);
   const lines = {
     contour: texts.contour.title,
     rapid: t.rapid,
@@ -150,98 +133,63 @@ export function PlaneView({
   };
   const there = PLANE_ROLES.filter((role) => role !== "contour" && scene.shapes.some((s) => s.role === role));
   return (
-    <section
-      className="lathe plane-view"
-      data-tools={tools}
-      aria-label={own.view}
-      onKeyDown={(event) => {
-        const target = event.target as HTMLElement;
-        if (event.ctrlKey || event.metaKey || event.altKey) return;
-        const typed = {
-          key: event.key,
-          shift: event.shiftKey,
-          element: target.localName,
-          picture: target === stage.current,
-        };
-        if (pressKey(typed, playback, viewport, measuring) || chooseByKey(typed)) event.preventDefault();
+    <View
+      scene={{
+        title: own.view,
+        className: "plane-view",
+        unit: run.program.unit,
+        viewport,
+        bounds,
+        xUp: true,
+        timed,
+        measured: source,
+        dimmed,
       }}
-    >
-      <Toolbar className="lathe-viewbar" aria-label={t.viewTools}>
-        <GlyphButton glyph="ruler" name={t.ruler} text={t.ruler} pressed={measuring.on} onPress={toggle} />
-        <LegendSwitch shown={tools} show={showTools} />
-        <ZoomKeys viewport={viewport} />
-      </Toolbar>
-      <div
-        ref={stage}
-        className={`lathe-stage${dimmed ? " dimmed" : ""}${measuring.on ? " measuring" : ""}`}
-        tabIndex={0}
-        role="group"
-        aria-label={own.view}
-        aria-describedby={`${id}keys`}
-        {...{ [KEEPS_KEYBOARD]: "" }}
-      >
-        <PlanePicture
-          viewport={viewport}
-          run={run}
-          playback={playback}
-          milled={milled}
-          rapids={rapids}
-          chosen={<ChosenMotions run={run} />}
-          hovered={<HoveredMotion run={run} hover={hover} />}
-          name={name}
-        >
-          <PlanePoints {...{ viewport, approaches, isNamed, speech, places, id }} />
-          <FreePoints viewport={viewport} places={places} speech={speech} />
-          <PlaceLines seeing={sectionProjection(viewport)} places={places} />
-        </PlanePicture>
-        <MilledLegend milled={milled} />
-        <PlaceButtons seeing={sectionProjection(viewport)} places={places} chosen={chosen} choose={choose} />
-        <Measurements viewport={viewport} measuring={measuring} source={source} />
-        {dimmed && <Outdated />}
-        <p id={`${id}keys`} className="unseen">
-          {t.keys}
-        </p>
-      </div>
-      {tools && (
-        <div className="lathe-told">
-          <ul className="lathe-legend small" aria-label={t.legend}>
-            {there.map((role) => (
-              <li key={role}>
-                <svg width={pageLength(26)} height={pageLength(8)} viewBox="0 0 26 8" aria-hidden="true">
-                  <path className={`plane-${role}`} d="M1 4H25" />
-                </svg>
-                {lines[role]}
-              </li>
-            ))}
+      playback={playback}
+      picking={{ ...picking, measuring }}
+      places={{ shown: places, ...focus }}
+      layers={{
+        picture: (
+          <PlanePicture
+            viewport={viewport}
+            run={run}
+            playback={playback}
+            milled={milled}
+            rapids={rapids}
+            chosen={<ChosenMotions run={run} />}
+            hovered={<Hovered moves={steps} hover={picking.hover} dataOf={planeMotionData} />}
+            name={name}
+          >
+            <PlanePoints {...{ viewport, approaches, isNamed, speech, places, id }} />
+            <FreePoints viewport={viewport} places={places} speech={speech} />
+            <PlaceLines seeing={sectionProjection(viewport)} places={places} />
+          </PlanePicture>
+        ),
+        over: <MilledLegend milled={milled} />,
+        legend: (
+          <Legend lines={there.map((role) => [`plane-${role}`, lines[role]])}>
             {approaches.length > 0 &&
               DOTS.map((dot) => (
-                <li key={dot}>
-                  <svg width={pageLength(26)} height={pageLength(8)} viewBox="0 0 26 8" aria-hidden="true">
-                    <PointDot x={13} y={4} onContour={dot === "contour"} />
-                  </svg>
-                  {own.dots[dot]}
-                </li>
+                <LegendSign key={dot} text={own.dots[dot]}>
+                  <PointDot x={13} y={4} onContour={dot === "contour"} />
+                </LegendSign>
               ))}
-          </ul>
-        </div>
-      )}
-      <DeferredUntilPaint>
-        <DepthPicture steps={steps} playback={playback} />
-        <PlaneReadout steps={steps} approaches={approaches} playback={playback} />
-      </DeferredUntilPaint>
-      <PlaybackBar playback={playback}>
-        <span className="lathe-fold">
-          <GlyphButton glyph="view" name={t.viewTools} expanded={tools} onPress={() => showTools(!tools)} />
-        </span>
-      </PlaybackBar>
-      <DeferredUntilPaint>
-        <Timeline run={timed} playback={playback} />
-        <SpokenMoment steps={steps} approaches={approaches} playback={playback} clock={clock} />
-        <div className="lathe-more">
-          {typeof milled !== "string" && <MilledNotes run={run} rapids={rapids} />}
-          <PointTable approaches={approaches} speech={speech} />
-        </div>
-      </DeferredUntilPaint>
-    </section>
+          </Legend>
+        ),
+        moment: (
+          <>
+            <DepthPicture steps={steps} playback={playback} />
+            <PlaneReadout steps={steps} approaches={approaches} playback={playback} />
+          </>
+        ),
+        spoken: <LiveSentence playback={playback} clock={clock} sentence={sentence} />,
+        more: (
+          <>
+            {stock && <MilledNotes run={run} rapids={rapids} />}
+            <PointTable approaches={approaches} speech={speech} />
+          </>
+        ),
+      }}
+    />
   );
 }

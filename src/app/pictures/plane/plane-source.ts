@@ -1,12 +1,9 @@
-import { useMemo } from "react";
 import { partPoint, partSegment } from "../../../kernel/plane/plane.ts";
 import type { Ring } from "../../../kernel/geometry/point.ts";
 import type { Run } from "../../../program/state/run-types.ts";
 import { standingAbove } from "../../../sim/plane/body.ts";
-import { areasAt, type MilledStock } from "../../../sim/plane/milled.ts";
 import { milledFingerprints } from "../../../view/measure/stock-fingerprint.ts";
-import type { PlaybackStore } from "../../calculation/playback-store.ts";
-import type { MeasurableRun, MeasureSource } from "../measure/source.ts";
+import type { MeasurableRun } from "../measure/source.ts";
 
 /** The outline of the blank, seen from above. */
 const groundOf = ({ cuboid, blank }: Run): readonly Ring[] =>
@@ -23,23 +20,3 @@ export const measurablePlane = (run: Run): MeasurableRun => ({
   path: () => run.plane.map(({ to }) => partPoint(to)),
   fingerprintOf: milledFingerprints([...run.blank, ...groundOf(run)], run.plane, run),
 });
-
-/** Measurable content of the working plane: contours, the outline of the blank, milled edges, ends of motions. */
-export function usePlaneSource(run: Run, stock: MilledStock | null, playback: PlaybackStore): MeasureSource {
-  return useMemo(
-    () => ({
-      ...measurablePlane(run),
-      moment() {
-        const {
-            position: { step, fraction },
-            playing,
-          } = playback.get(),
-          running = run.plane[step];
-        if (playing || !stock || stock.reached() < step) return null;
-        return running ? { step, fraction, block: running.block } : { step: run.plane.length, fraction: 0 };
-      },
-      stock: () => (stock ? areasAt(stock.at(playback.get().position)).flat() : []),
-    }),
-    [run, stock, playback],
-  );
-}

@@ -156,7 +156,7 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
     changed = false;
     const now = work,
       moving = now?.moving ?? null;
-    const known = now?.simulation && moving && clock.flows ? knownOf(moving.steps) : null;
+    const known = now?.simulation && moving && clock.flows ? knownOf(moving.steps, "lathe") : null;
     if (!now) return;
     if (!known || !moving) return buildHere(now);
     const { look, key, asked } = wanted(now),
