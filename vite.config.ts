@@ -171,7 +171,7 @@ const sharedWorker: Plugin = {
       const part = bundle[file];
       if (seen.has(file) || part?.type !== "chunk") return;
       seen.add(file);
-      const drawing = part.moduleIds.find((id) => /\.(tsx|css)$|\/react-dom\//.test(id));
+      const drawing = part.moduleIds.find((id) => /\.(tsx|css)$|\/react-dom\/|\/three\/build\//.test(id));
       if (drawing) this.error(`${drawing} is in ${file}, which the worker loads, and it has no document`);
       [...part.imports, ...part.dynamicImports].forEach(check);
     };

@@ -16,7 +16,8 @@ const RULES: Record<string, Rule> = {
   cycles: { values: ["kernel", "zod"] },
   program: { values: ["kernel", "cycles", "nc", "zod"] },
   sim: { values: ["kernel"] },
-  view: { values: ["kernel", "sim"], types: ["cycles"] },
+  // Of three only the triangulation, which cannot draw: the build keeps the rest out of the worker.
+  view: { values: ["kernel", "sim", "three"], types: ["cycles"] },
   report: { values: ["kernel", "cycles", "nc", "program", "sim", "i18n"] },
   planning: { values: ["kernel", "cycles", "nc", "program", "sim", "report", "zod"], types: ["i18n"] },
   course: { values: ["kernel", "cycles", "nc", "program", "sim", "report", "i18n", "planning", "zod"] },

@@ -13,8 +13,6 @@ const EDGE = 3;
 export interface ChipStage {
   readonly group: Group;
   readonly set: (chip: Chip | null) => void;
-  /** Share of each side of the canvas that is drawn; the edge gets thinner with it. */
-  readonly setShare: (share: number) => void;
   readonly setColours: (accent: string, surface: string) => void;
   readonly dispose: () => void;
 }
@@ -48,9 +46,6 @@ export function createChipStage(): ChipStage {
       const line = new LineSegments2(new LineSegmentsGeometry().setPositions(contact), edge);
       line.frustumCulled = false;
       group.add(line);
-    },
-    setShare(share) {
-      edge.linewidth = EDGE * share;
     },
     setColours(accent, surface) {
       edge.color.set(accent);

@@ -64,8 +64,6 @@ export interface PathStage {
   readonly setColours: (colours: LineColours) => void;
   /** Sets the size of one pixel, mm. */
   readonly setPixel: (mm: number) => void;
-  /** Share of each side of the canvas that is drawn; lines get thinner with it. */
-  readonly setShare: (share: number) => void;
   readonly dispose: () => void;
 }
 
@@ -106,7 +104,7 @@ function sharing(geometry: LineSegmentsGeometry): LineSegmentsGeometry {
 export function createPathStage(): PathStage {
   const group = new Group();
   let drawn: readonly { readonly line: LineSegments2; readonly of: StageLines; readonly fades: boolean }[] = [];
-  let [colours, pixel, step, share]: [LineColours | null, number, number, number] = [null, 1, 0, 1];
+  let [colours, pixel, step]: [LineColours | null, number, number] = [null, 1, 0];
   let whole: readonly StageLines[] = [];
 
   const clear = () => {
@@ -143,7 +141,6 @@ export function createPathStage(): PathStage {
     } of drawn) {
       if (colours) material.color.set(colourOf(of.look, colours));
       material.dashScale = 1 / pixel;
-      material.linewidth = formOf(of.look).wide * share;
       if (fades) geometry.instanceCount = piecesFrom(of, step);
     }
   };
@@ -185,10 +182,6 @@ export function createPathStage(): PathStage {
       pixel = mm;
       if (isOther) arrange();
       for (const { line } of drawn) line.material.dashScale = 1 / pixel;
-    },
-    setShare(next) {
-      share = next;
-      look();
     },
     dispose: clear,
   };

@@ -4,6 +4,8 @@
  */
 const SLOW = { ms: 40, pictures: 6, few: 3, by: 0.7, least: 0.4 } as const;
 const SOON = { ms: 24, pictures: 90 } as const;
+/** Frames after a change that are not counted: those under way still have the previous resolution. */
+const UNDER_WAY = 3;
 /** A lower resolution that does not reduce the delay to this share is undone: something else is slow. */
 const WORTH = 0.85;
 
@@ -15,16 +17,20 @@ export interface Sharpness {
 
 /** Adapts from frame to frame. */
 export function createSharpness(): Sharpness {
-  let [share, late, soon, sum, count] = [1, 0, 0, 0, 0];
+  let [share, late, soon, sum, count, underWay] = [1, 0, 0, 0, 0, 0];
   /** The share before the last step down, and the average delay there. */
   let before: { readonly share: number; readonly ms: number } | null = null;
   let isWorth = true;
   const next = (to: number) => {
-    [share, late, sum, count] = [to, 0, 0, 0];
+    [share, late, sum, count, underWay] = [to, 0, 0, 0, UNDER_WAY];
     return share;
   };
   return {
     noteFrame(ms) {
+      if (underWay > 0) {
+        underWay -= 1;
+        return share;
+      }
       soon = ms < SOON.ms ? soon + 1 : 0;
       if (soon >= SOON.pictures) {
         [soon, before, isWorth] = [0, null, true];
@@ -32,7 +38,8 @@ export function createSharpness(): Sharpness {
       }
       [late, sum, count] =
         ms > SLOW.ms ? [late + Math.min(SLOW.few, Math.floor(ms / SLOW.ms)), sum + ms, count + 1] : [0, 0, 0];
-      if (late < SLOW.pictures) return share;
+      // A step is soon made, but judged by as many frames as it takes to tell.
+      if (late < SLOW.pictures || (before && count < SLOW.pictures)) return share;
       const average = sum / count;
       if (before && average > WORTH * before.ms) {
         isWorth = false;

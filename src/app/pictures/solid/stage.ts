@@ -25,6 +25,7 @@ import { createChipStage } from "./chip-stage.ts";
 import { finishedSteel, LOOKS_ATTRIBUTE } from "./finish-material.ts";
 import { createPathStage, LINE_COLOURS, type StageLines } from "./path-stage.ts";
 import { hatched } from "./section-material.ts";
+import { createSmoothEdges } from "./smooth-edges.ts";
 import { chuckTones, LIGHT } from "./tone.ts";
 
 /** Colours of the page, by the custom properties that hold them. */
@@ -51,8 +52,8 @@ export interface SolidStage {
   /** Sets the size of the canvas, and how much of it is below the picture, CSS pixels. */
   readonly setSize: (size: Size, below: number, ratio: number) => void;
   /**
-   * Share drawn along each side, 0 … 1, which is scaled up. Another canvas size would need another buffer on the
-   * graphics card, and the page would wait for it.
+   * Share of the pixels along each side, 0 … 1; the page scales the picture up. Below 1 edges are not smoothed. Draw in
+   * the same frame, since this clears the canvas.
    */
   readonly setShare: (share: number) => void;
   readonly setColours: (colours: Readonly<Record<keyof typeof STAGE_COLOURS, string>>) => void;
@@ -111,10 +112,11 @@ function clear(group: Group): void {
 
 /** A stage on a canvas; null without WebGL. */
 export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
-  const context = canvas.getContext("webgl2", { alpha: true, antialias: true });
+  const context = canvas.getContext("webgl2", { alpha: true, antialias: false });
   if (!context) return null;
-  const renderer = new WebGLRenderer({ canvas, context, alpha: true, antialias: true });
+  const renderer = new WebGLRenderer({ canvas, context, alpha: true });
   renderer.setClearAlpha(0);
+  const smoothly = createSmoothEdges(renderer);
   const space = new Space(),
     camera = new PerspectiveCamera((FIELD * 180) / Math.PI, 1, 1, 1000);
   const key = new DirectionalLight(0xffffff, LIGHT.key);
@@ -168,29 +170,21 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
     }
   };
 
-  let [canvasSize, share]: [Size, number] = [{ width: 1, height: 1 }, 1];
-  const drawShare = () => {
-    const { width, height } = canvasSize;
-    renderer.setViewport(0, 0, width * share, height * share);
-    renderer.setScissor(0, 0, width * share, height * share);
-    renderer.setScissorTest(share < 1);
-    canvas.style.transform = share < 1 ? `scale(${1 / share})` : "";
-    for (const each of [path, chip]) each.setShare(share);
-  };
+  let [canvasSize, fullRatio, share]: [Size, number, number] = [{ width: 1, height: 1 }, 1, 1];
+  /** A smaller buffer, not a part of a large one: without a graphics card each frame copies the whole into the page. */
+  const resize = () => renderer.setDrawingBufferSize(canvasSize.width, canvasSize.height, fullRatio * share);
 
   return {
     setShare(next) {
       share = next;
-      drawShare();
+      resize();
     },
     setSize({ width, height }, below, ratio) {
-      canvasSize = { width, height };
-      renderer.setPixelRatio(ratio);
-      renderer.setSize(width, height, false);
+      [canvasSize, fullRatio] = [{ width, height }, ratio];
       const seen = Math.max(1, height - below);
       camera.aspect = width / seen;
       camera.setViewOffset(width, seen, 0, 0, width, height);
-      drawShare();
+      resize();
     },
     setColours(c) {
       const tones = [c.tone0, c.tone1, c.tone2, c.tone3, c.tone4, c.tone5, c.tone6];
@@ -240,7 +234,8 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
       const pixel = pixelAt(orbit, size);
       for (const each of Object.values(sections)) each.pitch(HATCH * pixel);
       path.setPixel(pixel);
-      renderer.render(space, camera);
+      if (share < 1) renderer.render(space, camera);
+      else smoothly.draw(() => renderer.render(space, camera));
     },
     dispose() {
       for (const group of [work, chuck, tool]) clear(group);
@@ -248,6 +243,7 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
       chip.dispose();
       for (const each of [...Object.values(surfaces), ...Object.values(lines)]) each.dispose();
       for (const { material } of Object.values(sections)) material.dispose();
+      smoothly.dispose();
       renderer.dispose();
       // A browser has few contexts and drops the oldest for a new one, so an unused one is released at once.
       if (!canvas.isConnected) renderer.forceContextLoss();
