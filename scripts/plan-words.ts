@@ -3,7 +3,7 @@ import { loadTexts } from "../src/i18n/parts.ts";
 import {
   missingToolText,
   planActionText,
-  planDifferences,
+  planDifferenceText,
   planReasonText,
   planVerdict,
   residueText,
@@ -27,8 +27,7 @@ function stepLines({ tried, seconds, why, others }: PlanStep, i: number, w: Plan
     `${String(i + 1).padStart(2)}. ${kinds[tried.action.kind]}: ${planActionText(w, tried.action)}, ${w.time(seconds)}` +
       (reasons === "" ? "" : ` (${reasons})`),
     ...others.map((other) => {
-      const said = planDifferences(w, other).join(", ");
-      return `      ${steps.others}: ${planActionText(w, other.tried.action)}: ${said === "" ? steps.sameResult : said}`;
+      return `      ${steps.others}: ${planActionText(w, other.tried.action)}: ${planDifferenceText(w, other)}`;
     }),
   ];
 }

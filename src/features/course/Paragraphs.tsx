@@ -1,22 +1,14 @@
-import { Fragment } from "react";
 import { GlossaryText, GlossaryScope } from "../../app/fields/said/GlossaryText.tsx";
-import { splitNegativeNumbers } from "./negative-numbers.ts";
-import "./paragraphs.css";
+import { Unbroken } from "../../app/base/Unbroken.tsx";
 
-/** Non-breaking spaces before French high punctuation, and after the opening quote. */
-const together = (text: string): string => text.replaceAll(/ (?=[?!:;»%])|(?<=«) /g, "\u00a0");
-
-/** A text whose numbers do not break. */
-const unbroken = (text: string) =>
-  splitNegativeNumbers(text).map((piece, k) =>
-    k % 2 === 1 ? (
-      <span key={k} className="unbroken">
-        {piece}
-      </span>
-    ) : (
-      <Fragment key={k}>{piece}</Fragment>
-    ),
+/** Non-breaking spaces before units and French high punctuation, and after the opening quote. */
+const together = (text: string): string =>
+  text.replaceAll(
+    / (?=[?!:;»%])|(?<=«) |(?<=\d) (?=(?:[mcµ]?m[²³]?|[mcµ]?m\/(?:min|rev|U|tr)|kW|s)(?!\p{L}))/gu,
+    "\u00a0",
   );
+
+const unbroken = (text: string) => <Unbroken text={text} />;
 
 interface Props {
   readonly text: string;

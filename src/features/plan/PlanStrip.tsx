@@ -57,7 +57,12 @@ export function PlanStrip({ words, stored, made, isOutdated, onPlan }: Props) {
           <>
             <b>{t.run.searching(progress?.tries ?? 0)}</b>
             {progress && progress.done.length > 0 && (
-              <span className="small soft">{t.run.best(progress.done.length, timeWords(words, progress.seconds))}</span>
+              <span className="small soft">
+                {(progress.isWhole ? t.run.best : t.run.begun)(
+                  progress.done.length,
+                  timeWords(words, progress.seconds),
+                )}
+              </span>
             )}
           </>
         )}

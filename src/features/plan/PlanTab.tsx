@@ -35,6 +35,7 @@ function LeftList({ words, residue }: { readonly words: PlanWords; readonly resi
   return (
     <section className="plan-left" aria-label={left.title}>
       <h2>{left.title}</h2>
+      <p className="small soft">{left.about}</p>
       <ul>
         {residue.map((each, i) => (
           <li key={i} onPointerEnter={() => pointAtRows(each.rows)} onPointerLeave={() => pointAtRows(null)}>

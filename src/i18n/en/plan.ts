@@ -79,10 +79,11 @@ export const plan = {
     stoppedAgain: "Stopped. The former plan is shown.",
     failed: "The plan could not be calculated.",
     searching: (tries: number) => `Planning, ${tries} operations tried`,
+    begun: (steps: number, time: string) => `First plan in progress: ${steps} operations, ${time}`,
     best: (steps: number, time: string) => `Best so far: ${steps} operations, ${time}`,
     ready: "Not planned yet",
     done: (operations: number, time: string, changes: string) =>
-      `Planned: ${operations} operations, ${time} + ${changes} for tool changes`,
+      `${operations} operations, ${time} + ${changes} for tool changes`,
     none: "No tool of the table can begin. See below what is missing.",
     empty: "The part has no contour yet.",
     about: "Plan finds cycles, tools and values for this part, and checks the whole program.",
@@ -113,6 +114,7 @@ export const plan = {
     blank: "finished part in the blank",
     finished: "stock after the last operation",
     step: (n: number, what: string) => `operation ${n}, ${what}: material before and after`,
+    begun: "first plan in progress",
     searching: "best plan so far",
     legend: { part: "Finished part", stock: "Stock", cut: "Removed in this step", left: "Not made" },
   },
@@ -172,7 +174,7 @@ export const plan = {
     onlyCycle: "the only cycle that works here",
     onlyPath: "only path blocks work here",
     faster: (time: string, other: string) => `${time} faster than ${other}`,
-    equal: (other: string) => `as quick as ${other}, the usual way`,
+    equal: (other: string) => `as quick as ${other}; this is the usual way`,
     takesMore: (area: string, other: string) => `removes ${area} more than ${other}`,
     ownTool: (other: string) => `a tool that is in the table; ${other} would have to be added`,
     samePath: "another path of the same cycle and tool",
@@ -191,6 +193,8 @@ export const plan = {
   },
   left: {
     title: "Not made",
+    about:
+      "Measured against the finished part. The check of the opened program measures residual material against the contour of each operation: the areas may differ.",
     where: { outside: "outside", inside: "in the bore", face: "on the face" },
     region: (area: string, where: string) => `${area} ${where}`,
     at: (from: string, to: string) => `Z${from} to Z${to}`,
