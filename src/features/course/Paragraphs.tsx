@@ -1,13 +1,6 @@
 import { GlossaryText, GlossaryScope } from "../../app/fields/said/GlossaryText.tsx";
 import { Unbroken } from "../../app/base/Unbroken.tsx";
 
-/** Non-breaking spaces before units and French high punctuation, and after the opening quote. */
-const together = (text: string): string =>
-  text.replaceAll(
-    / (?=[?!:;»%])|(?<=«) |(?<=\d) (?=(?:[mcµ]?m[²³]?|[mcµ]?m\/(?:min|rev|U|tr)|kW|s)(?!\p{L}))/gu,
-    "\u00a0",
-  );
-
 const unbroken = (text: string) => <Unbroken text={text} />;
 
 interface Props {
@@ -18,7 +11,7 @@ interface Props {
 
 /** A text of the course, with paragraphs at empty lines. */
 export function Paragraphs({ text, before }: Props) {
-  const paragraphs = text.split(/\n\s*\n/).map(together);
+  const paragraphs = text.split(/\n\s*\n/);
   const said = (plain: boolean) =>
     paragraphs.map((each, i) => (
       <p key={i}>{plain ? unbroken(each) : <GlossaryText text={each} plain={unbroken} />}</p>

@@ -292,7 +292,7 @@ describe("better ways", () => {
   });
 
   test("of several ways with one effect the best is offered", () => {
-    const measure = { seconds: 10, tools: 1, changes: 0, residual: 0 };
+    const measure = { seconds: 10, tools: 1, changes: 0, residual: 0, bending: 0 };
     const way = (text: string, seconds: number): BetterWay => ({
       subject: { kind: "otherTool", units: [0] },
       text,
