@@ -8,7 +8,7 @@ import { cutLength, cuttingWidth, isBar } from "../../../kernel/cutter/insert.ts
 import { boxAround } from "../../../kernel/area/box.ts";
 import { part, type Pt, type Segment } from "../../../kernel/geometry/point.ts";
 import { CHORD } from "../../../kernel/tolerance.ts";
-import { roundedDown, roundedUpTo } from "../../../kernel/units.ts";
+import { roundedDown, roundedDownTo, roundedUpTo } from "../../../kernel/units.ts";
 import type { Plan } from "../../../kernel/plan/plan.ts";
 import type { Tool } from "../../../kernel/plan/tool.ts";
 import { withBlock } from "../../../nc/edit.ts";
@@ -24,7 +24,8 @@ import { withSpeedShare } from "../edits.ts";
 import { borneFeed, feedTurns } from "../fits.ts";
 import { calledNumber, qOf, type ProgramSituation, type TurningUnit } from "../situation.ts";
 import { cutsAir, stockBefore } from "../stock-before.ts";
-import { isSameContour } from "./one-call.ts";
+import { WORTH } from "../measure.ts";
+import { BOTH, isSameContour } from "./one-call.ts";
 
 /** Most operations that are looked at, the longest first; most tools per cycle that are planned and that are tried. */
 const MOST = { operations: 20, planned: 5, tried: 2 } as const;
@@ -32,6 +33,8 @@ const MOST = { operations: 20, planned: 5, tried: 2 } as const;
 const BLADE_DEPTH = 0.5;
 /** An insert in place of a blade takes this share of its edge: half of what advice allows. */
 const INSERT_DEPTH = EDGE_USED / 2;
+/** Step of a feed, mm/rev. */
+const FEED_STEP = 0.005;
 /** Feeds that a tool of the other family has to bear. */
 const FEEDS: ReadonlySet<Topic> = new Set<Topic>(["roughingFeed", "plungingFeed"]);
 /** Step of an allowance, mm. */
@@ -40,24 +43,34 @@ const STEP = 0.1;
 type Numbers = Readonly<Record<string, number | "auto">>;
 
 /** The values of another cycle with the contour, feeds and oversizes of an operation. */
-function valuesFor(cycle: Cycle, of: TurningUnit, tool: Tool, allowance: () => number): Numbers {
+function valuesFor(
+  cycle: Cycle,
+  of: TurningUnit,
+  tool: Tool,
+  situation: ProgramSituation,
+  allowance: () => number,
+): Numbers {
   const called = of.call.values as Numbers;
   const first = firstValues(cycle);
   const depth = qOf(cycle, "infeed");
   const isForeign = isBar(tool) !== isBar(of.operation.tool);
+  const { material, isStated } = situation;
   return Object.fromEntries(
     Object.entries<Param>(cycle.params).map(([q, param]): readonly [string, number | "auto"] => {
       const own = of.cycle.params[q];
       const value = called[q];
       const isKept = own && own.shown === param.shown && own.kind === param.kind && value !== undefined;
-      if (isForeign && typeof value === "number" && FEEDS.has(param.shown))
-        return [q, Math.min(value, roundedDown(borneFeed(tool)))];
+      // Feeds of the other family: those of the material, as far as the tool bears them.
+      if (isForeign && typeof value === "number" && FEEDS.has(param.shown)) {
+        const usual = isStated ? material.roughFeed : value;
+        return [q, roundedDownTo(FEED_STEP, Math.min(usual, borneFeed(tool)))];
+      }
       if (isKept && !(isForeign && q === depth)) return [q, value];
       if (param.shown === "allowance") return [q, allowance()];
       if (q !== depth) return [q, first[q] ?? param.example];
       const infeed = calledNumber(of, "infeed") ?? first[q] ?? param.example;
       const most = isBar(tool) ? BLADE_DEPTH * cuttingWidth(tool) : INSERT_DEPTH * (cutLength(tool) ?? Infinity);
-      return [q, roundedDown(Math.min(infeed, most))];
+      return [q, roundedDown(isForeign && Number.isFinite(most) ? most : Math.min(infeed, most))];
     }),
   );
 }
@@ -103,6 +116,10 @@ const suits = (cycle: Cycle, { cycle: own, operation }: TurningUnit): boolean =>
   return to === from || (to !== null && from !== null && own.contour === "free" && isValley(operation));
 };
 
+/** A valley goes to a tool of the cycle's own family: inserts turn, blades groove. */
+const isOfFamily = (tool: Tool, { group }: Cycle, { cycle }: TurningUnit): boolean =>
+  FAMILY[group] === FAMILY[cycle.group] || isBar(tool) === (FAMILY[group] === "grooving");
+
 /** The cycles that could make the same contour; parallel passes only where the stock already has its shape. */
 const others = (situation: ProgramSituation, of: TurningUnit): readonly Cycle[] =>
   cuttingCycles.filter(
@@ -132,6 +149,10 @@ function fromLine(p: Pt, a: Pt, b: Pt): number {
   const share = long > 0 ? Math.min(1, Math.max(0, ((p.z - a.z) * z + (p.r - a.r) * r) / long)) : 0;
   return Math.hypot(p.z - a.z - share * z, p.r - a.r - share * r);
 }
+
+/** Residual material of an operation, mm². */
+const leftBy = ({ simulation: { proof } }: ProgramSituation, { index }: TurningUnit): number =>
+  proof.residual.reduce((sum, each) => (each.operation === index && !each.isAsked ? sum + each.area : sum), 0);
 
 /** Roughing behind an operation in its area, which another cycle may leave nothing to. */
 function restOf({ units }: ProgramSituation, of: TurningUnit): readonly TurningUnit[] {
@@ -179,6 +200,7 @@ export function otherCycle(situation: ProgramSituation): readonly Change[] {
     const { feedUnit, plan, seconds } = operation;
     const rest = restOf(situation, of);
     const ofRest = rest.reduce((sum, each) => sum + each.operation.seconds, 0);
+    const ofResidual = WORTH.residual * leftBy(situation, of);
     const turns = feedTurns(plan, call.start);
     let known: number | null = null;
     const allowance = () => (known ??= allowanceOf(situation, of));
@@ -188,10 +210,10 @@ export function otherCycle(situation: ProgramSituation): readonly Change[] {
     };
     return others(situation, of).flatMap((cycle) => {
       const planned = usable
-        .filter((tool) => isUsualTool(cycle.group, tool))
+        .filter((tool) => isUsualTool(cycle.group, tool) && isOfFamily(tool, cycle, of))
         .slice(0, MOST.planned)
         .flatMap((tool) =>
-          inBothDirections(cycle, valuesFor(cycle, of, tool, allowance)).map((values) => ({ tool, values })),
+          inBothDirections(cycle, valuesFor(cycle, of, tool, situation, allowance)).map((values) => ({ tool, values })),
         )
         .flatMap(({ tool, values }) => {
           const read = values as Values<Params>;
@@ -201,12 +223,12 @@ export function otherCycle(situation: ProgramSituation): readonly Change[] {
           if (!fitOf(tool, made).makesContour || turns <= 0) return [];
           return [{ tool, values, saved: seconds * (1 - feedTurns(made, call.start) / turns) }];
         })
-        .filter(({ saved }) => saved + ofRest > 0)
+        .filter(({ saved }) => saved + ofRest + ofResidual > 0)
         .toSorted((a, b) => b.saved - a.saved)
         .slice(0, MOST.tried);
       return planned.flatMap(({ tool, values, saved }): readonly Change[] => {
-        const edit = () => {
-          const swapped = withBlock(program, definition, statementOf(cycle, of, values));
+        const edit = (given: Numbers) => {
+          const swapped = withBlock(program, definition, statementOf(cycle, of, given));
           if (tool.T === operation.tool.T) return swapped;
           const made = retooledOperation(swapped, unit, tool.T);
           // A blade takes less speed than an insert.
@@ -220,13 +242,15 @@ export function otherCycle(situation: ProgramSituation): readonly Change[] {
           tool: tool.T,
           instead: operation.tool.T,
         };
-        const alone = saved > 0 ? [changeOf(subject, saved, edit)] : [];
+        const alone = saved + ofResidual > 0 ? [changeOf(subject, saved + ofResidual, () => edit(values))] : [];
         if (rest.length === 0) return alone;
-        // From the last one: the others keep their places.
+        // What the rest finished is finished now. From the last one: the others keep their places.
+        const work = qOf(cycle, "operation");
+        const whole = work !== null && rest.some((each) => each.work === "both") ? { ...values, [work]: BOTH } : values;
         const withoutRest = () =>
           rest.reduceRight((made: ReturnType<Change["edit"]>, each) => {
             return made === null || isRefused(made) ? made : withoutOperation(made, each.unit);
-          }, edit());
+          }, edit(whole));
         const gone = rest.map((each) => each.unit);
         const both: ChangeSubject = {
           kind: "both",
