@@ -26,9 +26,9 @@ function stepLines({ tried, seconds, why, others }: PlanStep, i: number, w: Plan
   return [
     `${String(i + 1).padStart(2)}. ${kinds[tried.action.kind]}: ${planActionText(w, tried.action)}, ${w.time(seconds)}` +
       (reasons === "" ? "" : ` (${reasons})`),
-    ...others.map((other) => {
-      return `      ${steps.others}: ${planActionText(w, other.tried.action)}: ${planDifferenceText(w, other)}`;
-    }),
+    ...others.map(
+      (other) => `      ${steps.others}: ${planActionText(w, other.tried.action)}: ${planDifferenceText(w, other)}`,
+    ),
   ];
 }
 
@@ -41,9 +41,11 @@ const residueLine = (residue: Residue, w: PlanWriter): string =>
 /** A plan as lines: its steps with their reasons, what is left, time and verdict. */
 export function planLines(plan: WorkingPlan, w: PlanWriter): readonly string[] {
   const { result } = w.t;
-  return [
+  const lines = [
     ...plan.steps.flatMap((step, i) => stepLines(step, i, w)),
     ...plan.residue.map((residue) => residueLine(residue, w)),
     `${w.time(plan.seconds)}, ${result.tools}: ${plan.tools.length}, ${result.changes}: ${plan.toolChanges}; ${planVerdict(w, plan).text}`,
   ];
+  // A terminal is searched by its words: their spaces are plain.
+  return lines.map((line) => line.replaceAll("\u00a0", " "));
 }
