@@ -35,7 +35,7 @@ function stepLines({ tried, seconds, why, others }: PlanStep, i: number, w: Plan
 const residueLine = (residue: Residue, w: PlanWriter): string =>
   [
     `${w.t.left.title}: ${residueText(w, residue)}`,
-    ...(residue.missing ? [`${w.t.left.missing}: ${missingToolText(w, residue.missing)}`] : []),
+    ...(residue.missing ? [w.t.left.missing(missingToolText(w, residue.missing))] : []),
   ].join("; ");
 
 /** A plan as lines: its steps with their reasons, what is left, time and verdict. */

@@ -6,6 +6,7 @@ import { StepValues } from "./StepValues.tsx";
 import { openStep, pointAtStep } from "./plan-place.ts";
 import type { HandValues } from "../../planning/types.ts";
 import type { ValuesTried } from "../../app/calculation/part-plan.ts";
+import { Unbroken } from "../../app/base/Unbroken.tsx";
 import { StepLine } from "../../app/fields/plan/StepLine.tsx";
 import {
   actionWords,
@@ -92,7 +93,9 @@ export function StepItem({ words, stored, step, index, isOpen, isLocked, clampin
                     <b>{cycleName(words, way.cycle)}</b>
                     <span className="small">{w.tool(String(way.tool.T), way.tool.NAME ?? "")}</span>
                     <span className="small number">{timeWords(words, other.seconds)}</span>
-                    <span className="small">{differenceWords(words, other)}</span>
+                    <span className="small">
+                      <Unbroken text={differenceWords(words, other)} />
+                    </span>
                     <button
                       type="button"
                       className="button small"
