@@ -152,14 +152,12 @@ export function measureWords(
   { ways, lengths, texts }: WayWording,
   { before, after }: BetterWay,
 ): readonly { readonly name: keyof Measure; readonly label: string; readonly text: string }[] {
-  const shown = (name: keyof Measure, { [name]: value }: Measure): string =>
-    name === "seconds"
-      ? timeText({ lengths, texts }, value)
-      : name === "residual"
-        ? writer(lengths).area(value)
-        : name === "bending"
-          ? writer(lengths).length(value)
-          : String(value);
+  const writes: Readonly<Partial<Record<keyof Measure, (value: number) => string>>> = {
+    seconds: (value) => timeText({ lengths, texts }, value),
+    residual: writer(lengths).area,
+    bending: writer(lengths).length,
+  };
+  const shown = (name: keyof Measure, { [name]: value }: Measure): string => (writes[name] ?? String)(value);
   return (["seconds", "tools", "changes", "residual", "bending"] as const)
     .map((name) => ({ name, label: ways.measures[name], from: shown(name, before), to: shown(name, after) }))
     .filter(({ from, to }) => from !== to)

@@ -1,12 +1,15 @@
 import { print, type Program } from "../../nc/program.ts";
-import { changedProgram, type ChangeKind, type ChangeSubject } from "./change.ts";
+import { changedProgram, type ChangeKind } from "./change.ts";
 import { fitter } from "./fits.ts";
 import { baselineOf, judged, type Baseline } from "./judge.ts";
 import { KINDS } from "./kinds.ts";
 import { pairsOf } from "./pairs.ts";
 import { together } from "./together.ts";
-import { worthOf, type Gain, type Measure } from "./measure.ts";
+import { worthOf } from "./measure.ts";
+import type { BetterWay, Candidate } from "./way.ts";
 import { situationOf, type Attempt, type Conditions, type Trial } from "./situation.ts";
+
+export type { BetterWay, Candidate } from "./way.ts";
 
 /** Tries of one search: fewer for a long program, whose blocks in all tries are limited. */
 const MOST_TRIES = 80;
@@ -15,27 +18,12 @@ const MOST_EDITED = 40_000;
 /** Most blocks of a program that is searched. */
 const MOST_BLOCKS = 20_000;
 
-/** A change to try, as plain data: its text is the program that it would be. */
-export interface Candidate {
-  readonly subject: ChangeSubject;
-  readonly text: string;
-}
-
 /** A search before its tries: what a way is judged against, and the changes, the most promising first. */
 export interface Search {
   /** The program. */
   readonly text: string;
   readonly baseline: Baseline;
   readonly candidates: readonly Candidate[];
-}
-
-/** A change that was tried and is better. */
-export interface BetterWay extends Candidate {
-  readonly before: Measure;
-  readonly after: Measure;
-  readonly gains: readonly Gain[];
-  /** s, to sort by. */
-  readonly worth: number;
 }
 
 /** Finds what could be better in a program with its result. */

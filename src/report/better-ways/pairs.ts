@@ -1,7 +1,7 @@
 import { parse } from "../../nc/parse.ts";
 import { print, type Block, type Program } from "../../nc/program.ts";
 import { withBlocks } from "../../nc/replace.ts";
-import type { BetterWay, Candidate } from "./better-ways.ts";
+import type { BetterWay, Candidate } from "./way.ts";
 
 /** Most ways of which every two are tried together, the best ones. */
 const MOST = 4;

@@ -9,7 +9,7 @@ import type { NcLanguage } from "../../nc/nc-languages.ts";
 import type { CutMaterial } from "../../program/tools/cutting-table.ts";
 import type { Operation, Run } from "../../program/state/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
-import { usesOf, type Uses } from "./measure.ts";
+import { usesOf, type Uses } from "./uses.ts";
 
 /** The result of a program. */
 export interface Attempt {
