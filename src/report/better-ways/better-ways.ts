@@ -108,7 +108,7 @@ export function* triesOf({ text, candidates }: Search): Generator<NextTry, reado
     const way = yield { candidate, tried, of: candidates.length, ways };
     if (way) ways.push(way);
   }
-  const [most, pairs] = [Math.max(0, ...ways.map(({ worth }) => worth)), pairsOf(text, ways)];
+  const [most, pairs] = [Math.max(0, ...ways.map(({ worth }) => worth)), pairsOf(text, bestWays(ways))];
   for (const [i, candidate] of pairs.entries()) {
     const of = candidates.length + pairs.length;
     const way = yield { candidate, tried: candidates.length + i, of, ways };
