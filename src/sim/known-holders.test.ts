@@ -10,7 +10,7 @@ const insert: Tool = { T: 1, NAME: "INSERT", TYPE: "ROUGH", TO: 1, RS: length(0.
 const blank = [[at(-100, 0), at(1, 0), at(1, 30), at(-100, 30)]];
 const moved = (tool: Tool, to: number): Step => ({
   from: at(5, 0),
-  move: { kind: "rapid", to: at(to, 0) },
+  move: { kind: "rapid", to: at(to, 0), phase: "rough", run: "rough", step: 1 },
   tool,
   block: 1,
   operation: null,
