@@ -51,7 +51,7 @@ test("a part from its drawing: wrong, right, and its plan beside the planner's",
   await expect(rows.first().getByRole("table")).toContainText("Q463");
   await expectFineInBothThemes(page, "two plans side by side");
   // The better way opens as a program of its own, no longer as the exercise.
-  await rows.first().getByRole("button", { name: plan.result.open, exact: true }).press("Enter");
+  await rows.first().getByRole("button", { name: plan.result.open }).press("Enter");
   await expect(dialog).toBeHidden();
   await expect(task.panel).toBeHidden();
   await expect(editor.text).toContainText(/BEARING_FLANGE.*TOOL CALL 1(?!5)/s);

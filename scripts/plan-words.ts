@@ -3,7 +3,7 @@ import { loadTexts } from "../src/i18n/parts.ts";
 import {
   missingToolText,
   planActionText,
-  planDifferences,
+  planDifferenceText,
   planReasonText,
   planVerdict,
   residueText,
@@ -26,25 +26,26 @@ function stepLines({ tried, seconds, why, others }: PlanStep, i: number, w: Plan
   return [
     `${String(i + 1).padStart(2)}. ${kinds[tried.action.kind]}: ${planActionText(w, tried.action)}, ${w.time(seconds)}` +
       (reasons === "" ? "" : ` (${reasons})`),
-    ...others.map((other) => {
-      const said = planDifferences(w, other).join(", ");
-      return `      ${steps.others}: ${planActionText(w, other.tried.action)}: ${said === "" ? steps.sameResult : said}`;
-    }),
+    ...others.map(
+      (other) => `      ${steps.others}: ${planActionText(w, other.tried.action)}: ${planDifferenceText(w, other)}`,
+    ),
   ];
 }
 
 const residueLine = (residue: Residue, w: PlanWriter): string =>
   [
     `${w.t.left.title}: ${residueText(w, residue)}`,
-    ...(residue.missing ? [`${w.t.left.missing}: ${missingToolText(w, residue.missing)}`] : []),
+    ...(residue.missing ? [w.t.left.missing(missingToolText(w, residue.missing))] : []),
   ].join("; ");
 
 /** A plan as lines: its steps with their reasons, what is left, time and verdict. */
 export function planLines(plan: WorkingPlan, w: PlanWriter): readonly string[] {
   const { result } = w.t;
-  return [
+  const lines = [
     ...plan.steps.flatMap((step, i) => stepLines(step, i, w)),
     ...plan.residue.map((residue) => residueLine(residue, w)),
     `${w.time(plan.seconds)}, ${result.tools}: ${plan.tools.length}, ${result.changes}: ${plan.toolChanges}; ${planVerdict(w, plan).text}`,
   ];
+  // A terminal is searched by its words: their spaces are plain.
+  return lines.map((line) => line.replaceAll("\u00a0", " "));
 }

@@ -50,8 +50,8 @@ export function lengthsIn(language: Language, unit: LengthUnit, per: number): Le
     fixedArea: (mm2, decimals) => formatFixed(language, mm2 / per ** 2, decimals + ofArea),
     volume: (cm3) =>
       isInch
-        ? `${formatNumber(language, (cm3 * CUBIC_CM) / per ** 3, 3)} inch³`
-        : `${formatNumber(language, cm3, 2)} cm³`,
+        ? `${formatNumber(language, (cm3 * CUBIC_CM) / per ** 3, 3)}\u00a0inch³`
+        : `${formatNumber(language, cm3, 2)}\u00a0cm³`,
     words: (text) => (isInch ? text.replace(/\bmm\b/g, unit).replace(/µm\b/g, "µin") : text),
   };
 }

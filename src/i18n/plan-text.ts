@@ -56,13 +56,13 @@ export function planReasonText(w: PlanWriter, reason: StepReason, own: Action): 
 }
 
 /** Shorter differences of time, s, and smaller ones of material, mm² of the half plane, are none. */
-export const SAME_RESULT = { seconds: 0.5, area: 0.05 };
+const SAME_RESULT = { seconds: 0.5, area: 0.05 };
 
-/** What another way takes longer, and what it leaves or takes more; empty where it does the same. */
-export function planDifferences(w: PlanWriter, { longer, leaves }: OtherWay): readonly string[] {
+/** What another way takes longer, and what it leaves or takes more; the same result where it differs in neither. */
+export function planDifferenceText(w: PlanWriter, { longer, leaves }: Pick<OtherWay, "longer" | "leaves">): string {
   const { area } = writer(w.language);
   const { steps } = w.t;
-  return [
+  const differences = [
     ...(Math.abs(longer) < SAME_RESULT.seconds
       ? []
       : [(longer > 0 ? steps.longer : steps.shorter)(w.time(Math.abs(longer)))]),
@@ -70,6 +70,7 @@ export function planDifferences(w: PlanWriter, { longer, leaves }: OtherWay): re
       ? []
       : [(leaves > 0 ? steps.leaves : steps.takesMore)(area(Math.abs(leaves)))]),
   ];
+  return differences.length === 0 ? steps.sameResult : differences.join(" · ");
 }
 
 /** The smallest data of a missing tool. */

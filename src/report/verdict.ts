@@ -2,6 +2,7 @@ import { curvatureUnknown, flanksUnknown } from "../kernel/cutter/insert.ts";
 import type { Tool } from "../kernel/plan/tool.ts";
 import type { Run } from "../program/state/run-types.ts";
 import { REAL_AREA } from "../kernel/area/real-area.ts";
+import { unknownHolders } from "../sim/known-holders.ts";
 import { STOCK_FAULTS, type StockFinding, type Simulation, type Verdict } from "../sim/simulation.ts";
 
 /**
@@ -125,11 +126,12 @@ function notesOf(run: Run, { operations, residual }: Simulation["proof"]): Verdi
 /** Tools that moved and are not described in full, each once. */
 function undescribedTools(run: Run): VerdictReason[] {
   const first = new Map<number, { readonly tool: Tool; readonly block: number }>();
+  const unknown = unknownHolders(run);
   for (const { tool, block } of run.steps) if (!first.has(tool.T)) first.set(tool.T, { tool, block });
   return [...first.values()].flatMap(({ tool, block }) => {
     const about = { block, tool: tool.T, name: tool.NAME };
     return [
-      ...(tool.holder ? [] : [{ kind: "holderUnknown", ...about } as const]),
+      ...(unknown.has(tool.T) ? [{ kind: "holderUnknown", ...about } as const] : []),
       ...(flanksUnknown(tool) ? [{ kind: "flanksUnknown", ...about } as const] : []),
       ...(curvatureUnknown(tool) ? [{ kind: "curvatureUnknown", ...about } as const] : []),
     ];

@@ -17,6 +17,7 @@ import { measuring } from "./measure.ts";
 import { outlinesOf } from "./outlines.ts";
 import { setupsOf } from "./setups.ts";
 import { residualOf, type KnownShapes } from "./residual.ts";
+import { unknownHolders } from "./known-holders.ts";
 import { hasClamping, nearestRun, resumePoint, snapshotSteps, type PreviousRun, type ResumePoint } from "./resume.ts";
 import type {
   AnyFinding,
@@ -348,7 +349,7 @@ function runSimulation(
       ),
       holder: findings.some((f) => f.kind === "holderContact" || f.clamp?.by === "holder")
         ? "contact"
-        : steps.some((s) => !s.tool.holder || curvatureUnknown(s.tool))
+        : unknownHolders(input).size > 0 || steps.some((s) => curvatureUnknown(s.tool))
           ? "unknown"
           : "clear",
       unproved: [...unproved, ...statements.unproved()],

@@ -72,13 +72,14 @@ const more = (a: Attempt, b: Attempt): number =>
   areaOf(withoutSlivers(difference(a.simulation.final, b.simulation.final)));
 
 /** What a taken way breaks of what it promises; empty where it keeps its word. */
-export function brokenByWay({ text, tools }: PeerProgram, way: BetterWay): readonly string[] {
+export function brokenByWay(peer: PeerProgram, way: BetterWay): readonly string[] {
+  const { text, tools } = peer;
   const attempt = attemptWith(tools);
   const [was, is] = [attempt(text), attempt(way.text)];
   const [verdict, before] = [verdictOf(is.run, is.simulation).verdict, verdictOf(was.run, was.simulation).verdict];
   const left = more(is, was);
   return [
-    ...(JSON.stringify(measureOf(is.run, is.simulation.proof.residual)) === JSON.stringify(way.after)
+    ...(JSON.stringify(measureOf(is, conditionsOf(peer).material)) === JSON.stringify(way.after)
       ? []
       : ["another measure"]),
     ...(verdict === before || way.gains.includes("verdict") ? [] : [`verdict ${before}, then ${verdict}`]),

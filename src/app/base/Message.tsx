@@ -1,5 +1,6 @@
 import type { HTMLAttributes } from "react";
 import { Icon } from "./Icon.tsx";
+import { Unbroken } from "./Unbroken.tsx";
 
 interface Props extends HTMLAttributes<HTMLElement> {
   readonly tone: "error" | "warning" | "info";
@@ -11,7 +12,7 @@ export function Message({ tone, as: Element = "p", className = "", children, ...
   return (
     <Element {...rest} className={`field-message ${tone} ${className}`.trim()}>
       <Icon name={tone} />
-      {children}
+      {typeof children === "string" ? <Unbroken text={children} /> : children}
     </Element>
   );
 }

@@ -8,6 +8,7 @@ import type { FindingEntry } from "./entry.ts";
 import type { FindingsHost } from "./host.ts";
 import { useToolOffers, useTriedFixes } from "./offers.ts";
 import { isLeftByTool, ResidueTools } from "./ResidueTools.tsx";
+import { Unbroken } from "../base/Unbroken.tsx";
 import { useFixesHeldBack } from "./task-result.ts";
 
 /** One finding: a row that leads to its place, with the most certain fix as a button and the others folded away. */
@@ -87,7 +88,7 @@ export function FindingRow({
           {parameter !== null && <span className="soft number">{` · ${parameter}`}</span>}
         </p>
         <p id={id}>
-          {issueText(t, lengths, issue, host.cycleOf(entry))}
+          <Unbroken text={issueText(t, lengths, issue, host.cycleOf(entry))} />
           {entry.thickness !== null && ` ${lengths.words(t.findings.residue.thick(lengths.number(entry.thickness)))}`}
         </p>
         {!isHeldBack && (

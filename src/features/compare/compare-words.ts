@@ -46,7 +46,7 @@ function effectText(wording: Wording, name: keyof Effects, { [name]: value }: Ef
   if (name === "passes") return String(value);
   const { lengths } = wording;
   return name === "residue"
-    ? lengths.words(`${lengths.area(value, 2)} mm²`)
+    ? lengths.words(`${lengths.area(value, 2)}\u00a0mm²`)
     : `${lengths.number(value)} ${lengths.unit}`;
 }
 

@@ -2,7 +2,7 @@ import { useEffect, useState } from "react";
 import { searchBetterWays, tryBetterWay } from "../../app/calculation/better-ways.ts";
 import { onlyNewest } from "../../app/base/once.ts";
 import type { ProgramWork } from "../../app/document/work.ts";
-import { bestWays, isCovered, type BetterWay } from "../../report/better-ways/better-ways.ts";
+import { bestWays, triesOf, type BetterWay } from "../../report/better-ways/better-ways.ts";
 import type { Conditions } from "../../report/better-ways/situation.ts";
 
 /** A search with what it has found so far. */
@@ -47,16 +47,17 @@ export function useBetterWays(
       if (!found) return tell({ state: "failed", stale: [] });
       const { candidates, baseline } = found;
       tell({ state: "trying", count: candidates.length, isFaulty: baseline.verdict === "faults" });
-      const better: BetterWay[] = [];
-      for (const [i, candidate] of candidates.entries()) {
-        const way = isCovered(candidate, better) ? null : await tryBetterWay(program, found, candidate);
-        if (!isNewest()) return;
-        if (way) better.push(way);
+      const tries = triesOf(found);
+      for (let next = tries.next(null); ;) {
+        if (next.done) return tell({ state: "done", stale: [], ways: next.value });
+        const { candidate, tried, of, ways } = next.value;
         // In the order in which they were found: a row must not move away under the pointer.
-        const best = new Set(bestWays(better));
-        tell({ tried: i + 1, ways: better.filter((each) => best.has(each)) });
+        const best = new Set(bestWays(ways));
+        tell({ tried, count: of, ways: ways.filter((each) => best.has(each)) });
+        const way = await tryBetterWay(program, found, candidate);
+        if (!isNewest()) return;
+        next = tries.next(way);
       }
-      tell({ state: "done", stale: [], ways: bestWays(better) });
     };
     void tryAll();
     return () => void begin();

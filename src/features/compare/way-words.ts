@@ -45,6 +45,8 @@ function gainText({ ways: { gains }, lengths, texts }: WayWording, way: BetterWa
       return after.residual < NO_AREA
         ? gains.residualGone(subject.tool === undefined ? "" : String(subject.tool))
         : gains.residualLess(writer(lengths).area(before.residual - after.residual));
+    case "bending":
+      return gains.bendsLess(writer(lengths).length(before.bending - after.bending));
     case "tools":
       return subject.instead === undefined
         ? gains.toolsLess(before.tools - after.tools)
@@ -99,7 +101,7 @@ function valueWords({ texts, operations, lengths: { language } }: WayWording, { 
 }
 
 /** What changes, and why it may. */
-export function subjectWords(wording: WayWording, { subject }: BetterWay): string {
+export function subjectWords(wording: WayWording, { subject }: Pick<BetterWay, "subject">): string {
   const { ways, texts, lengths, material } = wording;
   const { kinds } = ways;
   const { units, tool, tools = [], instead, value } = subject;
@@ -130,6 +132,10 @@ export function subjectWords(wording: WayWording, { subject }: BetterWay): strin
       const most = `${number(value?.most)} ${lengths.unit}`;
       return kinds.infeed(all, valueWords(wording, subject), String(tool), most);
     }
+    case "stiffness":
+      return kinds.stiffness(all, valueWords(wording, subject), `${number(value?.most)} ${lengths.unit}`);
+    case "both":
+      return (subject.parts ?? []).map((each) => subjectWords(wording, { subject: each })).join(" ");
     case "start":
       return kinds.start(all, value?.at ?? "", number(value?.from), number(value?.to));
     case "oneCall":
@@ -146,13 +152,13 @@ export function measureWords(
   { ways, lengths, texts }: WayWording,
   { before, after }: BetterWay,
 ): readonly { readonly name: keyof Measure; readonly label: string; readonly text: string }[] {
-  const shown = (name: keyof Measure, { [name]: value }: Measure): string =>
-    name === "seconds"
-      ? timeText({ lengths, texts }, value)
-      : name === "residual"
-        ? writer(lengths).area(value)
-        : String(value);
-  return (["seconds", "tools", "changes", "residual"] as const)
+  const writes: Readonly<Partial<Record<keyof Measure, (value: number) => string>>> = {
+    seconds: (value) => timeText({ lengths, texts }, value),
+    residual: writer(lengths).area,
+    bending: writer(lengths).length,
+  };
+  const shown = (name: keyof Measure, { [name]: value }: Measure): string => (writes[name] ?? String)(value);
+  return (["seconds", "tools", "changes", "residual", "bending"] as const)
     .map((name) => ({ name, label: ways.measures[name], from: shown(name, before), to: shown(name, after) }))
     .filter(({ from, to }) => from !== to)
     .map(({ name, label, from, to }) => ({ name, label, text: `${from} → ${to}` }));

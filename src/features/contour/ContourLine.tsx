@@ -14,6 +14,7 @@ import { TypedTolerance } from "../../app/fields/number/TypedTolerance.tsx";
 import { chooseElement } from "../../app/place/contour-place.ts";
 import { RowNotes } from "./RowNotes.tsx";
 import { RecessFields } from "./RecessFields.tsx";
+import { Unbroken } from "../../app/base/Unbroken.tsx";
 import { ContourCell, type Shown } from "./ContourCell.tsx";
 
 interface Props {
@@ -290,7 +291,9 @@ function Line({
           .filter(({ issue }) => open === 0 || issue.code !== "elementFree")
           .map((found, i) => (
             <Message key={i} as="div" tone={found.issue.severity} className="small">
-              <p>{issueText(all, language, found.issue, null)}</p>
+              <p>
+                <Unbroken text={issueText(all, language, found.issue, null)} />
+              </p>
               {(found.field === "x" || found.field === "z" || found.field === "r") && (
                 <TypedTolerance issue={found.issue} onTake={takeInto(found.field)} />
               )}

@@ -2,6 +2,7 @@ import { texts } from "../../app/base/settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import type { RowIssue } from "../../program/job/contour-rows.ts";
 import { Icon } from "../../app/base/Icon.tsx";
+import { Unbroken } from "../../app/base/Unbroken.tsx";
 import { issueText } from "../../app/calculation/issue-text.ts";
 
 interface Props {
@@ -24,7 +25,9 @@ export function FaultList({ issues, language, onPick }: Props) {
         <li key={i}>
           <button type="button" className="button plain small" onClick={() => onPick(found.row)}>
             <Icon name="error" /> <span className="number">{found.row + 1}!</span>{" "}
-            <span>{issueText(all, language, found.issue, null)}</span>
+            <span>
+              <Unbroken text={issueText(all, language, found.issue, null)} />
+            </span>
           </button>
         </li>
       ))}

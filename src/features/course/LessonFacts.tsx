@@ -83,7 +83,7 @@ export function LessonFacts({
       : []),
     [t.time, durationText(t.duration, language, seconds)],
     ...(calls.length > 0 && residual !== null
-      ? [[t.residual, residual === 0 ? t.none : `${formatNumber(language, residual, 3)} mm²`] as const]
+      ? [[t.residual, residual === 0 ? t.none : `${formatNumber(language, residual, 3)}\u00a0mm²`] as const]
       : []),
   ];
   return (

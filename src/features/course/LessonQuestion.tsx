@@ -2,6 +2,7 @@ import { Suspense, useEffect, useEffectEvent, useId, useRef, useState } from "re
 import type { PageQuestion, PageQuestionWords } from "../../course/lesson.ts";
 import { answerKindOf } from "../../course/predicted-answers.ts";
 import { Icon } from "../../app/base/Icon.tsx";
+import { Unbroken } from "../../app/base/Unbroken.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { AskedAnswer } from "./task/AskedAnswer.tsx";
 import { Paragraphs } from "./Paragraphs.tsx";
@@ -45,7 +46,9 @@ function Choices({
             }}
           >
             <span className="lesson-answer-mark">{state && <Icon name={state === "right" ? "check" : "close"} />}</span>
-            <span>{choice}</span>
+            <span>
+              <Unbroken text={choice} />
+            </span>
           </button>
         );
       })}
@@ -170,7 +173,9 @@ export function LessonQuestion({
   return (
     <section className="lesson-question" aria-label={t.name} tabIndex={-1}>
       <div id={labelled} className="lesson-ask">
-        <b>{words.ask}</b>
+        <b>
+          <Unbroken text={words.ask} />
+        </b>
         {isAnswered && (
           <span className="lesson-answered" role="img" aria-label={t.answered} title={t.answered}>
             <Icon name="check" />

@@ -149,7 +149,7 @@ function PlanStage({
   const chains = setup.part ? [setup.part.outside, setup.part.inside] : [];
   const { picture } = t;
   const shownWords = (): string => {
-    if (progress) return picture.searching;
+    if (progress) return progress.isWhole ? picture.searching : picture.begun;
     if (step && shown !== null) return picture.step(shown + 1, t.kinds[step.tried.action.kind]);
     return isPlan ? picture.finished : picture.blank;
   };

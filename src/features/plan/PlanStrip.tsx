@@ -1,5 +1,6 @@
 import type { WorkingPlan } from "../../planning/working-plan.ts";
 import { Icon } from "../../app/base/Icon.tsx";
+import { Unbroken } from "../../app/base/Unbroken.tsx";
 import { openText } from "../../app/fields/open/open-program.ts";
 import { setMaterial } from "../../app/document/edits.ts";
 import { toFirstPrompt } from "../../app/place/place.ts";
@@ -57,7 +58,14 @@ export function PlanStrip({ words, stored, made, isOutdated, onPlan }: Props) {
           <>
             <b>{t.run.searching(progress?.tries ?? 0)}</b>
             {progress && progress.done.length > 0 && (
-              <span className="small soft">{t.run.best(progress.done.length, timeWords(words, progress.seconds))}</span>
+              <span className="small soft">
+                <Unbroken
+                  text={(progress.isWhole ? t.run.best : t.run.begun)(
+                    t.run.operations(progress.done.length),
+                    timeWords(words, progress.seconds),
+                  )}
+                />
+              </span>
             )}
           </>
         )}
@@ -74,7 +82,13 @@ export function PlanStrip({ words, stored, made, isOutdated, onPlan }: Props) {
               {isOutdated ? t.run.outdated : verdict.text}
             </b>
             <span className="small soft">
-              {t.run.done(plan.steps.length, timeWords(words, plan.seconds - changes), timeWords(words, changes))}
+              <Unbroken
+                text={t.run.done(
+                  t.run.operations(plan.steps.length),
+                  timeWords(words, plan.seconds - changes),
+                  timeWords(words, changes),
+                )}
+              />
             </span>
             {ended === "failed" && <span className="small plan-bad">{t.run.failed}</span>}
             {ended === "stopped" && <span className="small">{t.run.stoppedAgain}</span>}

@@ -1,6 +1,7 @@
 import { useEffect, useRef } from "react";
 import type { Residue, WorkingPlan } from "../../planning/working-plan.ts";
 import { Message } from "../../app/base/Message.tsx";
+import { Unbroken } from "../../app/base/Unbroken.tsx";
 import type { Clamping, StoredPart } from "../../app/records/part-store.ts";
 import { forgetHand, previewValues, startPlan, type MadePlan } from "./plan-store.ts";
 import { pointAtRows, showClamping, usePlanPlace } from "./plan-place.ts";
@@ -35,6 +36,9 @@ function LeftList({ words, residue }: { readonly words: PlanWords; readonly resi
   return (
     <section className="plan-left" aria-label={left.title}>
       <h2>{left.title}</h2>
+      <p className="small soft plan-left-about">
+        <Unbroken text={left.about} />
+      </p>
       <ul>
         {residue.map((each, i) => (
           <li key={i} onPointerEnter={() => pointAtRows(each.rows)} onPointerLeave={() => pointAtRows(null)}>
@@ -47,7 +51,7 @@ function LeftList({ words, residue }: { readonly words: PlanWords; readonly resi
             <span>{left.why[each.why]}</span>
             {each.missing && (
               <span className="small">
-                {left.missing}: {missingWords(words, each.missing)}
+                <Unbroken text={left.missing(missingWords(words, each.missing))} />
               </span>
             )}
           </li>

@@ -2,13 +2,19 @@ import { useId } from "react";
 import type { PlanStep } from "../../planning/working-plan.ts";
 import type { Clamping, StoredPart } from "../../app/records/part-store.ts";
 import { exclude, setValues, takeWay, toggleLock } from "./plan-store.ts";
-import { SAME_AREA, SAME_TIME } from "./same-way.ts";
 import { StepValues } from "./StepValues.tsx";
 import { openStep, pointAtStep } from "./plan-place.ts";
 import type { HandValues } from "../../planning/types.ts";
 import type { ValuesTried } from "../../app/calculation/part-plan.ts";
+import { Unbroken } from "../../app/base/Unbroken.tsx";
 import { StepLine } from "../../app/fields/plan/StepLine.tsx";
-import { actionWords, areaWords, cycleName, timeWords, type PlanWords } from "../../app/fields/plan/plan-words.ts";
+import {
+  actionWords,
+  cycleName,
+  differenceWords,
+  timeWords,
+  type PlanWords,
+} from "../../app/fields/plan/plan-words.ts";
 
 interface Props {
   readonly words: PlanWords;
@@ -86,19 +92,9 @@ export function StepItem({ words, stored, step, index, isOpen, isLocked, clampin
                   <li key={way.key}>
                     <b>{cycleName(words, way.cycle)}</b>
                     <span className="small">{w.tool(String(way.tool.T), way.tool.NAME ?? "")}</span>
-                    <span className="small number">
-                      {timeWords(words, other.seconds)}
-                      {Math.abs(other.longer) > SAME_TIME && (
-                        <span className="soft">
-                          {" "}
-                          ({(other.longer > 0 ? w.longer : w.shorter)(timeWords(words, Math.abs(other.longer)))})
-                        </span>
-                      )}
-                    </span>
+                    <span className="small number">{timeWords(words, other.seconds)}</span>
                     <span className="small">
-                      {Math.abs(other.leaves) < SAME_AREA
-                        ? w.sameResult
-                        : (other.leaves > 0 ? w.leaves : w.takesMore)(areaWords(words, Math.abs(other.leaves)))}
+                      <Unbroken text={differenceWords(words, other)} />
                     </span>
                     <button
                       type="button"

@@ -6,11 +6,10 @@ import { Message } from "../../app/base/Message.tsx";
 import { isSameData } from "../../app/base/same.ts";
 import { TYPING } from "../../app/base/waits.ts";
 import type { ValuesTried } from "../../app/calculation/part-plan.ts";
-import { areaWords, timeWords, type PlanWords } from "../../app/fields/plan/plan-words.ts";
+import { areaWords, differenceWords, timeWords, type PlanWords } from "../../app/fields/plan/plan-words.ts";
 import { readText } from "../../program/values/field.ts";
 import { issueText } from "../../app/calculation/issue-text.ts";
 import { previewStock } from "./plan-place.ts";
-import { SAME_AREA, SAME_TIME } from "./same-way.ts";
 import { StepValueField } from "./StepValueField.tsx";
 
 interface Props {
@@ -101,22 +100,14 @@ export function StepValues({ words, step, index, canChange, preview, onSet }: Pr
         {seen && (
           <>
             <b>{w.preview}</b>
-            <span className="number">
-              {timeWords(words, step.seconds + longer)}
-              {Math.abs(longer) > SAME_TIME &&
-                ` (${(longer > 0 ? w.longer : w.shorter)(timeWords(words, Math.abs(longer)))})`}
-            </span>
-            <span>
-              {Math.abs(leaves) < SAME_AREA
-                ? w.sameResult
-                : (leaves > 0 ? w.leaves : w.takesMore)(areaWords(words, Math.abs(leaves)))}
-            </span>
+            <span className="number">{timeWords(words, step.seconds + longer)}</span>
+            <span>{differenceWords(words, { longer, leaves })}</span>
             {seen.issues.slice(0, MOST_FINDINGS).map((issue, i) => (
               <Message key={i} tone={issue.severity}>
                 {issueText(work, language, issue, action.cycle)}
               </Message>
             ))}
-            {seen.tried.gouge > SAME_AREA && (
+            {!seen.tried.works && seen.tried.gouge > 0 && (
               <Message tone="error">{t.result.damage(areaWords(words, seen.tried.gouge))}</Message>
             )}
             {!seen.tried.works && <Message tone="error">{w.unusable}</Message>}

@@ -19,6 +19,7 @@ import { SheetProgram } from "./SheetProgram.tsx";
 import { SheetTime } from "./SheetTime.tsx";
 import { SheetTools } from "./SheetTools.tsx";
 import { sheetWords } from "./sheet-words.ts";
+import { Unbroken } from "../../app/base/Unbroken.tsx";
 import type { SheetSource } from "./use-sheet.ts";
 
 /** Most findings and reasons listed on the sheet. */
@@ -90,7 +91,7 @@ function FindingLines({ t, source }: { readonly t: SheetTexts; readonly source: 
               : texts.findings.inBlock(String(entry.block));
           return (
             <li key={entry.id}>
-              <Icon name={entry.issue.severity} /> {issueText(texts, lengths, entry.issue, cycle)}{" "}
+              <Icon name={entry.issue.severity} /> <Unbroken text={issueText(texts, lengths, entry.issue, cycle)} />{" "}
               {where && `(${where})`}
             </li>
           );

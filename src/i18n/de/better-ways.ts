@@ -28,13 +28,20 @@ export const betterWays: BetterWaysTexts = {
   gains: {
     verdict: "Besseres Prüfergebnis",
     residualGone: (tool) => (tool === "" ? "Kein Restmaterial" : `Kein Restmaterial mit Werkzeug ${tool}`),
+    bendsLess: (length) => `Werkstück biegt sich ${length} weniger durch`,
     residualLess: (area) => `${area} weniger Restmaterial`,
     toolGone: (tool) => `Werkzeug ${tool} entfällt`,
     toolsLess: (n) => (n === 1 ? "1 Werkzeug weniger" : `${n} Werkzeuge weniger`),
     changesLess: (n) => (n === 1 ? "1 Werkzeugwechsel weniger" : `${n} Werkzeugwechsel weniger`),
     shorter: (time) => `${time} kürzer`,
   },
-  measures: { seconds: "Zeit", tools: "Werkzeuge", changes: "Werkzeugwechsel", residual: "Restmaterial" },
+  measures: {
+    seconds: "Zeit",
+    tools: "Werkzeuge",
+    changes: "Werkzeugwechsel",
+    residual: "Restmaterial",
+    bending: "Durchbiegung",
+  },
   kinds: {
     noCut: (operation) => `${operation} zerspant nichts und wird gelöscht.`,
     fewerTools: (operations, tool) => `${operations} mit Werkzeug ${tool}, das im Programm ohnehin vorkommt.`,
@@ -48,7 +55,9 @@ export const betterWays: BetterWaysTexts = {
     otherCycleAndTool: (operation, cycle, tool) => `${operation} mit Zyklus ${cycle} und Werkzeug ${tool}.`,
     otherChoice: (operation, value) => `${operation}: ${value}.`,
     infeed: (operation, value, tool, most) =>
-      `${operation}: ${value}. Vorsichtige Grenze für Werkzeug ${tool} aus Schneidenlänge und Spindelleistung: ${most}.`,
+      `${operation}: ${value}. Vorsichtige Grenze für Werkzeug ${tool} aus Schneidenlänge, Spindelleistung und Steifigkeit: ${most}.`,
+    stiffness: (operation, value, most) =>
+      `${operation}: ${value}. Das Werkstück ist schlank; seine Durchbiegung erlaubt höchstens ${most}.`,
     start: (operation, axis, from, to) =>
       `${operation} schneidet zuerst in der Luft: Startpunkt ${axis} ${to} statt ${from}.`,
     oneCall: (operations) => `${operations} in einem Aufruf, Schruppen und Schlichten.`,

@@ -30,6 +30,6 @@ export const partProblems: PartProblemTexts = {
     tolerancePlace: ({ text }) =>
       `${text}: Eine Toleranz braucht einen Zylinder, eine Planfläche oder einen Einstich. Nennmaß verwendet.`,
     blankWrong: () => "Das Rohteil hat kein Volumen.",
-    beyondBlank: ({ area }) => `Das Werkstück ist größer als sein Rohteil: ${area} mm² im Halbschnitt.`,
+    beyondBlank: ({ area }) => `Das Werkstück ist größer als sein Rohteil: ${area}\u00a0mm² im Halbschnitt.`,
   },
 };

@@ -30,12 +30,19 @@ export const betterWays = {
     verdict: "Better check result",
     residualGone: (tool: string) => (tool === "" ? "No residual material" : `No residual material with tool ${tool}`),
     residualLess: (area: string) => `${area} less residual material`,
+    bendsLess: (length: string) => `Workpiece deflects ${length} less`,
     toolGone: (tool: string) => `Tool ${tool} not needed`,
     toolsLess: (n: number) => (n === 1 ? "1 tool less" : `${n} tools less`),
     changesLess: (n: number) => (n === 1 ? "1 tool change less" : `${n} tool changes less`),
     shorter: (time: string) => `${time} shorter`,
   },
-  measures: { seconds: "Time", tools: "Tools", changes: "Tool changes", residual: "Residual material" },
+  measures: {
+    seconds: "Time",
+    tools: "Tools",
+    changes: "Tool changes",
+    residual: "Residual material",
+    bending: "Deflection",
+  },
   kinds: {
     noCut: (operation: string) => `${operation} cuts nothing and is deleted.`,
     fewerTools: (operations: string, tool: string) =>
@@ -52,7 +59,9 @@ export const betterWays = {
       `${operation} with cycle ${cycle} and tool ${tool}.`,
     otherChoice: (operation: string, value: string) => `${operation}: ${value}.`,
     infeed: (operation: string, value: string, tool: string, most: string) =>
-      `${operation}: ${value}. Cautious limit for tool ${tool}, from cutting edge and spindle power: ${most}.`,
+      `${operation}: ${value}. Cautious limit for tool ${tool}, from cutting edge, spindle power and stiffness: ${most}.`,
+    stiffness: (operation: string, value: string, most: string) =>
+      `${operation}: ${value}. The workpiece is slender; at most ${most} is allowed for its deflection.`,
     start: (operation: string, axis: string, from: string, to: string) =>
       `${operation} cuts air at first: start at ${axis} ${to} instead of ${from}.`,
     oneCall: (operations: string) => `${operations} in one call, roughing and finishing.`,

@@ -30,6 +30,6 @@ export const partProblems: PartProblemTexts = {
     toleranceText: ({ text }) => `${text}: unknown tolerance. Examples: h6, +0.02/-0.01, ±0.05.`,
     tolerancePlace: ({ text }) => `${text}: a tolerance needs a cylinder, a face or a recess. Nominal size used.`,
     blankWrong: () => "The blank has no volume.",
-    beyondBlank: ({ area }) => `The part extends beyond its blank by ${area} mm² of the half section.`,
+    beyondBlank: ({ area }) => `The part extends beyond its blank by ${area}\u00a0mm² of the half section.`,
   },
 };

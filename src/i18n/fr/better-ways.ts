@@ -31,13 +31,20 @@ export const betterWays = typeset<BetterWaysTexts>({
   gains: {
     verdict: "Meilleur résultat du contrôle",
     residualGone: (tool) => (tool === "" ? "Sans matière résiduelle" : `Sans matière résiduelle avec l’outil ${tool}`),
+    bendsLess: (length) => `Flexion de la pièce réduite de ${length}`,
     residualLess: (area) => `${area} de matière résiduelle en moins`,
     toolGone: (tool) => `Outil ${tool} inutile`,
     toolsLess: (n) => (n === 1 ? "1 outil en moins" : `${n} outils en moins`),
     changesLess: (n) => (n === 1 ? "1 changement d’outil en moins" : `${n} changements d’outil en moins`),
     shorter: (time) => `${time} de moins`,
   },
-  measures: { seconds: "Temps", tools: "Outils", changes: "Changements d’outil", residual: "Matière résiduelle" },
+  measures: {
+    seconds: "Temps",
+    tools: "Outils",
+    changes: "Changements d’outil",
+    residual: "Matière résiduelle",
+    bending: "Flexion",
+  },
   kinds: {
     noCut: (operation) => `${operation} n’enlève rien : à supprimer.`,
     fewerTools: (operations, tool) => `${operations} avec l’outil ${tool}, que le programme appelle déjà.`,
@@ -50,7 +57,9 @@ export const betterWays = typeset<BetterWaysTexts>({
     otherCycleAndTool: (operation, cycle, tool) => `${operation} avec le cycle ${cycle} et l’outil ${tool}.`,
     otherChoice: (operation, value) => `${operation} : ${value}.`,
     infeed: (operation, value, tool, most) =>
-      `${operation} : ${value}. Limite prudente de l’outil ${tool}, selon l’arête et la puissance de broche : ${most}.`,
+      `${operation} : ${value}. Limite prudente de l’outil ${tool}, selon l’arête, la puissance de broche et la rigidité : ${most}.`,
+    stiffness: (operation, value, most) =>
+      `${operation} : ${value}. La pièce est élancée ; sa flexion permet ${most} au plus.`,
     start: (operation, axis, from, to) =>
       `${operation} coupe d’abord dans le vide : point de départ ${axis} ${to} au lieu de ${from}.`,
     oneCall: (operations) => `${operations} en un seul appel, ébauche et finition.`,

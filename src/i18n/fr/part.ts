@@ -30,6 +30,6 @@ export const partProblems: PartProblemTexts = {
     tolerancePlace: ({ text }) =>
       `${text} : une tolérance demande un cylindre, une face ou une gorge. Cote nominale utilisée.`,
     blankWrong: () => "Le brut n’a pas de volume.",
-    beyondBlank: ({ area }) => `La pièce dépasse son brut de ${area} mm² en demi-coupe.`,
+    beyondBlank: ({ area }) => `La pièce dépasse son brut de ${area}\u00a0mm² en demi-coupe.`,
   },
 };

@@ -79,10 +79,11 @@ export const plan = {
     stoppedAgain: "Arrêté. La gamme précédente reste affichée.",
     failed: "La gamme n’a pas pu être calculée.",
     searching: (tries) => `Planification, ${tries} opérations simulées`,
-    best: (steps, time) => `Meilleure jusqu’ici : ${steps} opérations, ${time}`,
+    operations: (n) => (n === 1 ? "1 opération" : `${n} opérations`),
+    begun: (operations, time) => `Première gamme en cours : ${operations}, ${time}`,
+    best: (operations, time) => `Meilleure jusqu’ici : ${operations}, ${time}`,
     ready: "Pas encore planifié",
-    done: (operations, time, changes) =>
-      `Planifié : ${operations} opérations, ${time} + ${changes} de changements d’outil`,
+    done: (operations, time, changes) => `${operations}, ${time} + ${changes} de changements d’outil`,
     none: "Aucun outil de la table ne peut commencer. Voir ci-dessous ce qui manque.",
     empty: "La pièce n’a pas encore de contour.",
     about: "« Planifier » cherche cycles, outils et valeurs pour cette pièce et contrôle tout le programme.",
@@ -113,6 +114,7 @@ export const plan = {
     blank: "pièce finie dans le brut",
     finished: "matière après la dernière opération",
     step: (n, what) => `opération ${n}, ${what} : matière avant et après`,
+    begun: "première gamme en cours",
     searching: "meilleure gamme jusqu’ici",
     legend: { part: "Pièce finie", stock: "Matière", cut: "Enlevé dans cette opération", left: "Non usiné" },
   },
@@ -140,7 +142,7 @@ export const plan = {
         ? "1 opération verrouillée ou modifiée par vous n’est pas dans ce plan."
         : `${n} opérations verrouillées ou modifiées par vous ne sont pas dans ce plan.`,
     forget: "Retirer",
-    others: "Solutions suivantes",
+    others: "Autres solutions",
     noOther: "Aucune autre solution ne convient ici.",
     use: "Utiliser",
     useLong: (n, way) => `Opération ${n} : utiliser ${way}`,
@@ -170,9 +172,9 @@ export const plan = {
   because: {
     onlyTool: "seul outil qui atteint cette matière",
     onlyCycle: "seul cycle possible ici",
-    onlyPath: "seuls des séquences de contournage conviennent ici",
+    onlyPath: "seules des séquences de contournage conviennent ici",
     faster: (time, other) => `${time} plus rapide que ${other}`,
-    equal: (other) => `aussi rapide que ${other}, la façon usuelle`,
+    equal: (other) => `aussi rapide que ${other} ; c’est le choix habituel`,
     takesMore: (area, other) => `enlève ${area} de plus que ${other}`,
     ownTool: (other) => `déjà dans la table ; ${other} serait à ajouter`,
     samePath: "un autre parcours du même cycle avec le même outil",
@@ -191,6 +193,8 @@ export const plan = {
   },
   left: {
     title: "Non usiné",
+    about:
+      "Mesuré par rapport à la pièce finie. Le contrôle du programme ouvert mesure la matière résiduelle par rapport au contour de chaque opération : les surfaces peuvent différer.",
     where: { outside: "à l’extérieur", inside: "dans l’alésage", face: "sur la face" },
     region: (area, where) => `${area} ${where}`,
     at: (from, to) => `Z${from} à Z${to}`,
@@ -203,7 +207,7 @@ export const plan = {
       fault: "chaque solution essayée s’est arrêtée sur une erreur",
       bound: "la recherche s’est terminée avant",
     },
-    missing: "Outil manquant",
+    missing: (tool) => `Outil manquant : ${tool}`,
     forms: {
       turning: "Outil de tournage",
       recessing: "Outil à gorge",

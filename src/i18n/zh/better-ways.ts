@@ -27,13 +27,14 @@ export const betterWays: BetterWaysTexts = {
   gains: {
     verdict: "检查结果更好",
     residualGone: (tool) => (tool === "" ? "无残余材料" : `用刀具 ${tool} 无残余材料`),
+    bendsLess: (length) => `工件弯曲变形减少 ${length}`,
     residualLess: (area) => `残余材料减少 ${area}`,
     toolGone: (tool) => `不再需要刀具 ${tool}`,
     toolsLess: (n) => `少用 ${n} 把刀具`,
     changesLess: (n) => `少换刀 ${n} 次`,
     shorter: (time) => `缩短 ${time}`,
   },
-  measures: { seconds: "时间", tools: "刀具", changes: "换刀", residual: "残余材料" },
+  measures: { seconds: "时间", tools: "刀具", changes: "换刀", residual: "残余材料", bending: "弯曲变形" },
   kinds: {
     noCut: (operation) => `${operation}未切除材料，将其删除。`,
     fewerTools: (operations, tool) => `${operations}改用程序中已调用的刀具 ${tool}。`,
@@ -45,7 +46,8 @@ export const betterWays: BetterWaysTexts = {
     otherCycleAndTool: (operation, cycle, tool) => `${operation}改用循环 ${cycle} 和刀具 ${tool}。`,
     otherChoice: (operation, value) => `${operation}：${value}。`,
     infeed: (operation, value, tool, most) =>
-      `${operation}：${value}。按切削刃和主轴功率，刀具 ${tool} 的谨慎上限为 ${most}。`,
+      `${operation}：${value}。按切削刃、主轴功率和刚度，刀具 ${tool} 的谨慎上限为 ${most}。`,
+    stiffness: (operation, value, most) => `${operation}：${value}。工件细长，其弯曲变形最多允许 ${most}。`,
     start: (operation, axis, from, to) => `${operation}开始时空切：起点 ${axis} ${from} 改为 ${to}。`,
     oneCall: (operations) => `${operations}合为一次调用（粗加工和精加工）。`,
     cuttingSpeed: (operations, from, to, material) =>

@@ -29,6 +29,6 @@ export const partProblems: PartProblemTexts = {
     toleranceText: ({ text }) => `${text}：未知公差。示例：h6、+0.02/-0.01、±0.05。`,
     tolerancePlace: ({ text }) => `${text}：公差需要圆柱、端面或凹槽。已采用公称尺寸。`,
     blankWrong: () => "毛坯没有体积。",
-    beyondBlank: ({ area }) => `工件超出毛坯 ${area} mm²（半剖面）。`,
+    beyondBlank: ({ area }) => `工件超出毛坯 ${area}\u00a0mm²（半剖面）。`,
   },
 };

@@ -49,6 +49,10 @@ export function holeOf(t: Tool, pitch: number = t.PITCH ?? 0): NeededHole | null
 /** End of a drill above its point, mm. */
 const endOf = (t: Tool, shoulder: number) => shoulder + Math.max(t.CUTLENGTH ?? LONG, t.R ?? 0);
 
+/** Length from the point that can be inside a hole before what holds the drill is, mm; 0 if it is not known. */
+export const insertedLength = (t: Tool): number =>
+  t.centre ? (centreProfile(t.centre, t.R ?? 0).at(-1)?.u ?? 0) : (t.CUTLENGTH ?? 0);
+
 /** Half outline from the point to the full radius: distance from the point, and radius. */
 function profileOf(t: Tool): readonly Flat[] {
   const r = t.R ?? 0;

@@ -18,7 +18,7 @@ import { positionAsTyped } from "../../program/values/typed-value.ts";
 import { borderOf, type OpenRegion } from "../open-regions.ts";
 import type { Action, ActionKind, ElementMark, PlannedPart, PlanRequest } from "../types.ts";
 import { barDiameter } from "../values/cutting-values.ts";
-import type { HeldBar } from "../values/stability.ts";
+import type { HeldBar } from "../../report/advice/stability.ts";
 import { boredTo, clearRadius, solidFrom } from "./bore.ts";
 import { actionOf, fitsOf, fitted, toolsOf, type Better } from "./candidates.ts";
 import type { CutRequest } from "./values-of-job.ts";

@@ -10,8 +10,8 @@ import { withCycleValues } from "../../program/job/requested-job.ts";
 import type { PlanRequest, ReasonedValue } from "../types.ts";
 import { withCuttingValues } from "../values/cycle-values.ts";
 import { cuttingValues } from "../values/cutting-values.ts";
-import { heldWorkpiece } from "../values/held-workpiece.ts";
-import type { HeldBar, HeldWorkpiece } from "../values/stability.ts";
+import { heldWorkpiece } from "../../report/advice/held-workpiece.ts";
+import type { HeldBar, HeldWorkpiece } from "../../report/advice/stability.ts";
 import type { CuttingValues, ValuesRequest, WantedRoughness, Work } from "../values/values-request.ts";
 
 /** Machining operation of a cycle: roughing and finishing, roughing, finishing to size. */

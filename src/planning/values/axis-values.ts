@@ -11,7 +11,7 @@ import {
 import { specificForce } from "../../report/advice/formulas.ts";
 import { atLeast, LEAST, leastOf, reasoned, typedDown } from "./formulas.ts";
 import { constantSpindle, GRID, powerFor } from "./spindle-values.ts";
-import { feedForForce } from "./stability.ts";
+import { feedForForce } from "../../report/advice/stability.ts";
 import type { CuttingValues, ValuesRequest } from "./values-request.ts";
 
 /** Threads: a constant speed within the feed rate of the machine. */

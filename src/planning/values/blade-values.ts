@@ -5,7 +5,7 @@ import { specificForce } from "../../report/advice/formulas.ts";
 import { feedsByForce, risksOf, roughingDepth } from "./edge-values.ts";
 import { atLeast, LEAST, leastOf, reasoned, typedDown, type ReasonedNumber } from "./formulas.ts";
 import { constantSurface, GRID, powerFor, shareOfSpeed } from "./spindle-values.ts";
-import { DEFLECTION, feedForForce } from "./stability.ts";
+import { DEFLECTION, feedForForce } from "../../report/advice/stability.ts";
 import type { CuttingValues, ValuesRequest } from "./values-request.ts";
 
 /** Width of a blade whose table row has none, mm. */

@@ -5,7 +5,7 @@ import { DEEPEST_GROOVE, DEPTH_OF_WIDTH } from "../../program/tools/cutting-work
 import { depthForPower, EDGE_USED, FEED_OF_NOSE, leadOf, specificForce } from "../../report/advice/formulas.ts";
 import { atLeast, LEAST, leastOf, reasoned, typedDown, type ReasonedNumber } from "./formulas.ts";
 import { GRID, powerFor } from "./spindle-values.ts";
-import { bentBodies, DEFLECTION, depthForForce, feedForForce, SLENDER } from "./stability.ts";
+import { bentBodies, DEFLECTION, depthForForce, feedForForce, SLENDER } from "../../report/advice/stability.ts";
 import type { ValueRisk, ValuesRequest } from "./values-request.ts";
 
 /** Depth of a round insert over its radius. */

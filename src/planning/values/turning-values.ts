@@ -6,7 +6,7 @@ import { feedOfBlade } from "./blade-values.ts";
 import { depthsByForce, feedByNose, feedsByForce, risksOf, roughingDepth } from "./edge-values.ts";
 import { atLeast, LEAST, leastOf, reasoned, typedDown, type ReasonedNumber } from "./formulas.ts";
 import { constantSurface, GRID, shareOfSpeed } from "./spindle-values.ts";
-import { DEFLECTION } from "./stability.ts";
+import { DEFLECTION } from "../../report/advice/stability.ts";
 import type { CuttingValues, ValuesRequest, WantedRoughness } from "./values-request.ts";
 
 /** Rz of a turned surface over its Ra: 9 · √3 / 4 = 3.9 for a profile of circular arcs; an approximation. */

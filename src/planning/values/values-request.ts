@@ -3,7 +3,7 @@ import type { Spindle } from "../../kernel/time/step.ts";
 import type { SpindleData } from "../../program/machine/machine-data.ts";
 import type { CutMaterial } from "../../program/tools/cutting-table.ts";
 import type { ReasonedNumber } from "./formulas.ts";
-import type { HeldBar, HeldWorkpiece } from "./stability.ts";
+import type { HeldBar, HeldWorkpiece } from "../../report/advice/stability.ts";
 
 /** Kinds of work that have values of their own. */
 export type Work = "rough" | "face" | "finish" | "recess" | "partOff" | "thread" | "drill" | "centre";

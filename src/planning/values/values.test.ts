@@ -14,7 +14,7 @@ import { rzByRule } from "../../sim/load/cusp.ts";
 import { barDiameter, cuttingValues } from "./cutting-values.ts";
 import { withCuttingValues } from "./cycle-values.ts";
 import { VALUE_FORMULAS, type ReasonedNumber } from "./formulas.ts";
-import { heldWorkpiece } from "./held-workpiece.ts";
+import { heldWorkpiece } from "../../report/advice/held-workpiece.ts";
 import { rzOf } from "./turning-values.ts";
 import type { CuttingValues, ValuesRequest, Work } from "./values-request.ts";
 

@@ -70,6 +70,15 @@ const step = (d: number, i: number) => shoulder(d, -60 + 8 * i, 0, { Q491: d + 4
 const NEAR = "ROTATION Z DIM_D LBL2";
 const OUTLINE = "LBL 2\nL X+0 Z+0\nL X+43\nL X+63 Z-30\nL X+80 Z-66\nL Z-120\nL X+0\nL Z+0\nLBL 0\n";
 
+const SHALLOW = "LBL 1\nL X+78 Z-20\nL X+70 Z-30\nL Z-60\nL X+78 Z-70\nLBL 0\n";
+const STEEP = "LBL 1\nL X+80 Z-20\nL X+60 Z-22\nL Z-40\nL X+80 Z-42\nLBL 0\n";
+const blade = { ...free, Q463: 1.5, Q478: 0.1, Q505: 0.08, Q488: 0.08, Q507: 0, Q510: 0.8, Q511: 100, Q462: 0 };
+/** A bar of 24 mm that stands 120 mm out of its chuck, roughed with an infeed. */
+const slender = (infeed: number) =>
+  program([section(1, 190, cut(812, "X+24 Z+2", shoulder(16, -100, 1, { Q491: 24, Q463: infeed, Q478: 0.25 })))], {
+    blank: "CYLINDER Z D24 L150 DIST+0\n; CLAMPING CHUCK OUTSIDE D24 LENGTH30 FACE-120 SIZE160",
+  });
+
 /** Programs with a weakness: the change and the gain that are offered first of their kind. */
 const WEAK: readonly (readonly [what: string, text: string, subject: Partial<ChangeSubject>, gain: string])[] = [
   [
@@ -131,6 +140,71 @@ const WEAK: readonly (readonly [what: string, text: string, subject: Partial<Cha
       contour: STEPS + OUTLINE,
     }),
     { kind: "otherCycle", units: [0], cycle: 815 },
+    "seconds",
+  ],
+  [
+    "a shallow valley grooved with an insert at hand",
+    program(
+      [
+        section(1, 190, cut(812, "X+80 Z+2", shoulder(78, -75, 0, { Q463: 1, Q500: 0 }))),
+        section(9, 140, cut(840, "X+82 Z-15", blade, FREE)),
+      ],
+      { contour: SHALLOW },
+    ),
+    { kind: "otherCycle", units: [1], cycle: 810, instead: 9 },
+    "seconds",
+  ],
+  [
+    "a steep valley turned by an insert with a blade at hand",
+    program(
+      [
+        section(9, 140, cut(862, "X+82 Z-80", groove(-80, -84, 74, { Q463: 0 }))),
+        section(2, 190, cut(810, "X+82 Z+2", { ...free, Q215: 0 }, FREE)),
+      ],
+      { contour: STEEP },
+    ),
+    { kind: "otherCycle", units: [1], tool: 9, instead: 2 },
+    "residual",
+  ],
+  [
+    "a groove recessed and then turned for its rest",
+    program([
+      section(
+        9,
+        140,
+        cut(862, "X+82 Z-20", groove(-20, -40, 64, { Q215: 1, Q463: 0 })),
+        cut(842, "X+82 Z-20", groove(-20, -40, 64, { Q463: 1.5 })),
+      ),
+    ]),
+    {
+      kind: "both",
+      units: [0, 1],
+      parts: [
+        { kind: "otherCycle", units: [0], cycle: 842, tool: 9, instead: 9 },
+        { kind: "noCut", units: [1] },
+      ],
+    },
+    "seconds",
+  ],
+  [
+    "deep passes on a slender workpiece",
+    slender(4),
+    { kind: "stiffness", units: [0], value: { at: "Q463", from: 4, to: 1.1, most: 1.1 } },
+    "bending",
+  ],
+  [
+    "thin passes on a slender workpiece",
+    slender(0.5),
+    { kind: "infeed", units: [0], value: { at: "Q463", from: 0.5, to: 1, most: 1.1 } },
+    "seconds",
+  ],
+  [
+    "thin passes of an insert and of a blade",
+    program([
+      section(1, 190, rough({ Q463: 1 })),
+      section(9, 140, cut(842, "X+82 Z-60", groove(-60, -80, 60, { Q463: 0.5, Q478: 0.12, Q488: 0.12 }))),
+    ]),
+    { kind: "both", units: [1, 0] },
     "seconds",
   ],
   [
@@ -292,7 +366,7 @@ describe("better ways", () => {
   });
 
   test("of several ways with one effect the best is offered", () => {
-    const measure = { seconds: 10, tools: 1, changes: 0, residual: 0 };
+    const measure = { seconds: 10, tools: 1, changes: 0, residual: 0, bending: 0 };
     const way = (text: string, seconds: number): BetterWay => ({
       subject: { kind: "otherTool", units: [0] },
       text,

@@ -1,11 +1,15 @@
 import { print, type Program } from "../../nc/program.ts";
-import { changedProgram, type ChangeKind, type ChangeSubject } from "./change.ts";
+import { changedProgram, type ChangeKind } from "./change.ts";
 import { fitter } from "./fits.ts";
 import { baselineOf, judged, type Baseline } from "./judge.ts";
 import { KINDS } from "./kinds.ts";
+import { pairsOf } from "./pairs.ts";
 import { together } from "./together.ts";
-import { worthOf, type Gain, type Measure } from "./measure.ts";
+import { worthOf } from "./measure.ts";
+import type { BetterWay, Candidate } from "./way.ts";
 import { situationOf, type Attempt, type Conditions, type Trial } from "./situation.ts";
+
+export type { BetterWay, Candidate } from "./way.ts";
 
 /** Tries of one search: fewer for a long program, whose blocks in all tries are limited. */
 const MOST_TRIES = 80;
@@ -14,31 +18,18 @@ const MOST_EDITED = 40_000;
 /** Most blocks of a program that is searched. */
 const MOST_BLOCKS = 20_000;
 
-/** A change to try, as plain data: its text is the program that it would be. */
-export interface Candidate {
-  readonly subject: ChangeSubject;
-  readonly text: string;
-}
-
 /** A search before its tries: what a way is judged against, and the changes, the most promising first. */
 export interface Search {
+  /** The program. */
+  readonly text: string;
   readonly baseline: Baseline;
   readonly candidates: readonly Candidate[];
 }
 
-/** A change that was tried and is better. */
-export interface BetterWay extends Candidate {
-  readonly before: Measure;
-  readonly after: Measure;
-  readonly gains: readonly Gain[];
-  /** s, to sort by. */
-  readonly worth: number;
-}
-
 /** Finds what could be better in a program with its result. */
 export function searchOf(program: Program, attempt: Attempt, conditions: Conditions): Search {
-  const baseline = baselineOf(attempt);
-  if (program.blocks.length > MOST_BLOCKS) return { baseline, candidates: [] };
+  const baseline = baselineOf(attempt, conditions.material);
+  if (program.blocks.length > MOST_BLOCKS) return { text: print(program), baseline, candidates: [] };
   const situation = situationOf(program, attempt, conditions);
   const fits = fitter(situation);
   const text = print(program);
@@ -52,7 +43,7 @@ export function searchOf(program: Program, attempt: Attempt, conditions: Conditi
     const made = changed ? print(changed) : text;
     if (made !== text && !candidates.has(made)) candidates.set(made, { subject: change.subject, text: made });
   }
-  return { baseline, candidates: [...candidates.values()] };
+  return { text, baseline, candidates: [...candidates.values()] };
 }
 
 /** The result of a try; null unless it is better. `trial`: the candidate's text, run. */
@@ -67,7 +58,7 @@ export function triedWay(candidate: Candidate, baseline: Baseline, trial: Trial)
 /** Kinds that give an operation to another tool or cycle: of those only one can be used. */
 const REPLACING: ReadonlySet<ChangeKind> = new Set(["fewerTools", "otherTool", "otherCycle", "restOperation"]);
 /** Whether a way that was found contains a change that is still to be tried. */
-export const isCovered = ({ subject }: Candidate, ways: readonly BetterWay[]): boolean =>
+const isCovered = ({ subject }: Candidate, ways: readonly BetterWay[]): boolean =>
   ways.some(
     ({ subject: { kind, tool, cycle, value, units } }) =>
       units.length > subject.units.length &&
@@ -98,20 +89,47 @@ export function bestWays(ways: readonly BetterWay[]): readonly BetterWay[] {
   });
 }
 
-/** A whole search, one try per step: yields the number of tries, and returns the ways to offer. */
+/** A change to try next: how many were tried, of how many, and what was better. */
+export interface NextTry {
+  readonly candidate: Candidate;
+  readonly tried: number;
+  readonly of: number;
+  readonly ways: readonly BetterWay[];
+}
+
+/**
+ * The tries of a search, one per step: takes what came of each, and returns the ways to offer. Behind the single changes
+ * come pairs of the best ones, which have to be worth more than either.
+ */
+export function* triesOf({ text, candidates }: Search): Generator<NextTry, readonly BetterWay[], BetterWay | null> {
+  const ways: BetterWay[] = [];
+  for (const [tried, candidate] of candidates.entries()) {
+    if (isCovered(candidate, ways)) continue;
+    const way = yield { candidate, tried, of: candidates.length, ways };
+    if (way) ways.push(way);
+  }
+  const [most, pairs] = [Math.max(0, ...ways.map(({ worth }) => worth)), pairsOf(text, bestWays(ways))];
+  for (const [i, candidate] of pairs.entries()) {
+    const of = candidates.length + pairs.length;
+    const way = yield { candidate, tried: candidates.length + i, of, ways };
+    if (way && way.worth > most) ways.push(way);
+  }
+  return bestWays(ways);
+}
+
+/** A whole search, one try per step: yields what is tried, and returns the ways to offer. */
 export function* betterWays(
   program: Program,
   attempt: Attempt,
   trial: (text: string) => Trial,
   conditions: Conditions,
-): Generator<{ readonly tried: number; readonly of: number }, readonly BetterWay[]> {
-  const { baseline, candidates } = searchOf(program, attempt, conditions);
-  const ways: BetterWay[] = [];
-  for (const [i, candidate] of candidates.entries()) {
-    yield { tried: i, of: candidates.length };
-    if (isCovered(candidate, ways)) continue;
-    const way = triedWay(candidate, baseline, trial(candidate.text));
-    if (way) ways.push(way);
+): Generator<NextTry, readonly BetterWay[]> {
+  const search = searchOf(program, attempt, conditions);
+  const tries = triesOf(search);
+  for (let next = tries.next(null); ;) {
+    if (next.done) return next.value;
+    yield next.value;
+    const { candidate } = next.value;
+    next = tries.next(triedWay(candidate, search.baseline, trial(candidate.text)));
   }
-  return bestWays(ways);
 }

@@ -3,7 +3,7 @@ import type { Program } from "../../nc/program.ts";
 import type { Statement } from "../../nc/statement.ts";
 import { isRefused, type Refusal } from "../../program/edits/operation-edits.ts";
 
-/** What a change does; each kind is a file of `kinds/` and a line of its table. */
+/** What a change does; each kind is a file of `kinds/` and a line of its table; `both`: two changes at once. */
 export type ChangeKind =
   | "noCut"
   | "fewerTools"
@@ -13,10 +13,12 @@ export type ChangeKind =
   | "otherCycle"
   | "otherChoice"
   | "infeed"
+  | "stiffness"
   | "start"
   | "oneCall"
   | "cuttingSpeed"
-  | "feed";
+  | "feed"
+  | "both";
 
 /** The subject of a change, for its words. */
 export interface ChangeSubject {
@@ -30,6 +32,8 @@ export interface ChangeSubject {
   readonly tools?: readonly number[];
   /** The new cycle. */
   readonly cycle?: number;
+  /** The changes that are made at once. */
+  readonly parts?: readonly ChangeSubject[];
   /** A changed value in the unit of the program. */
   readonly value?: ChangedValue;
 }

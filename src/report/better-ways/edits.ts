@@ -39,6 +39,19 @@ export function withNumbersIn(program: Program, unit: number, numbers: Readonly<
     : program;
 }
 
+/** The cutting speed of an operation that has a tool section of its own as a share; null without one to change. */
+export function withSpeedShare(program: Program, unit: number, share: number): Program | null {
+  const all = operationsOf(program);
+  const section = all.sections.find(({ units }) => units.length === 1 && units[0] === unit);
+  if (!section) return null;
+  const index = program.blocks.findIndex(
+    ({ statement }, i) => statement.kind === "spin" && i >= section.from && i < section.to,
+  );
+  const spin = program.blocks[index]?.statement;
+  if (spin?.kind !== "spin" || !spin.constantSurface || typeof spin.cuttingSpeed !== "number") return null;
+  return withBlock(program, index, { ...spin, cuttingSpeed: Math.round(spin.cuttingSpeed * share) });
+}
+
 /** Step of a feed, mm/rev. */
 const FEED_STEP = 0.005;
 

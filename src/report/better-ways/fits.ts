@@ -3,6 +3,7 @@ import type { Plan } from "../../kernel/plan/plan.ts";
 import { part, type Pt } from "../../kernel/geometry/point.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { checkTool } from "../../program/tools/check-tool.ts";
+import { FEED_OF_WIDTH } from "../../program/tools/cutting-work.ts";
 import { fitOf, isUsualTool } from "../../program/tools/which-tool.ts";
 import { EDGE_USED, FEED_OF_NOSE } from "../advice/formulas.ts";
 import { calledNumber, type ProgramSituation, type TurningUnit } from "./situation.ts";
@@ -22,6 +23,12 @@ const MOST_PLANS = 600;
 const FINISHING_DEPTH = 1;
 /** Lateral turning with a blade: depth and feed as a share of its width (Ingersoll, turning and grooving, 2011). */
 const BLADE = { depth: 0.8, feed: 0.075 } as const;
+
+/** The feed that an insert bears by its nose, and a blade by its width, mm/rev. */
+export const borneFeed = (tool: Tool): number =>
+  isBar(tool)
+    ? Math.min(FEED_OF_WIDTH * cuttingWidth(tool), noseRadius(tool) || Infinity)
+    : FEED_OF_NOSE * noseRadius(tool);
 
 /** Turns of the spindle that the feeds of a plan take, or minutes where it feeds per minute. */
 export function feedTurns({ moves }: Plan, start: Pt): number {

@@ -6,7 +6,9 @@ import { roughnessOf } from "../../sim/load/roughness.ts";
 import { stockIssues } from "../../sim/issues.ts";
 import type { Verdict } from "../../sim/simulation.ts";
 import { verdictOf, type VerdictReason } from "../verdict.ts";
-import { gainsOf, LEAST, measureOf, type Gain, type Measure } from "./measure.ts";
+import { gainsOf, LEAST, measureOf, measureOfRun, type Gain, type Measure } from "./measure.ts";
+import type { CutMaterial } from "../../program/tools/cutting-table.ts";
+import { isBent } from "./bending.ts";
 import type { Attempt, Trial } from "./situation.ts";
 import type { Run } from "../../program/state/run-types.ts";
 
@@ -18,6 +20,7 @@ interface SurfacePoint {
 
 /** What a way is judged against: plain data of the program before. */
 export interface Baseline {
+  readonly material: CutMaterial;
   readonly measure: Measure;
   readonly verdict: Verdict;
   /** How often each kind of finding occurs: reasons of the verdict, errors and warnings. */
@@ -34,6 +37,8 @@ const RANK: Readonly<Record<Verdict, number>> = { faults: 0, incomplete: 1, prov
 const NO_DIFFERENCE = 0.05;
 /** A surface may be rougher by this share and this much, µm; its points belong together up to this distance, mm. */
 const SAME_RZ = { share: 1.02, more: 0.1, near: 0.25 } as const;
+/** A workpiece that bends too far may bend further by this share. */
+const SAME_BENDING = 1.02;
 /** A way that saves tools may take longer by this share of the time. */
 const MOST_LONGER = 0.05;
 /** Most points of a surface that are compared. */
@@ -69,11 +74,12 @@ function surfaceOf({ run: { steps, spindles }, simulation: { final, checkpoints 
 }
 
 /** The baseline of a program. */
-export function baselineOf(attempt: Attempt): Baseline {
+export function baselineOf(attempt: Attempt, material: CutMaterial): Baseline {
   const { run, simulation } = attempt;
   const { verdict, reasons } = verdictOf(run, simulation);
   return {
-    measure: measureOf(run, simulation.proof.residual),
+    material,
+    measure: measureOf(attempt, material),
     verdict,
     faults: faultsOf(attempt, reasons),
     gouge: simulation.proof.gouge,
@@ -117,10 +123,10 @@ export interface Improvement {
 /** Whether stock and check of a run have to be known to judge it: its times, tools and issues alone do not decide. */
 function isWorthSimulating({ measure: was, verdict, faults }: Baseline, run: Run): boolean {
   if (!hasNoNewFaults(faults, counted(issueKeys(run.issues)))) return false;
-  if (verdict !== "proved" || was.residual >= LEAST.residual) return true;
-  const is = measureOf(run, []);
+  if (verdict !== "proved" || was.residual >= LEAST.residual || isBent(was.bending)) return true;
+  const is = { ...was, ...measureOfRun(run) };
   const isCostly = is.tools > was.tools || is.changes > was.changes || isMuchLonger(is, was);
-  return !isCostly && gainsOf(was, { ...is, residual: was.residual }).length > 0;
+  return !isCostly && gainsOf(was, is).length > 0;
 }
 
 /**
@@ -132,16 +138,17 @@ export function judged(before: Baseline, { run, simulated }: Trial): Improvement
   const attempt = { run, simulation: simulated() };
   const { simulation } = attempt;
   const { verdict, reasons } = verdictOf(run, simulation);
-  const measure = measureOf(run, simulation.proof.residual);
+  const measure = measureOf(attempt, before.material);
   const was = before.measure;
   if (RANK[verdict] < RANK[before.verdict]) return null;
   if (simulation.proof.gouge > before.gouge || measure.residual > was.residual + NO_DIFFERENCE) return null;
+  if (isBent(measure.bending) && measure.bending > was.bending * SAME_BENDING) return null;
   if (!hasNoNewFaults(before.faults, faultsOf(attempt, reasons))) return null;
   const gains: readonly Gain[] = [
     ...(RANK[verdict] > RANK[before.verdict] ? (["verdict"] as const) : []),
     ...gainsOf(was, measure),
   ];
-  const cleaner = gains.includes("verdict") || gains.includes("residual");
+  const cleaner = gains.includes("verdict") || gains.includes("residual") || gains.includes("bending");
   const more = measure.tools > was.tools || measure.changes > was.changes;
   // Without data of the machine a change of the tool costs no time: time alone must not be bought with one.
   if (gains.length === 0 || (more && !cleaner)) return null;

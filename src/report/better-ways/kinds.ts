@@ -11,10 +11,13 @@ import { otherCycle } from "./kinds/other-cycle.ts";
 import { otherTool } from "./kinds/other-tool.ts";
 import { restOperation } from "./kinds/rest-operation.ts";
 import { start } from "./kinds/start.ts";
+import { stiffness } from "./kinds/stiffness.ts";
 import type { ProgramSituation } from "./situation.ts";
 
 /** What finds the changes of each kind. */
-export const KINDS: Readonly<Record<ChangeKind, (situation: ProgramSituation, fits: Fits) => readonly Change[]>> = {
+export const KINDS: Readonly<
+  Record<Exclude<ChangeKind, "both">, (situation: ProgramSituation, fits: Fits) => readonly Change[]>
+> = {
   noCut,
   fewerTools,
   fewerChanges,
@@ -23,6 +26,7 @@ export const KINDS: Readonly<Record<ChangeKind, (situation: ProgramSituation, fi
   otherCycle,
   otherChoice,
   infeed,
+  stiffness,
   start,
   oneCall,
   cuttingSpeed,

@@ -9,7 +9,7 @@ import type { NcLanguage } from "../../nc/nc-languages.ts";
 import type { CutMaterial } from "../../program/tools/cutting-table.ts";
 import type { Operation, Run } from "../../program/state/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
-import { usesOf, type Uses } from "./measure.ts";
+import { usesOf, type Uses } from "./uses.ts";
 
 /** The result of a program. */
 export interface Attempt {
@@ -37,7 +37,7 @@ export interface Conditions {
 
 /** The parts of a machining: both, roughing only, finishing only (to the contour or to the oversize). */
 export type Work = "both" | "rough" | "finish";
-const WORKS: Readonly<Record<number, Work>> = { 0: "both", 1: "rough", 2: "finish", 3: "finish" };
+export const WORKS: Readonly<Record<number, Work>> = { 0: "both", 1: "rough", 2: "finish", 3: "finish" };
 
 /** A turning operation of the main program with one cycle, and one call of it. */
 export interface TurningUnit {
@@ -75,7 +75,7 @@ export function writtenNumber({ cycle, statement }: TurningUnit, topic: Topic): 
 }
 
 /** The number that a role had when the cycle was called; null without one. */
-export function calledNumber({ cycle, call }: TurningUnit, topic: Topic): number | null {
+export function calledNumber({ cycle, call }: Pick<TurningUnit, "cycle" | "call">, topic: Topic): number | null {
   const q = qOf(cycle, topic);
   const value = q === null ? undefined : (call.values as Readonly<Record<string, unknown>>)[q];
   return typeof value === "number" ? value : null;

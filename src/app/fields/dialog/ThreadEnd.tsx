@@ -11,6 +11,7 @@ import type { FindingsHost } from "../../findings/host.ts";
 import { useTriedFixes } from "../../findings/offers.ts";
 import { useFixesHeldBack } from "../../findings/task-result.ts";
 import { useListed } from "../../findings/use-findings.ts";
+import { Unbroken } from "../../base/Unbroken.tsx";
 import { indexOfThread } from "./thread-operation.ts";
 
 /** What a thread needs of the part around it: a place for its overrun, and material for its crest. */
@@ -44,7 +45,9 @@ function PartFinding({
   return (
     <Message tone={entry.issue.severity} as="div" className="thread-note small">
       <div>
-        <p>{issueText(t, lengths, entry.issue, host.cycleOf(entry))}</p>
+        <p>
+          <Unbroken text={issueText(t, lengths, entry.issue, host.cycleOf(entry))} />
+        </p>
         {!isHeldBack &&
           tried.map(({ name, apply }) => (
             <button key={name} type="button" className="button small" onClick={apply}>

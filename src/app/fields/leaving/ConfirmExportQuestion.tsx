@@ -5,6 +5,7 @@ import { useLengths } from "../../calculation/lengths.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import type { FindingsHost } from "../../findings/host.ts";
 import { verdictReasons } from "../../findings/verdict-words.ts";
+import { Unbroken } from "../../base/Unbroken.tsx";
 import type { ExportRequest } from "./confirm-export.ts";
 
 /** Most faults listed; the findings have all of them. */
@@ -34,7 +35,7 @@ export function ConfirmExportQuestion({
         <ul>
           {faults.slice(0, MOST).map((entry) => (
             <li key={entry.id}>
-              {issueText(t, lengths, entry.issue, cycleOf(entry))}
+              <Unbroken text={issueText(t, lengths, entry.issue, cycleOf(entry))} />
               {entry.block !== null && (
                 <span className="soft">
                   ({entry.inFile ? placeInFile(t, entry.inFile) : t.findings.inBlock(String(entry.block))})

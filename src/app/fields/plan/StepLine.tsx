@@ -1,3 +1,4 @@
+import { Unbroken } from "../../base/Unbroken.tsx";
 import type { PlanStep } from "../../../planning/working-plan.ts";
 import { areaWords, cycleName, reasonWords, threadName, timeWords, type StepWords } from "./plan-words.ts";
 import "./step-line.css";
@@ -31,7 +32,9 @@ export function StepLine({ words, step: { tried, seconds, why }, index }: Props)
         </span>
       </span>
       {why.length > 0 && (
-        <span className="small step-why">{why.map((reason) => reasonWords(words, reason, action)).join(" · ")}</span>
+        <span className="small step-why">
+          <Unbroken text={why.map((reason) => reasonWords(words, reason, action)).join(" · ")} />
+        </span>
       )}
     </span>
   );

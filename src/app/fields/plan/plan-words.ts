@@ -2,9 +2,10 @@ import { cycleByNumber, type CycleNumber } from "../../../cycles/index.ts";
 import type { SettableValue } from "../../../planning/hand-values.ts";
 import type { PartProblem } from "../../../planning/part/part-problem.ts";
 import type { Action } from "../../../planning/types.ts";
-import type { MissingTool, StepReason, WorkingPlan } from "../../../planning/working-plan.ts";
+import type { MissingTool, OtherWay, StepReason, WorkingPlan } from "../../../planning/working-plan.ts";
 import {
   missingToolText,
+  planDifferenceText,
   planReasonText,
   planVerdict,
   regionPlaceText,
@@ -58,6 +59,10 @@ export const actionWords = (words: StepWords, { cycle, tool }: Action): string =
 /** Why a step is what it is, in words. `own`: its action. */
 export const reasonWords = (words: StepWords, reason: StepReason, own: Action): string =>
   planReasonText(writerOf(words), reason, own);
+
+/** How another way differs, in words. */
+export const differenceWords = (words: StepWords, way: Pick<OtherWay, "longer" | "leaves">): string =>
+  planDifferenceText(writerOf(words), way);
 
 /** Label and unit of a value that is no parameter of a cycle. */
 function placeWords({ t, work: { setup, dialog } }: StepWords, { job }: Action, q: string): readonly [string, string] {

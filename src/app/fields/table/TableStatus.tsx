@@ -3,6 +3,7 @@ import { documentInView, undoStep } from "../../document/history.ts";
 import { lastStep, useIsLastStep } from "../../document/steps.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { Message } from "../../base/Message.tsx";
+import "./table-status.css";
 
 /** Result of an import or a change: sentences, and whether the table changed. */
 export interface TableMessage {

@@ -68,7 +68,13 @@ function openTried(text: string): void {
 }
 
 /** A trial in the own program: what the whole part then takes, leaves and meets. */
-function Tried({ words, comparison, goals, tried }: Omit<Props, "row"> & { readonly tried: TriedChange }) {
+function Tried({
+  words,
+  comparison,
+  goals,
+  title,
+  tried,
+}: Omit<Props, "row"> & { readonly title: string; readonly tried: TriedChange }) {
   const { c, t } = words;
   const { achieved } = comparison.own;
   const better = betterOf(achieved, tried);
@@ -94,7 +100,12 @@ function Tried({ words, comparison, goals, tried }: Omit<Props, "row"> & { reado
         </span>
       )}
       {better === "other" && (
-        <button type="button" className="button" onClick={() => openTried(tried.text)}>
+        <button
+          type="button"
+          className="button"
+          aria-label={`${t.result.open}: ${title}, ${c.tried[tried.kind]}`}
+          onClick={() => openTried(tried.text)}
+        >
           {t.result.open}
         </button>
       )}
@@ -109,14 +120,15 @@ const LEAST = 0.05;
 export function PlanRowItem({ words, comparison, row, goals }: Props) {
   const { t, c, language } = words;
   const { mine, theirs } = sidesOf(comparison, row);
-  const title = theirs.map(({ tried }) => t.kinds[tried.action.kind]).join(" + ");
+  const planned = theirs.map(({ tried }) => t.kinds[tried.action.kind]).join(" + ");
+  const title = planned || mine.map(({ cycle }) => cycleName(words, cycle)).join(" + ");
   const why = theirs.flatMap((step) => step.why.map((reason) => reasonWords(words, reason, step.tried.action)));
   const values = otherValues(comparison, row);
   const action = theirs[0]?.tried.action;
   const takes = (cut: number, isThread: boolean) => (isThread ? c.thread : t.steps.takes(areaWords(words, cut)));
   return (
     <li className="plans-row">
-      <h3>{title || mine.map(({ cycle }) => cycleName(words, cycle)).join(" + ")}</h3>
+      <h3>{title}</h3>
       <ul className="plans-differs">
         {differenceWords(words, comparison, row).map((each) => (
           <li key={each} className="small">
@@ -147,7 +159,7 @@ export function PlanRowItem({ words, comparison, row, goals }: Props) {
         />
       </div>
       {row.tried.map((tried) => (
-        <Tried key={tried.kind} words={words} comparison={comparison} goals={goals} tried={tried} />
+        <Tried key={tried.kind} words={words} comparison={comparison} goals={goals} title={title} tried={tried} />
       ))}
       {(why.length > 0 || values.length > 0) && (
         <details className="plans-why">

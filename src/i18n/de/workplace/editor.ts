@@ -15,7 +15,7 @@ export const editor = {
   nothing: "Nicht im Programm enthalten.",
   line: (block, text) => `Satz ${block}: ${text}`,
   passes: (n) => (n === 1 ? "1 Schnitt" : `${n} Schnitte`),
-  residue: (area) => `${area} mm² Restmaterial`,
+  residue: (area) => `${area}\u00a0mm² Restmaterial`,
   noResidue: "kein Restmaterial",
   operation: (passes, time, residue) => `${passes}, ${time}, ${residue}`,
   notRun: "nicht ausgeführt",

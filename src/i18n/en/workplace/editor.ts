@@ -18,7 +18,7 @@ export const editor = {
   nothing: "None in the program.",
   line: (block: string, text: string) => `Block ${block}: ${text}`,
   passes: (n: number) => (n === 1 ? "1 pass" : `${n} passes`),
-  residue: (area: string) => `${area} mm² residual material`,
+  residue: (area: string) => `${area}\u00a0mm² residual material`,
   noResidue: "no residual material",
   operation: (passes: string, time: string, residue: string) => `${passes}, ${time}, ${residue}`,
   notRun: "not run",

@@ -15,7 +15,7 @@ export const editor = {
   nothing: "Aucun dans le programme.",
   line: (block, text) => `Séquence ${block} : ${text}`,
   passes: (n) => (n === 1 ? "1 passe" : `${n} passes`),
-  residue: (area) => `${area} mm² de matière résiduelle`,
+  residue: (area) => `${area}\u00a0mm² de matière résiduelle`,
   noResidue: "pas de matière résiduelle",
   operation: (passes, time, residue) => `${passes}, ${time}, ${residue}`,
   notRun: "non exécuté",

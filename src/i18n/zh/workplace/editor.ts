@@ -14,7 +14,7 @@ export const editor = {
   nothing: "程序中没有。",
   line: (block, text) => `程序段 ${block}：${text}`,
   passes: (n) => `${n} 次走刀`,
-  residue: (area) => `${area} mm² 残余材料`,
+  residue: (area) => `${area}\u00a0mm² 残余材料`,
   noResidue: "无残余材料",
   operation: (passes, time, residue) => `${passes}，${time}，${residue}`,
   notRun: "未执行",

@@ -1,24 +1,17 @@
-import { cuttingWidth, isBar, noseRadius } from "../../../kernel/cutter/insert.ts";
-import type { Tool } from "../../../kernel/plan/tool.ts";
+import { cuttingWidth, isBar } from "../../../kernel/cutter/insert.ts";
 import { roundedDownTo } from "../../../kernel/units.ts";
 import { withBlock } from "../../../nc/edit.ts";
-import { FEED_OF_WIDTH } from "../../../program/tools/cutting-work.ts";
 import { valueInProgram } from "../../../program/blocks/cycle-values.ts";
-import { cuttingPower, FEED_OF_NOSE } from "../../advice/formulas.ts";
+import { cuttingPower } from "../../advice/formulas.ts";
 import { changeOf, changeOfBlocks, type Change } from "../change.ts";
 import { withValues } from "../edits.ts";
+import { borneFeed } from "../fits.ts";
 import { calledNumber, writtenNumber, type ProgramSituation, type TurningUnit } from "../situation.ts";
 
 /** A value counts as low below the value of the table divided by this: the factor of the advice (decision 0032). */
 const FAR = 1.6;
 /** Step of a feed, mm/rev. */
 const FEED_STEP = 0.005;
-
-/** The feed that an insert bears by its nose, and a blade by its width, mm/rev. */
-const borne = (tool: Tool): number =>
-  isBar(tool)
-    ? Math.min(FEED_OF_WIDTH * cuttingWidth(tool), noseRadius(tool) || Infinity)
-    : FEED_OF_NOSE * noseRadius(tool);
 
 const turns = ({ cycle, operation }: TurningUnit) =>
   (cycle.group === "longitudinal" || cycle.group === "transverse") &&
@@ -78,7 +71,7 @@ export const feed = (situation: ProgramSituation): readonly Change[] => {
       const [called, spindle] = [calledNumber(of, "roughingFeed"), operation.spindle];
       const param = written && cycle.params[written.q];
       if (work === "finish" || !written || !param || called === null || called <= 0 || !spindle) return [];
-      const most = roundedDownTo(FEED_STEP, Math.min(material.roughFeed, borne(operation.tool)));
+      const most = roundedDownTo(FEED_STEP, Math.min(material.roughFeed, borneFeed(operation.tool)));
       const speed = spindle.kind === "surface" ? spindle.cuttingSpeed : 0;
       if (called * FAR > most || powerOf(of, situation, speed, most) > power) return [];
       const to = valueInProgram(param, most, run.program.unit === "inch");

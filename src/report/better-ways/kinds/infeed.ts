@@ -6,6 +6,7 @@ import type { Tool } from "../../../kernel/plan/tool.ts";
 import { DEPTH_OF_WIDTH } from "../../../program/tools/cutting-work.ts";
 import { powerAt } from "../../../program/machine/machine-data.ts";
 import { depthForPower, EDGE_USED } from "../../advice/formulas.ts";
+import { depthByWorkpiece } from "../bending.ts";
 import { changeOfBlocks, type Change } from "../change.ts";
 import { withValues } from "../edits.ts";
 import { calledNumber, writtenNumber, type ProgramSituation, type TurningUnit } from "../situation.ts";
@@ -33,8 +34,13 @@ function byEdge(tool: Tool): number | null {
   return tool.TYPE === "FINISH" ? Math.min(FINISHING_DEPTH, most) : most;
 }
 
-/** The greatest infeed to offer, mm: by the edge and the power; null where the edge is unknown. */
-function greatest(of: TurningUnit, { power, material, run: { timing } }: ProgramSituation): number | null {
+/** The greatest infeed to offer, mm: by edge, power and workpiece; null where the edge is unknown. */
+function greatest(of: TurningUnit, situation: ProgramSituation): number | null {
+  const {
+    power,
+    material,
+    run: { timing },
+  } = situation;
   const { tool, spindle, feedUnit, start } = of.operation;
   const edge = byEdge(tool);
   const feed = calledNumber(of, "roughingFeed");
@@ -46,7 +52,8 @@ function greatest(of: TurningUnit, { power, material, run: { timing } }: Program
       ? [spindle.cuttingSpeed, Math.min(spindle.cuttingSpeed / around, spindle.limit || Infinity)]
       : [spindle.speed * around, spindle.speed];
   const given = (timing.turning && powerAt(timing.turning, rpm)) ?? power;
-  return roundedDownTo(STEP, Math.min(edge, depthForPower(material, given, feed, speed)));
+  const strong = depthForPower(material, given, feed, speed);
+  return roundedDownTo(STEP, Math.min(edge, strong, depthByWorkpiece(situation, material, of.operation)));
 }
 
 /** A greater infeed with fewer passes, within what edge and spindle take. */

@@ -7,7 +7,7 @@ import { writtenNumber, type ProgramSituation } from "../situation.ts";
 import { withBlock } from "../../../nc/edit.ts";
 
 /** Q215 for roughing and finishing. */
-const BOTH = 0;
+export const BOTH = 0;
 
 /** Whether two contours are equal, element by element. */
 export const isSameContour = (a: readonly Segment[], b: readonly Segment[]): boolean =>

@@ -1,4 +1,4 @@
-import type { Kienzle } from "../../report/advice/formulas.ts";
+import type { Kienzle } from "./formulas.ts";
 import { ELASTICITY } from "../../program/tools/cutting-work.ts";
 import type { IsoGroup } from "../../program/tools/cutting-table.ts";
 
