@@ -28,36 +28,37 @@ export const MISSING_PARTS = {
     { z: -20 },
   ]),
   "circlip groove in a bore": barPart("BUSH FOR A CIRCLIP", [FRONT, { x: 50 }, { z: -30 }], {
-    inside: [
-      { x: 30, z: 0 },
-      { z: -10 },
-      { x: 31.4 },
-      { z: -11.3 },
-      { x: 30 },
-      { id: "bore", z: -30 },
-    ],
+    inside: [{ x: 30, z: 0 }, { z: -10 }, { x: 31.4 }, { z: -11.3 }, { x: 30 }, { id: "bore", z: -30 }],
     marks: { bore: { tolerance: "H7", ra: 1.6 } },
   }),
-  "deep bore of small diameter": barPart("GUIDE", [FRONT, { x: 24 }, { z: -50 }], {
-    inside: [{ x: 7.5, z: 0 }, { id: "bore", z: -50 }],
+  "deep bore of small diameter": barPart("GUIDE", [FRONT, { x: 24 }, { z: -40 }], {
+    inside: [
+      { x: 7.5, z: 0 },
+      { id: "bore", z: -40 },
+    ],
     marks: { bore: { tolerance: "H7", ra: 1.6 } },
   }),
   "undercut F behind a shoulder": barPart(
     "COLLARED PIN",
-    [FRONT, { x: 30 }, { z: -10 }, { x: 22 }, { id: "seat", z: -40 }, { id: "relief", kind: "UDC" }, { x: 32 }, { z: -50 }],
+    [
+      FRONT,
+      { x: 30 },
+      { z: -10 },
+      { x: 22 },
+      { id: "seat", z: -40 },
+      { id: "relief", kind: "UDC" },
+      { x: 32 },
+      { z: -50 },
+    ],
     { marks: { seat: { tolerance: "h6", ra: 1.6 }, relief: { undercut: "DIN 509-F 0.6x0.3" } } },
-  ),
-  "undercut E behind a shoulder": barPart(
-    "COLLARED PIN",
-    [FRONT, { x: 30 }, { z: -10 }, { x: 22 }, { id: "seat", z: -40 }, { id: "relief", kind: "UDC" }, { x: 32 }, { z: -50 }],
-    { marks: { seat: { tolerance: "h6", ra: 1.6 }, relief: { undercut: "DIN 509-E 0.6x0.3" } } },
   ),
   "valley with a steep rear flank": barPart("SPOOL PIN", [
     FRONT,
     { x: 36 },
     { z: -10 },
-    { x: 22, z: -25 },
-    { x: 36, z: -26.5 },
+    { x: 24, z: -16 },
+    { kind: "RND", r: 1 },
+    { x: 36, z: -17 },
     { z: -40 },
   ]),
 } as const;
