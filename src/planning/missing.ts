@@ -19,7 +19,7 @@ const UPRIGHT = 91;
 const [LEVELS, FLOOR] = [8, 0.01];
 
 const whole = (n: number, digits = 2) => Number(n.toFixed(digits));
-const roundedDown = (mm: number) => Math.floor(mm * 100) / 100;
+const roundedDown = (mm: number) => Math.floor(mm * 100 + SAME) / 100;
 
 /** The side of the part on which a region lies, and its elements there. */
 export function sideOf(
