@@ -131,13 +131,11 @@ function isHollow(s: Extract<Segment, { kind: "arc" }>, site: Site): boolean {
   return site === "inside" ? s.centre.r < middle.r : s.centre.r > middle.r;
 }
 
-/** The pocket of the outside, or the groove of the bore, in which a region lies; null where it lies in none. */
-function pocketAround(region: OpenRegion, site: Site, border: readonly number[], planned: PlannedPart) {
-  if (site === "inside") return grooveOf(planned, region);
+/** The pocket of the outside in which all of a border lies; null where it lies in none. */
+function pocketAround(border: readonly number[], { outside }: PlannedPart): Pocket | null {
   const [first, last] = [border[0] ?? -1, border.at(-1) ?? -1];
   // The wall behind a pocket may lean over it.
-  const isAround = (p: Pocket) => p.first <= first && last <= p.last + 1;
-  return site === "outside" ? (pocketsOf(planned.outside, "r").find(isAround) ?? null) : null;
+  return pocketsOf(outside, "r").find((p) => p.first <= first && last <= p.last + 1) ?? null;
 }
 
 /** Elements of the undercut in which all of a border lies, with those beside it; none where it lies in none. */
@@ -191,9 +189,11 @@ export function missingFor(region: OpenRegion, { part: planned, blank }: PlanReq
   const chain: Chain = site === "inside" ? planned.inside : planned.outside;
   const { box } = region;
   const undercut = undercutAround(border, chain);
-  const pocket = undercut.length > 0 ? null : pocketAround(region, site, border, planned);
-  const own = undercut.length > 0 ? undercut : border.flatMap((i) => chain.segments[i] ?? []);
-  const elements = [...(pocket?.segments ?? []), ...own];
+  const isOpen = undercut.length === 0;
+  const pocket = isOpen && site === "outside" ? pocketAround(border, planned) : null;
+  const around = isOpen && site === "inside" ? grooveOf(planned, region) : pocket;
+  const own = isOpen ? border.flatMap((i) => chain.segments[i] ?? []) : undercut;
+  const elements = [...(around?.segments ?? []), ...own];
   // A tool that takes less than what counts would not be used.
   const most = Math.max(HARDLY, Math.min(LEAST_REGION, region.area - LEAST_REGION));
   const hollow = Math.min(leastHollow(elements, site), nosesInCorners(elements, site, most));
@@ -201,11 +201,11 @@ export function missingFor(region: OpenRegion, { part: planned, blank }: PlanReq
   const inside = site === "inside" ? boring(region, planned, blank) : {};
   const { ahead, back } = descents(elements, site === "inside" ? -1 : 1);
   if (site === "inside" && box.low < SAME) return { form: "drill", site, ...inside };
-  const isPocket = undercut.length === 0 && (site !== "inside" || box.low > leastRadius(region, planned) - SAME);
+  const isPocket = isOpen && (site !== "inside" || box.low > leastRadius(region, planned) - SAME);
   const isInFaceGroove = site === "face" && !elements.every(isAcross);
-  const isGroove = pocket !== null && "level" in pocket && !isValley(pocket);
+  const isGroove = pocket !== null && !isValley(pocket);
   if ((isPocket && Math.min(ahead, back) > WALL) || isInFaceGroove || isGroove)
-    return { form: "recessing", site, ...blade(region, chain, site, pocket), ...nose, ...inside };
+    return { form: "recessing", site, ...blade(region, chain, site, around), ...nose, ...inside };
   // The edge behind the tip stays clear of what descends, the main edge cuts up to what rises.
   const hand = ahead <= back ? "right" : "left";
   const edge = whole(steepest(elements, hand, site), 1);
