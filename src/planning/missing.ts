@@ -3,19 +3,23 @@ import { boxAround, boxOf, inBox } from "../kernel/area/box.ts";
 import { part, type Segment } from "../kernel/geometry/point.ts";
 import { CHORD, SAME } from "../kernel/tolerance.ts";
 import { inDegrees, toDiameter, radius } from "../kernel/units.ts";
-import { pocketsOf, type Pocket } from "./actions/pockets.ts";
-import { borderOf, type OpenRegion } from "./open-regions.ts";
+import { isValley, pocketsOf, type Pocket } from "./actions/pockets.ts";
+import { grooveOf } from "./actions/recess-inside.ts";
+import { borderOf, LEAST_REGION, type OpenRegion } from "./open-regions.ts";
 import type { Chain, PlanRequest, PlannedPart } from "./types.ts";
 import type { MissingTool } from "./working-plan.ts";
 
 /** Steeper walls are left to blades, degrees from the axis. */
 const WALL = 85;
+/** Least setting angle of usual boring bars, degrees (recalled, tag K): a smaller one cuts into what stands behind a bore. */
+const LEAST_IN_BORE = 75;
 /** Any turning tool comes up to such a face, degrees. */
 const UPRIGHT = 91;
-/** Levels at which the width of a region is measured. */
-const LEVELS = 8;
+/** Levels at which the width of a region is measured, and the share of its depth at which that of its floor is. */
+const [LEVELS, FLOOR] = [8, 0.01];
 
 const whole = (n: number, digits = 2) => Number(n.toFixed(digits));
+const roundedDown = (mm: number) => Math.floor(mm * 100 + SAME) / 100;
 
 /** The side of the part on which a region lies, and its elements there. */
 export function sideOf(
@@ -49,7 +53,9 @@ function narrowest({ rings, box }: Pick<OpenRegion, "rings" | "box">, site: Site
   // Levels are radii for a groove from outside or from the bore, and Z for one in a face.
   const [level, width] = site === "face" ? (["z", "r"] as const) : (["r", "z"] as const);
   const [from, to] = site === "face" ? [box.left, box.right] : [box.low, box.high];
-  const levels = Array.from({ length: LEVELS }, (_, i) => from + ((i + 0.5) * (to - from)) / LEVELS);
+  const floor = site === "inside" ? 1 - FLOOR : FLOOR;
+  const shares = [floor, ...Array.from({ length: LEVELS }, (_, i) => (i + 0.5) / LEVELS)];
+  const levels = shares.map((share) => from + share * (to - from));
   const widths = levels.flatMap((at) => {
     const crossed = rings
       .flatMap((ring) =>
@@ -94,9 +100,30 @@ function steepest(elements: readonly Segment[], hand: "right" | "left", site: Si
   return Math.max(0, ...walls);
 }
 
-/** Least radius of the hollows of a chain, mm; Infinity without one. */
+/** Least radius of the rounded hollows of a chain, mm; Infinity without one. */
 const leastHollow = (elements: readonly Segment[], site: Site): number =>
   Math.min(Infinity, ...elements.flatMap((s) => (s.kind === "arc" && isHollow(s, site) ? [part.radiusOf(s)] : [])));
+
+/** Less is hardly left in a corner, mm². */
+const HARDLY = 0.01;
+
+/**
+ * Greatest nose radius that leaves no more than an area in each sharp hollow of a chain, mm; Infinity without one. In a
+ * hollow of the angle θ it leaves r² · (cot(θ/2) − (π − θ)/2).
+ */
+function nosesInCorners(elements: readonly Segment[], site: Site, most: number): number {
+  const out = site === "inside" ? -1 : 1;
+  const noses = elements.slice(1).flatMap((next, i) => {
+    const before = elements[i] ?? next;
+    if (part.apart(before.to, next.from) > SAME) return [];
+    const [a, b] = [part.direction(before, before.to), part.direction(next, next.from)];
+    // From the front to the rear a hollow of the outside turns away from the axis.
+    const turn = Math.atan2(a.r * b.z - a.z * b.r, a.z * b.z + a.r * b.r) * out;
+    const left = turn > 0 ? Math.tan(turn / 2) - turn / 2 : 0;
+    return left > SAME ? [Math.sqrt(most / left)] : [];
+  });
+  return Math.min(Infinity, ...noses);
+}
 
 /** Whether the centre of an arc lies outside the material. */
 function isHollow(s: Extract<Segment, { kind: "arc" }>, site: Site): boolean {
@@ -111,14 +138,28 @@ function pocketAround(border: readonly number[], { outside }: PlannedPart): Pock
   return pocketsOf(outside, "r").find((p) => p.first <= first && last <= p.last + 1) ?? null;
 }
 
+/** Elements of the undercut in which all of a border lies, with those beside it; none where it lies in none. */
+function undercutAround(border: readonly number[], { segments, marks }: Chain): readonly Segment[] {
+  const isIn = (i: number) => marks[i]?.undercut !== undefined;
+  const row = marks[border.find(isIn) ?? -1]?.row;
+  const own = segments.flatMap((_, i) => (row !== undefined && marks[i]?.row === row ? [i] : []));
+  const [first, last] = [(own[0] ?? 0) - 1, (own.at(-1) ?? -2) + 1];
+  return border.every((i) => i >= first && i <= last) ? segments.slice(Math.max(0, first), last + 1) : [];
+}
+
 /** The space of a pocket. */
-function pieceOf({ segments }: Pocket): Pick<OpenRegion, "rings" | "box"> {
+function pieceOf({ segments }: Pick<Chain, "segments">): Pick<OpenRegion, "rings" | "box"> {
   const ring = part.flattenedChain(segments, CHORD);
   return { rings: [ring], box: boxOf(ring) };
 }
 
 /** The blade of a region between two steep walls: narrower than it and as long as it is deep, from its mouth. */
-function blade(region: OpenRegion, chain: Chain, site: Site, pocket: Pocket | null): Partial<MissingTool> {
+function blade(
+  region: OpenRegion,
+  chain: Chain,
+  site: Site,
+  pocket: Pick<Chain, "segments"> | null,
+): Partial<MissingTool> {
   const { box } = region;
   const near = chain.segments
     .flatMap((s) => [s.from, s.to])
@@ -147,21 +188,29 @@ export function missingFor(region: OpenRegion, { part: planned, blank }: PlanReq
   const { site, border } = sideOf(region, planned);
   const chain: Chain = site === "inside" ? planned.inside : planned.outside;
   const { box } = region;
-  const pocket = site === "outside" ? pocketAround(border, planned) : null;
-  const elements = [...(pocket?.segments ?? []), ...border.flatMap((i) => chain.segments[i] ?? [])];
-  const hollow = leastHollow(elements, site);
-  const nose = Number.isFinite(hollow) ? { mostNose: whole(hollow) } : {};
+  const undercut = undercutAround(border, chain);
+  const isOpen = undercut.length === 0;
+  const pocket = isOpen && site === "outside" ? pocketAround(border, planned) : null;
+  const around = isOpen && site === "inside" ? grooveOf(planned, region) : pocket;
+  const own = isOpen ? border.flatMap((i) => chain.segments[i] ?? []) : undercut;
+  const elements = [...(around?.segments ?? []), ...own];
+  // A tool that takes less than what counts would not be used.
+  const most = Math.max(HARDLY, Math.min(LEAST_REGION, region.area - LEAST_REGION));
+  const hollow = Math.min(leastHollow(elements, site), nosesInCorners(elements, site, most));
+  const nose = Number.isFinite(hollow) ? { mostNose: roundedDown(hollow) } : {};
   const inside = site === "inside" ? boring(region, planned, blank) : {};
   const { ahead, back } = descents(elements, site === "inside" ? -1 : 1);
   if (site === "inside" && box.low < SAME) return { form: "drill", site, ...inside };
-  const isPocket = site !== "inside" || box.low > leastRadius(region, planned) - SAME;
+  const isPocket = isOpen && (site !== "inside" || box.low > leastRadius(region, planned) - SAME);
   const isInFaceGroove = site === "face" && !elements.every(isAcross);
-  if ((isPocket && Math.min(ahead, back) > WALL) || isInFaceGroove)
-    return { form: "recessing", site, ...blade(region, chain, site, pocket), ...nose, ...inside };
+  const isGroove = pocket !== null && !isValley(pocket);
+  if ((isPocket && Math.min(ahead, back) > WALL) || isInFaceGroove || isGroove)
+    return { form: "recessing", site, ...blade(region, chain, site, around), ...nose, ...inside };
   // The edge behind the tip stays clear of what descends, the main edge cuts up to what rises.
   const hand = ahead <= back ? "right" : "left";
   const edge = whole(steepest(elements, hand, site), 1);
-  const [descends, rises] = [whole(Math.min(ahead, back), 1), whole(Math.max(ahead, back), 1)];
+  const least = site === "inside" ? LEAST_IN_BORE : 0;
+  const [descends, rises] = [whole(Math.min(ahead, back), 1), whole(Math.max(ahead, back, least), 1)];
   return {
     form: site === "inside" ? "boring" : "turning",
     site,

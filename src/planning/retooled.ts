@@ -1,4 +1,5 @@
 import { actionsIn, compareEnds, nodeBehind, nodesOf, type PlanNode, type Searching } from "./plan-node.ts";
+import { joined } from "./joined.ts";
 import { followed, isSameWork } from "./search.ts";
 import type { Action } from "./types.ts";
 
@@ -45,12 +46,13 @@ export function* retooled(end: PlanNode, kept: number, s: Searching): Generator<
     if (!start || !first || from < kept) continue;
     const actions = nodes.flatMap(({ tried }) => tried?.action ?? []);
     const tools = new Set(
-      actionsIn(start, s).flatMap((a) => (a.tool.T !== first.tool.T && isSameWork(a, first) ? [a.tool.T] : [])),
+      actionsIn(start, s).flatMap((a) => (isSameWork(a, first) ? [a.tool.T] : [])),
     );
     for (const T of tools) {
       if (s.tries.count >= s.most) return best;
       const node = yield* withTool(start, actions.slice(from, to), T, s);
-      const other = node && (yield* followed(node, actions.slice(to), s));
+      const then = node && (yield* followed(node, actions.slice(to), s));
+      const other = then && (yield* joined(then, kept, s));
       if (other && compareEnds(other, best) < 0) best = other;
     }
   }

@@ -5,6 +5,7 @@ import { drawnTask } from "../../src/course/drawn-task.ts";
 import { answerOf } from "../../src/course/judge/answer.ts";
 import { partOfDrawn } from "../../src/course/part-of-drawn.ts";
 import { taskSchema } from "../../src/course/task.ts";
+import type { HandValues } from "../../src/planning/types.ts";
 import type { FinishedPart } from "../../src/planning/part/finished-part.ts";
 import { finishedBody } from "../../src/view/solid/bodies.ts";
 
@@ -43,4 +44,25 @@ export function partByHand(made: ByHand): FinishedPart {
   const part = drawn && partOfDrawn(drawn, { name: made.name, ...(task?.material && { material: task.material }) });
   if (!part) throw new Error(made.name);
   return part;
+}
+
+/** Parameters of a cycle that are cutting values: infeed, feeds, oversizes. */
+const CUTTING = ["Q463", "Q478", "Q483", "Q484", "Q505"] as const;
+
+/** The cutting values of a program with constant cutting speed by the number of their tool, the first of each. */
+export function valuesByHand(made: ByHand): Readonly<Record<number, HandValues>> {
+  const found: Record<number, Record<string, number>> = {};
+  let values: Record<string, number> = {};
+  for (const line of programByHand(made).split("\n")) {
+    const numberIn = (pattern: RegExp) => Number(pattern.exec(line)?.[1]);
+    const stated: Readonly<Record<string, number>> = {
+      speed: numberIn(/ VC:([\d.]+)/),
+      limit: numberIn(/ SMAX([\d.]+)/),
+      ...Object.fromEntries(CUTTING.map((q) => [q, numberIn(new RegExp(`${q}=([+\\d.]+)`))])),
+    };
+    const tool = numberIn(/TOOL CALL (\d+)/);
+    if (Number.isFinite(tool)) values = found[tool] ??= {};
+    for (const [q, value] of Object.entries(stated)) if (Number.isFinite(value)) values[q] ??= value;
+  }
+  return found;
 }

@@ -44,7 +44,7 @@ describe("what is left names its tool", () => {
     [
       "bearing-seat",
       [
-        { why: "tool", form: "recessing", site: "outside", mostWidth: 1.67, leastDepth: 1 },
+        { why: "tool", form: "recessing", site: "outside", mostWidth: 1.67, leastDepth: 1, mostNose: 0.48 },
         { why: "tool", form: "turning", site: "outside", hand: "right", descends: 15, leastEdge: 98, mostNose: 0.6 },
       ],
     ],

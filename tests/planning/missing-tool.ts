@@ -4,8 +4,8 @@ import type { Holder, TipOrientation, Tool } from "../../src/kernel/plan/tool.ts
 import type { PlanRequest } from "../../src/planning/types.ts";
 import type { MissingTool } from "../../src/planning/working-plan.ts";
 
-/** Angles of a turning insert where nothing limits them, degrees; and what it stays away from a limit. */
-const [SETTING, POINT, CLEAR] = [93, 80, 0.2];
+/** Least setting angle of a turning tool, its point where nothing limits it, degrees; and what it stays away from a limit. */
+const [SETTING, POINT, CLEAR] = [45, 80, 0.2];
 /** Nose and blade where nothing limits them, mm. */
 const [NOSE, WIDTH] = [0.4, 3];
 /** Share of the greatest width, and of the bore, that the tool has. */
@@ -26,10 +26,10 @@ const orientation = ({ form, site, hand }: MissingTool): TipOrientation => {
 /** A turning tool with exactly the data that a plan says are missing. */
 function turningTool(T: number, missing: MissingTool): Tool {
   const { form, mostDiameter = 40, leastReach = 50, leastDepth = 20, mostWidth = WIDTH } = missing;
-  const { rises = 0, descends = 0, mostNose = NOSE, site } = missing;
+  const { rises = 0, descends = 0, leastEdge = 0, mostNose = NOSE, site } = missing;
   const width = Math.min(WIDTH, mostWidth * LESS);
   const common = { T, NAME: `MISSING-${T}`, TO: orientation(missing) };
-  const setting = Math.max(rises + CLEAR, Math.min(SETTING, 180 - descends - POINT / 2));
+  const setting = Math.max(rises + CLEAR, leastEdge + CLEAR, SETTING);
   const inside = (depth: number, behind: number) =>
     site === "inside" ? { holder: bar(mostDiameter, leastReach, depth, behind) } : {};
   if (form === "thread")
@@ -56,6 +56,8 @@ function turningTool(T: number, missing: MissingTool): Tool {
     RS: length(Math.min(NOSE, mostNose)),
     "T-ANGLE": degrees(setting),
     "P-ANGLE": degrees(Math.min(POINT, 180 - setting - descends - CLEAR)),
+    // An insert lies within its bar.
+    ...(site === "inside" && { CUTLENGTH: length((mostDiameter * LESS) / 2) }),
     ...inside(mostDiameter * (1 - LESS), 3),
   };
 }

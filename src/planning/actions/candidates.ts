@@ -146,7 +146,10 @@ export function secondsOfPlan(
 /** Time that a length of contour costs that a tool does not reach, s/mm: another tool has to take what is left there. */
 const PER_UNREACHED = 1;
 
-/** The best ways among several candidates for the same place: those that reach everything, the quickest first. */
+/**
+ * The best ways among several candidates for the same place: those that reach everything, the quickest first; behind
+ * those of the operator's own tools the ones of usual tools that reach more.
+ */
 export function bestWays(
   candidates: readonly Candidate[],
   tools: readonly Tool[],
@@ -163,13 +166,18 @@ export function bestWays(
         return [{ candidate, fit, cost: cost + (fit.makesContour ? 0 : request.rules.toolChange) }];
       }),
     );
+  type Way = ReturnType<typeof waysWith>[number];
+  const best = (ways: readonly Way[]) =>
+    ways
+      .toSorted((a, b) => better(a.fit.tool, b.fit.tool) || a.cost - b.cost || a.fit.tool.T - b.fit.tool.T)
+      .slice(0, most);
   const isUsual = ({ T }: Tool) => request.usualTools?.includes(T) ?? false;
   const own = waysWith(tools.filter((tool) => !isUsual(tool)));
-  const ways = own.some(({ fit }) => fit.makesContour) ? own : [...own, ...waysWith(tools.filter(isUsual))];
-  return ways
-    .toSorted((a, b) => better(a.fit.tool, b.fit.tool) || a.cost - b.cost || a.fit.tool.T - b.fit.tool.T)
-    .slice(0, most)
-    .map(({ candidate, fit: { tool, job, values } }) => actionOf(candidate, tool, job, values));
+  const unreached = Math.min(...own.map(({ fit }) => (fit.makesContour ? 0 : fit.unreached)));
+  const usual = unreached === 0 ? [] : waysWith(tools.filter(isUsual)).filter(({ fit }) => fit.unreached < unreached);
+  return [...best(own), ...best(usual)].map(({ candidate, fit: { tool, job, values } }) =>
+    actionOf(candidate, tool, job, values),
+  );
 }
 
 /** The action of a candidate with a tool. */

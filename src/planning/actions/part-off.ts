@@ -1,6 +1,7 @@
 import { boxAround, inBox } from "../../kernel/area/box.ts";
 import { at, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import { cuttingWidth } from "../../kernel/cutter/insert.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { radius, toDiameter } from "../../kernel/units.ts";
 import { canDo, handCut, wallOf, type HandWork } from "../../program/edits/hand-operation.ts";
@@ -9,7 +10,7 @@ import { exampleJob } from "../../program/job/job.ts";
 import { cylinderAround } from "../../program/job/requested-shape.ts";
 import type { StockSurface } from "../../program/job/stock-surface.ts";
 import { withCuttingValues } from "../values/cycle-values.ts";
-import type { Action, ActionSource } from "../types.ts";
+import type { Action, ActionSource, PlanRequest } from "../types.ts";
 import { notDone, toolsOf } from "./candidates.ts";
 import { highest, outsideWork } from "./outside-work.ts";
 import { valuesOf } from "./values-of-job.ts";
@@ -34,6 +35,15 @@ export function parting(stock: readonly Ring[], rear: number, width: number) {
   return { surface, here, left, high, depth: wallOf(here, surface) };
 }
 
+/** The blades that go through the stock: the own ones of the operator, the narrowest usual one where none of these does. */
+function bladesOf(stock: readonly Ring[], rear: number, request: PlanRequest): readonly Tool[] {
+  const able = toolsOf(request).filter((tool) =>
+    canDo("partOff", tool, { isInside: false, depth: parting(stock, rear, cuttingWidth(tool)).depth }),
+  );
+  const own = able.filter(({ T }) => !request.usualTools?.includes(T));
+  return own.length > 0 ? own : able.slice(0, 1);
+}
+
 /** Parts the part off from the bar when it is rough turned, with the chamfer at its rear edge or without. */
 export const partOff: ActionSource = {
   kind: "partOff",
@@ -46,10 +56,10 @@ export const partOff: ActionSource = {
     const size = rearChamfer(planned.outside.segments.at(-1));
     const works: readonly HandWork[] = size > 0 ? ["partOffChamfered", "partOff"] : ["partOff"];
     const [cycle] = catalogue;
-    const actions = toolsOf(request).flatMap((tool) =>
+    const actions = bladesOf(stock, rear, request).flatMap((tool) =>
       works.flatMap((work): readonly Action[] => {
         const { surface, here, left, high, depth } = parting(stock, rear, cuttingWidth(tool));
-        if (!cycle || !canDo(work, tool, { isInside: false, depth })) return [];
+        if (!cycle) return [];
         const largest = toDiameter(radius(high));
         const main = valuesOf(
           tool,

@@ -86,6 +86,14 @@ const GROOVING: readonly (Bar & { readonly cutWidth: number })[] = [
   { d: 20, out: 2, leastBore: 23, length: 180, cutWidth: 1.1 },
   { d: 12, out: 1.5, leastBore: 14, length: 150, cutWidth: 1.1 },
 ];
+/** The same for the grooves of circlips in bores: as wide as the groove of DIN 472 (m), for the bores that have it. */
+const CIRCLIP: typeof GROOVING = [
+  { d: 25, out: 3, leastBore: 31, length: 200, cutWidth: 2.65 },
+  { d: 25, out: 2.5, leastBore: 31, length: 200, cutWidth: 2.15 },
+  { d: 25, out: 2.5, leastBore: 31, length: 200, cutWidth: 1.85 },
+  { d: 20, out: 2, leastBore: 25, length: 180, cutWidth: 1.6 },
+  { d: 16, out: 1.5, leastBore: 20, length: 160, cutWidth: 1.3 },
+];
 /** Clearance of a blade behind its edge on each side, mm. */
 const RELIEF = 0.2;
 
@@ -157,6 +165,7 @@ const ROWS: readonly Cells[] = [
   ...SOLID.map(solidBar),
   ...GROOVING.map(groovingBar),
   ...ANGLES.flatMap((angle) => THREADING.map((bar) => threadingBar(bar, angle))),
+  ...CIRCLIP.map(groovingBar),
 ];
 /** Their numbers follow this one. */
 const BEHIND = 100;

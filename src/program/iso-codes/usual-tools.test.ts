@@ -5,6 +5,7 @@ import { over, readTools, type ShopTools } from "../tools/read-tools.ts";
 import { shippedTools } from "../tools/shipped-tools.ts";
 import { readList, shippedList } from "../tools/tool-list.ts";
 import { standardBars } from "./standard-bars.ts";
+import { standardBlades } from "./standard-blades.ts";
 import { builtInTools, usualTools } from "./usual-tools.ts";
 
 const bars = readList(standardBars([]).map((cells, i) => ({ id: `b${i}`, cells })));
@@ -16,11 +17,31 @@ test.each(bars.table.tools.map((tool) => [tool.NAME, tool] as const))("%s enters
   expect(across).toBeLessThan(tool.DMIN ?? 0);
 });
 
-test("every usual bar is a valid tool", () => {
-  expect([...bars.table.refused]).toEqual([]);
-  expect([...bars.rows.values()].flatMap(({ issues }) => issues.filter(({ severity }) => severity !== "info"))).toEqual(
-    [],
-  );
+const blades = readList(standardBlades([]).map((cells, i) => ({ id: `o${i}`, cells })));
+
+test.each([
+  ["bar", bars],
+  ["blade", blades],
+] as const)("every usual %s is a valid tool", (_, { table, rows }) => {
+  expect([...table.refused]).toEqual([]);
+  expect([...rows.values()].flatMap(({ issues }) => issues.filter(({ severity }) => severity !== "info"))).toEqual([]);
+});
+
+test.each(blades.table.tools.map((tool) => [tool.NAME, tool] as const))(
+  "%s cuts as deep as its edge says",
+  (_, tool) => {
+    const [shank, blade] = [holderOutlines(tool).at(-1) ?? [], holderOutlines(tool)[0] ?? []];
+    expect(Math.min(...shank.map(({ r }) => r))).toBeCloseTo(tool.CUTLENGTH ?? NaN, 6);
+    expect(Math.max(...blade.map(({ z }) => z)) * 2).toBeLessThan(tool.CUTWIDTH ?? 0);
+  },
+);
+
+test("a table with a shallow parting blade still lacks the deep one", () => {
+  const deep = usualTools([]).find(({ cells }) => cells.NAME === "PARTING-3")?.cells ?? {};
+  const shallow = { id: "a", cells: { ...deep, T: "1", NAME: "MINE", CUTLENGTH: "30" } };
+  const names = (own: Parameters<typeof usualTools>[0]) => usualTools(own).map(({ cells }) => cells.NAME);
+  expect(names([shallow])).toContain("PARTING-3");
+  expect(names([{ ...shallow, cells: { ...deep, T: "1", NAME: "MINE" } }])).not.toContain("PARTING-3");
 });
 
 test("usual tools have numbers and names of their own", () => {
