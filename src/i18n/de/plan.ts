@@ -65,6 +65,7 @@ export const plan = {
     finishBeforeRough: "Schlichten vor Ende des Schruppens",
     insideBeforeOutside: "Innen vor außen",
     thinBeforeLong: "Dünner Querschnitt früh",
+    tolerancedLast: "Tolerierte Fläche nicht zuletzt",
     allowanceX: "Schlichtaufmaß auf ⌀",
     allowanceZ: "Schlichtaufmaß in Z",
     seconds: "s",

@@ -65,6 +65,7 @@ export const plan = {
     finishBeforeRough: "Finishing before roughing is done",
     insideBeforeOutside: "Bore before outside",
     thinBeforeLong: "Thin section early",
+    tolerancedLast: "Toleranced surface not last",
     allowanceX: "Finishing allowance on ⌀",
     allowanceZ: "Finishing allowance in Z",
     seconds: "s",

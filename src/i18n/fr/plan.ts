@@ -65,6 +65,7 @@ export const plan = {
     finishBeforeRough: "Finition avant la fin de l’ébauche",
     insideBeforeOutside: "Alésage avant extérieur",
     thinBeforeLong: "Section mince trop tôt",
+    tolerancedLast: "Surface tolérancée pas en dernier",
     allowanceX: "Surépaisseur de finition au ⌀",
     allowanceZ: "Surépaisseur de finition en Z",
     seconds: "s",

@@ -65,6 +65,7 @@ export const plan = {
     finishBeforeRough: "粗加工未完成就精加工",
     insideBeforeOutside: "先内后外",
     thinBeforeLong: "过早加工细薄部位",
+    tolerancedLast: "公差表面未放在最后",
     allowanceX: "直径精加工余量",
     allowanceZ: "Z 向精加工余量",
     seconds: "s",
