@@ -5,7 +5,7 @@ import { SLIVER } from "../kernel/tolerance.ts";
 import { threadId, threadsOf } from "./actions/thread.ts";
 import { LEAST_REGION } from "./open-regions.ts";
 import {
-  actionsIn,
+  allActionsIn,
   areRivals,
   changeBefore,
   doneIn,
@@ -27,7 +27,7 @@ const SHARED = 0.5;
 
 /** Other ways that were open for a step. */
 const rivalsOf = ({ action }: TriedAction, state: PlanNode, s: Searching): readonly Action[] =>
-  actionsIn(state, s).filter((a) => areRivals(a, action));
+  allActionsIn(state, s).filter((a) => areRivals(a, action));
 
 /** A rival as another way; null where it does not work or works elsewhere. */
 function wayOf(rival: TriedAction, chosen: TriedAction, state: PlanNode, { request }: Searching): OtherWay | null {
@@ -109,6 +109,7 @@ function reasonsOf(
   return [
     ...(isByHand ? [{ kind: "byHand" as const }] : []),
     ...way,
+    ...(action.inOneCall ? [{ kind: "inOneCall" as const }] : []),
     ...(last?.tool.T === action.tool.T ? [{ kind: "sameTool" as const, tool: action.tool.T }] : []),
     ...(action.kind === "restRough" && rest >= 0 ? [{ kind: "rest" as const, step: rest }] : []),
     ...(rule ? [{ kind: "rule" as const, rule }] : []),

@@ -85,9 +85,13 @@ function proposedBy(source: ActionSource, state: PlanState, s: Searching): reado
 
 /**
  * Actions that could be next in a state, those by hand in place of what they replace. `kind`: at least those of one
- * kind.
+ * kind. Without those that rough and finish in one call: whether one tool does both is known at the end of a search.
  */
-export function actionsIn(state: PlanState, s: Searching, kind?: ActionKind): readonly Action[] {
+export const actionsIn = (state: PlanState, s: Searching, kind?: ActionKind): readonly Action[] =>
+  allActionsIn(state, s, kind).filter((a) => !a.inOneCall || s.hand.has(a.key));
+
+/** The same with all of them. */
+export function allActionsIn(state: PlanState, s: Searching, kind?: ActionKind): readonly Action[] {
   if (state.done.some(({ action }) => action.kind === "partOff")) return [];
   const { sources, hand } = s;
   const asked = kind && hand.size === 0 ? sources.filter((source) => source.kind === kind) : sources;

@@ -24,7 +24,7 @@ const isSameWork = (a: Action, b: Action): boolean =>
   a.key === b.key || (a.kind === b.kind && a.site === b.site && isInPlace(a, b));
 
 const CHIPS = ["roughOutside", "roughInside", "restRough"] as const;
-const finishes = ({ kind }: Action) => FINISHING.has(kind);
+const finishes = ({ kind, inOneCall }: Action) => inOneCall ?? FINISHING.has(kind);
 
 /** Whether an action finishes an element with a tolerance. */
 function isToleranced(action: Action, { part }: PlanRequest): boolean {

@@ -145,6 +145,8 @@ export interface Action {
   readonly place: { readonly front: number; readonly rear: number; readonly high: number; readonly low: number };
   /** Threads that it makes, by their designation and place: they are no area. */
   readonly threads: readonly string[];
+  /** It roughs and finishes in one call. */
+  readonly inOneCall?: true;
   readonly values: readonly ReasonedValue[];
   /** What was planned for the values that an operator has set; absent where none is. */
   readonly planned?: HandValues;
