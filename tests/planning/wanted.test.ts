@@ -3,7 +3,7 @@ import { join } from "node:path";
 import { expect, test } from "vitest";
 import { readPart } from "../../src/planning/part/part-file.ts";
 import type { StepReason } from "../../src/planning/working-plan.ts";
-import { planOf, requestOf } from "./plan-laws.ts";
+import { planOf, requestOf, unprepared } from "./plan-laws.ts";
 
 /** A part with what its plan must contain. A step reads "kind type-of-tool cycle"; parts of it are enough. */
 interface Wanted {
@@ -51,6 +51,7 @@ function found(steps: readonly string[], inOrder: readonly string[]): readonly s
 test.each(wanted)("%s", (_, { part, inOrder, never = [], program = [], why = [], otherwise }) => {
   const { plan, steps } = planned(part);
   expect([plan.judged.verdict, plan.isComplete]).toEqual(["proved", true]);
+  expect(unprepared(plan)).toEqual([]);
   expect(found(steps, inOrder), steps.join(", ")).toEqual(inOrder);
   for (const words of never) expect(steps.join(", ")).not.toContain(words);
   for (const words of program) expect(plan.text).toContain(words);
