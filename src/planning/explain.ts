@@ -4,16 +4,8 @@ import { difference, opened } from "../kernel/area/clip.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
 import { threadId, threadsOf } from "./actions/thread.ts";
 import { LEAST_REGION } from "./open-regions.ts";
-import {
-  allActionsIn,
-  areRivals,
-  changeBefore,
-  doneIn,
-  isInPlace,
-  nodesOf,
-  type PlanNode,
-  type Searching,
-} from "./plan-node.ts";
+import { allActionsIn, areRivals, changeBefore, doneIn, nodesOf, type PlanNode, type Searching } from "./plan-node.ts";
+import { isInPlace } from "./places.ts";
 import type { Action, PlanRequest, TriedAction } from "./types.ts";
 import type { OtherWay, PlanStep, StepReason } from "./working-plan.ts";
 

@@ -5,6 +5,7 @@ import { SLIVER } from "../kernel/tolerance.ts";
 import { diameter, perSide } from "../kernel/units.ts";
 import { withHandValues } from "./hand-values.ts";
 import { LEAST_REGION } from "./open-regions.ts";
+import { isInPlace } from "./places.ts";
 import { ofPieces, turnedVolume } from "./stock-key.ts";
 import type { Trade } from "./trade-rules.ts";
 import type { Tries } from "./tries.ts";
@@ -39,11 +40,6 @@ export interface Searching {
   /** What the sources propose in states, by the stock and what was done. */
   readonly known: Map<string, readonly Action[]>;
 }
-
-/** Whether two actions work in the same place. */
-export const isInPlace = (a: Action, b: Action): boolean =>
-  Math.min(a.place.front, b.place.front) > Math.max(a.place.rear, b.place.rear) &&
-  Math.min(a.place.high, b.place.high) > Math.max(a.place.low, b.place.low);
 
 /** Kinds that can take the same material in the same way. */
 const FAMILY: Readonly<Partial<Record<Action["kind"], string>>> = {

@@ -7,13 +7,13 @@ import {
   compareEnds,
   doneIn,
   isCorner,
-  isInPlace,
   nodeBehind,
   nodesOf,
   priceOf,
   type PlanNode,
   type Searching,
 } from "./plan-node.ts";
+import { isInPlace } from "./places.ts";
 import { finishes, type Expected } from "./tries.ts";
 import { ROUGHING, type Action } from "./types.ts";
 

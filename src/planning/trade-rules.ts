@@ -1,4 +1,4 @@
-import { isInPlace } from "./plan-node.ts";
+import { isInPlace } from "./places.ts";
 import { FINISHING, type Action, type ActionKind, type PlanRequest, type ShopRules } from "./types.ts";
 import type { TradeRule } from "./working-plan.ts";
 
