@@ -4,16 +4,8 @@ import { difference, opened } from "../kernel/area/clip.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
 import { threadId, threadsOf } from "./actions/thread.ts";
 import { LEAST_REGION } from "./open-regions.ts";
-import {
-  actionsIn,
-  areRivals,
-  changeBefore,
-  doneIn,
-  isInPlace,
-  nodesOf,
-  type PlanNode,
-  type Searching,
-} from "./plan-node.ts";
+import { allActionsIn, areRivals, changeBefore, doneIn, nodesOf, type PlanNode, type Searching } from "./plan-node.ts";
+import { isInPlace } from "./places.ts";
 import type { Action, PlanRequest, TriedAction } from "./types.ts";
 import type { OtherWay, PlanStep, StepReason } from "./working-plan.ts";
 
@@ -27,7 +19,7 @@ const SHARED = 0.5;
 
 /** Other ways that were open for a step. */
 const rivalsOf = ({ action }: TriedAction, state: PlanNode, s: Searching): readonly Action[] =>
-  actionsIn(state, s).filter((a) => areRivals(a, action));
+  allActionsIn(state, s).filter((a) => areRivals(a, action));
 
 /** A rival as another way; null where it does not work or works elsewhere. */
 function wayOf(rival: TriedAction, chosen: TriedAction, state: PlanNode, { request }: Searching): OtherWay | null {
@@ -109,6 +101,7 @@ function reasonsOf(
   return [
     ...(isByHand ? [{ kind: "byHand" as const }] : []),
     ...way,
+    ...(action.inOneCall ? [{ kind: "inOneCall" as const }] : []),
     ...(last?.tool.T === action.tool.T ? [{ kind: "sameTool" as const, tool: action.tool.T }] : []),
     ...(action.kind === "restRough" && rest >= 0 ? [{ kind: "rest" as const, step: rest }] : []),
     ...(rule ? [{ kind: "rule" as const, rule }] : []),

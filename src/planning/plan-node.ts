@@ -5,6 +5,7 @@ import { SLIVER } from "../kernel/tolerance.ts";
 import { diameter, perSide } from "../kernel/units.ts";
 import { withHandValues } from "./hand-values.ts";
 import { LEAST_REGION } from "./open-regions.ts";
+import { isInPlace } from "./places.ts";
 import { ofPieces, turnedVolume } from "./stock-key.ts";
 import type { Trade } from "./trade-rules.ts";
 import type { Tries } from "./tries.ts";
@@ -39,11 +40,6 @@ export interface Searching {
   /** What the sources propose in states, by the stock and what was done. */
   readonly known: Map<string, readonly Action[]>;
 }
-
-/** Whether two actions work in the same place. */
-export const isInPlace = (a: Action, b: Action): boolean =>
-  Math.min(a.place.front, b.place.front) > Math.max(a.place.rear, b.place.rear) &&
-  Math.min(a.place.high, b.place.high) > Math.max(a.place.low, b.place.low);
 
 /** Kinds that can take the same material in the same way. */
 const FAMILY: Readonly<Partial<Record<Action["kind"], string>>> = {
@@ -85,9 +81,13 @@ function proposedBy(source: ActionSource, state: PlanState, s: Searching): reado
 
 /**
  * Actions that could be next in a state, those by hand in place of what they replace. `kind`: at least those of one
- * kind.
+ * kind. Without those that rough and finish in one call: whether one tool does both is known at the end of a search.
  */
-export function actionsIn(state: PlanState, s: Searching, kind?: ActionKind): readonly Action[] {
+export const actionsIn = (state: PlanState, s: Searching, kind?: ActionKind): readonly Action[] =>
+  allActionsIn(state, s, kind).filter((a) => !a.inOneCall || s.hand.has(a.key));
+
+/** The same with all of them. */
+export function allActionsIn(state: PlanState, s: Searching, kind?: ActionKind): readonly Action[] {
   if (state.done.some(({ action }) => action.kind === "partOff")) return [];
   const { sources, hand } = s;
   const asked = kind && hand.size === 0 ? sources.filter((source) => source.kind === kind) : sources;

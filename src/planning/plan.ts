@@ -2,8 +2,17 @@ import { AnswerCache } from "../kernel/answer-cache.ts";
 import { parse } from "../nc/parse.ts";
 import { actionSources } from "./actions/index.ts";
 import { explained } from "./explain.ts";
+import { inOneCall } from "./in-one-call.ts";
 import { ordered } from "./ordered.ts";
-import { actionsIn, compareEnds, firstNode, nodeBehind, nodesOf, type PlanNode, type Searching } from "./plan-node.ts";
+import {
+  allActionsIn,
+  compareEnds,
+  firstNode,
+  nodeBehind,
+  nodesOf,
+  type PlanNode,
+  type Searching,
+} from "./plan-node.ts";
 import { residueOf } from "./residue.ts";
 import { retooled } from "./retooled.ts";
 import { beam, pruned } from "./search.ts";
@@ -25,7 +34,7 @@ const MEMORY = 50_000_000;
 function* replayed({ keep = [], instead }: ClampingChanges, s: Searching): Generator<PlanNode, PlanNode> {
   let node = firstNode(s);
   for (const key of instead ? [...keep.slice(0, instead.at), instead.actionKey] : keep) {
-    const action = actionsIn(node, s).find((a) => a.key === key);
+    const action = allActionsIn(node, s).find((a) => a.key === key);
     if (!action) return node;
     yield node;
     const tried = s.tries.of(action, node);
@@ -67,7 +76,7 @@ export function* planning(
     const end = yield* reported(ordered(changed, from.done.length, s), s, () => best);
     if (!best || compareEnds(end, best) < 0) best = end;
   }
-  const end = best ?? from;
+  const end = yield* reported(inOneCall(best ?? from, from.done.length, s), s, () => best);
   const whole = wholeProgram(
     nodesOf(end).flatMap(({ tried }) => tried?.action ?? []),
     request,

@@ -1,18 +1,19 @@
 import { LEAST_REGION } from "./open-regions.ts";
 import {
   actionsIn,
+  allActionsIn,
   areRivals,
   changeBefore,
   compareEnds,
   doneIn,
   isCorner,
-  isInPlace,
   nodeBehind,
   nodesOf,
   priceOf,
   type PlanNode,
   type Searching,
 } from "./plan-node.ts";
+import { isInPlace } from "./places.ts";
 import { finishes, type Expected } from "./tries.ts";
 import { ROUGHING, type Action } from "./types.ts";
 
@@ -267,7 +268,7 @@ export function* followed(from: PlanNode, actions: readonly Action[], s: Searchi
   for (const wanted of actions) {
     const open = actionsIn(node, s, wanted.kind);
     const action =
-      open.find(({ key }) => key === wanted.key) ??
+      allActionsIn(node, s, wanted.kind).find(({ key }) => key === wanted.key) ??
       open.find((a) => isLike(a, wanted)) ??
       open.find((a) => isSameWork(a, wanted) && actions.some(({ tool }) => tool.T === a.tool.T));
     if (!action) continue;

@@ -10,5 +10,6 @@ export const USUAL_RULES: ShopRules = {
   finishBeforeRough: 60,
   insideBeforeOutside: 30,
   thinBeforeLong: 30,
+  tolerancedLast: 30,
   allowance: { diameter: 0.8, z: 0.2 },
 };

@@ -1,3 +1,4 @@
+import { isInPlace } from "./places.ts";
 import { FINISHING, type Action, type ActionKind, type PlanRequest, type ShopRules } from "./types.ts";
 import type { TradeRule } from "./working-plan.ts";
 
@@ -7,6 +8,8 @@ interface Rule {
   readonly rule: TradeRule | null;
   readonly first: (action: Action, request: PlanRequest) => boolean;
   readonly then: (action: Action, request: PlanRequest) => boolean;
+  /** Pairs that the rule does not order: one needs the other, or they are apart. */
+  readonly except?: (first: Action, then: Action) => boolean;
   /** s. */
   readonly cost: (rules: ShopRules) => number;
 }
@@ -16,8 +19,12 @@ const isOf =
   ({ kind }: Action) =>
     kinds.includes(kind);
 
+/** Whether one of two actions takes what the other one would. */
+const isSameWork = (a: Action, b: Action): boolean =>
+  a.key === b.key || (a.kind === b.kind && a.site === b.site && isInPlace(a, b));
+
 const CHIPS = ["roughOutside", "roughInside", "restRough"] as const;
-const finishes = ({ kind }: Action) => FINISHING.has(kind);
+const finishes = ({ kind, inOneCall }: Action) => inOneCall ?? FINISHING.has(kind);
 
 /** Whether an action finishes an element with a tolerance. */
 function isToleranced(action: Action, { part }: PlanRequest): boolean {
@@ -64,14 +71,17 @@ const TRADE_RULES: readonly Rule[] = [
     rule: "undercutBeforeThread",
     first: isOf("recess", "undercut", "finishOutside", "finishInside"),
     then: isOf("thread"),
+    except: (first, then) => first.site !== then.site,
     cost: (r) => r.finishBeforeRough,
   },
   {
     rule: "tolerancedLast",
     first: (action, request) =>
-      isOf("finishOutside", "finishInside", "recess", "undercut")(action) && !isToleranced(action, request),
+      isOf("finishOutside", "finishInside", "recess", "undercut", "thread")(action) && !isToleranced(action, request),
     then: isToleranced,
-    cost: (r) => r.thinBeforeLong,
+    // The crest of a thread is finished with the surfaces beside it.
+    except: (first, then) => first.kind === "thread" && first.site === then.site && isInPlace(first, then),
+    cost: (r) => r.tolerancedLast,
   },
   { rule: null, first: ({ kind }) => kind !== "partOff", then: isOf("partOff"), cost: () => NEVER },
 ];
@@ -99,19 +109,29 @@ export class Trade {
 
   /** What it costs to do an action after others, s. */
   after(action: Action, done: readonly Action[]): number {
-    return this.cost(this.sides(action).first & done.reduce((bits, d) => bits | this.sides(d).then, 0));
+    return this.cost(done.reduce((bits, d) => bits | this.broken(action, d), 0));
   }
 
-  /** What doing an action makes others cost that are still to be done, s. */
+  /** What doing an action makes others cost that are still to be done, s. Those that do the same do not wait for it. */
   before(action: Action, waiting: readonly Action[]): number {
-    const bits = waiting.reduce((all, w) => (w.key === action.key ? all : all | this.sides(w).first), 0);
-    return this.cost(this.sides(action).then & bits);
+    return this.cost(waiting.reduce((bits, w) => (isSameWork(w, action) ? bits : bits | this.broken(w, action)), 0));
   }
 
   /** The rule that puts an action behind the action before it; null where none does. */
   between(before: Action, action: Action): TradeRule | null {
-    const bits = this.sides(before).first & this.sides(action).then;
+    const bits = this.broken(before, action);
     return TRADE_RULES.find((_, i) => (bits & (1 << i)) !== 0)?.rule ?? null;
+  }
+
+  /** The rules that are broken where the first of two actions comes second, as bits. */
+  private broken(first: Action, then: Action): number {
+    const bits = this.sides(first).first & this.sides(then).then;
+    return bits === 0
+      ? 0
+      : TRADE_RULES.reduce(
+          (all, { except }, i) => (bits & (1 << i) && except?.(first, then) ? all & ~(1 << i) : all),
+          bits,
+        );
   }
 
   private cost(bits: number): number {

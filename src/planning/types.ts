@@ -50,10 +50,14 @@ export interface ShopRules {
   readonly toolChange: number;
   /** Price of a tool that the table lacks, once for each, s. */
   readonly usualTool: number;
-  /** Penalties: a finished surface before roughing has ended, inside before outside, a thin section early, s. */
+  /**
+   * Penalties: a finished surface before roughing has ended, inside before outside, a thin section early, other work
+   * after a toleranced surface was finished, s.
+   */
   readonly finishBeforeRough: number;
   readonly insideBeforeOutside: number;
   readonly thinBeforeLong: number;
+  readonly tolerancedLast: number;
   /** Oversize for finishing, mm: on the diameter and along Z. */
   readonly allowance: { readonly diameter: number; readonly z: number };
 }
@@ -141,6 +145,8 @@ export interface Action {
   readonly place: { readonly front: number; readonly rear: number; readonly high: number; readonly low: number };
   /** Threads that it makes, by their designation and place: they are no area. */
   readonly threads: readonly string[];
+  /** It roughs and finishes in one call. */
+  readonly inOneCall?: true;
   readonly values: readonly ReasonedValue[];
   /** What was planned for the values that an operator has set; absent where none is. */
   readonly planned?: HandValues;

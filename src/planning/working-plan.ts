@@ -27,6 +27,8 @@ export type StepReason =
   | { readonly kind: "takesMore"; readonly area: number; readonly cycle: number | null; readonly tool: number }
   /** The next way needs a tool that the operator's table lacks. */
   | { readonly kind: "ownTool"; readonly cycle: number | null; readonly tool: number }
+  /** Roughs and finishes in one call. */
+  | { readonly kind: "inOneCall" }
   /** The tool is in the spindle already. */
   | { readonly kind: "sameTool"; readonly tool: number }
   /** A rule of the trade put it before or behind others. */

@@ -29,6 +29,7 @@ export const requestFor = (
     finishBeforeRough: 60,
     insideBeforeOutside: 5,
     thinBeforeLong: 20,
+    tolerancedLast: 20,
     allowance: { diameter: 0.5, z: 0.1 },
   },
   partsOff: false,

@@ -77,6 +77,7 @@ const requestOf = (given: Pick<PlanRequest, "part" | "blank"> & Partial<PlanRequ
     finishBeforeRough: 60,
     insideBeforeOutside: 5,
     thinBeforeLong: 20,
+    tolerancedLast: 20,
     allowance: { diameter: 0.5, z: 0.1 },
   },
   partsOff: false,

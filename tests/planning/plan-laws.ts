@@ -1,4 +1,6 @@
 import { boxAround, inBox } from "../../src/kernel/area/box.ts";
+import { part as space, type Ring } from "../../src/kernel/geometry/point.ts";
+import { boredTo } from "../../src/planning/actions/bore.ts";
 import { ncLabels } from "../../src/i18n/nc-labels.ts";
 import { actionSources } from "../../src/planning/actions/index.ts";
 import { areaBeyond } from "../../src/planning/apply-action.ts";
@@ -10,7 +12,7 @@ import { actionsIn, firstNode, nodeBehind, type PlanNode, type Searching } from 
 import { USUAL_RULES } from "../../src/planning/shop-rules.ts";
 import { Trade } from "../../src/planning/trade-rules.ts";
 import { Tries } from "../../src/planning/tries.ts";
-import { ACTION_KINDS, type PlanRequest } from "../../src/planning/types.ts";
+import { ACTION_KINDS, type Action, type PlanRequest } from "../../src/planning/types.ts";
 import type { PlanChanges, WorkingPlan } from "../../src/planning/working-plan.ts";
 import { builtInTools } from "../../src/program/iso-codes/usual-tools.ts";
 import { touched, turningTools } from "./reach-bound.ts";
@@ -85,6 +87,36 @@ export function endOf({ steps }: WorkingPlan, s: Searching): PlanNode {
   return node;
 }
 
+/** Work of a bar in a bore. */
+const IN_BORE = new Set(["roughInside", "finishInside", "recess"]);
+
+/** Undercuts behind threads. */
+const isRelief = (undercut = "") => undercut.startsWith("DIN 76");
+
+/**
+ * Steps of a plan that were not prepared: a thread before its relief, a bar before the bore that it goes into, a holder
+ * that touches something. Empty where all were.
+ */
+export function unprepared({ steps, setup: { part, blank }, judged }: WorkingPlan): readonly string[] {
+  const stockBefore = (i: number) => steps[i - 1]?.tried.stock ?? blank;
+  const isReady = ({ kind, site, place }: Action, stock: readonly Ring[]): boolean => {
+    const { segments, marks } = site === "inside" ? part.inside : part.outside;
+    if (site === "inside" && IN_BORE.has(kind)) return boredTo(stock) < place.front;
+    if (kind !== "thread") return true;
+    return segments.every((segment, i) => {
+      const { left, right, low, high } = space.boxOf(segment);
+      const there = inBox(stock, { left, right, low: low - 1, high: high + 1 });
+      return !isRelief(marks[i]?.undercut) || areaBeyond(there, part.rings) < LEAST_REGION;
+    });
+  };
+  return [
+    ...steps.flatMap(({ tried: { action } }, i) =>
+      isReady(action, stockBefore(i)) ? [] : [`not prepared: ${action.key}`],
+    ),
+    ...judged.reasons.flatMap(({ kind }) => (kind === "holderContact" ? ["a holder touches"] : [])),
+  ];
+}
+
 /** Of a region that is left for want of a tool, a tool of the table reaches no more than this share. */
 const MOST_REACHED = 0.5;
 
@@ -128,6 +160,7 @@ export function brokenByPart(request: PlanRequest): readonly string[] {
       ? [`not proved: ${JSON.stringify(plan.judged.reasons[0])}`]
       : []),
     ...(plan.gouge > 0.01 ? [`gouge ${plan.gouge}`] : []),
+    ...unprepared(plan),
     ...open.map(({ key }) => `left for ${key}`),
     ...(isBetterEnd(fixed, end) ? [`worse than the fixed sequence: ${end.cost} s, ${fixed.cost} s`] : []),
     ...(again.text === plan.text ? [] : ["another plan of the same request"]),

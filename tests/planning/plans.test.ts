@@ -5,7 +5,7 @@ import { handValuesOf } from "../../src/planning/hand-values.ts";
 import type { PlanRequest } from "../../src/planning/types.ts";
 import { arbitraryParts } from "./arbitrary-part.ts";
 import { partOfTrade } from "./parts.ts";
-import { brokenByPart, keysOf, planOf, requestOf, withOwnTools } from "./plan-laws.ts";
+import { brokenByPart, keysOf, planOf, requestOf, unprepared, withOwnTools } from "./plan-laws.ts";
 
 const of = (name: string): PlanRequest => {
   const request = requestOf(partOfTrade(name));
@@ -17,7 +17,18 @@ const of = (name: string): PlanRequest => {
 test.each(["bolt", "dowel", "flange", "spacer", "spool", "thin-shaft"])("%s is made in one clamping", (name) => {
   const plan = planOf(of(name));
   expect([plan.judged.verdict, plan.isComplete]).toEqual(["proved", true]);
+  expect(unprepared(plan)).toEqual([]);
   expect([...keysOf(plan), `${plan.seconds.toFixed(0)} s`, `T${plan.tools.join(" T")}`].join("\n")).toMatchSnapshot();
+});
+
+test("a thread on the bare bar is found to be not prepared", () => {
+  const plan = planOf(of("bolt"));
+  const [first, ...others] = plan.steps.toSorted(
+    (a, b) => Number(b.tried.action.kind === "thread") - Number(a.tried.action.kind === "thread"),
+  );
+  expect(unprepared({ ...plan, steps: first ? [first, ...others] : [] })).toContain(
+    `not prepared: ${first?.tried.action.key}`,
+  );
 });
 
 test("plans of random parts keep the laws", () => {

@@ -46,6 +46,7 @@ const rules = z.object({
   finishBeforeRough: number,
   insideBeforeOutside: number,
   thinBeforeLong: number,
+  tolerancedLast: number,
   allowance: z.optional(z.object({ diameter: z.number(), z: z.number() })),
 });
 const part = z.object({

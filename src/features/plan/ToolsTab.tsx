@@ -14,7 +14,14 @@ interface Props {
   readonly onPart: (part: FinishedPart, place: string | null) => void;
 }
 
-const COSTS = ["toolChange", "usualTool", "finishBeforeRough", "insideBeforeOutside", "thinBeforeLong"] as const;
+const COSTS = [
+  "toolChange",
+  "usualTool",
+  "finishBeforeRough",
+  "insideBeforeOutside",
+  "thinBeforeLong",
+  "tolerancedLast",
+] as const;
 const AXES = ["diameter", "z"] as const;
 
 /** Which tools and cycles a plan may use, and the rules of the shop. */

@@ -315,7 +315,10 @@ export interface BoreWork {
   readonly most: number;
 }
 
-/** The actions of a cycle with the bars that enter and cut, those that reach most first. */
+/**
+ * The actions of a cycle with the bars that enter and cut, those that reach most first. Roughing and finishing in one call
+ * only with those that make the whole contour.
+ */
 export function barActions(
   { kind, wanted, region, way, cut, plunges, most }: BoreWork,
   cycle: Cycle,
@@ -326,6 +329,7 @@ export function barActions(
 ): readonly Action[] {
   const { box } = region;
   const depth = frontOf(stock) - box.left;
+  const inOneCall = kind === "roughInside" && cut.operation === "both";
   const [smallest, largest] = [toDiameter(radius(way.clear)), toDiameter(radius(box.high))];
   const fitOfBar = (tool: Tool) => {
     const r = startFor(tool, way);
@@ -334,10 +338,12 @@ export function barActions(
     const job = plunges === undefined || !cycle.params[PLUNGING] ? own : withValue(own, PLUNGING, plunges ? 1 : 0);
     const asked = { ...cut, stock, smallest, largest, bar: heldBar(tool, depth) };
     const fit = fitted({ cycle, job, cut: asked }, tool, request);
+    if (inOneCall && !fit?.makesContour) return null;
     return fit && cutsInto(fit.plan, tool, region) && staysClear(fit.plan, tool, stock) ? fit : null;
   };
   return fitsOf(tools, most, request, fitOfBar, better).map(({ tool, job, values }) => {
-    const variant = `X${job.start.x} Z${job.start.z}${plunges === false ? " over" : ""}`;
-    return actionOf({ kind, site: "inside", cycle, box, variant }, tool, job, values);
+    const variant = `X${job.start.x} Z${job.start.z}${plunges === false ? " over" : ""}${inOneCall ? " finish" : ""}`;
+    const action = actionOf({ kind, site: "inside", cycle, box, variant }, tool, job, values);
+    return inOneCall ? { ...action, inOneCall } : action;
   });
 }

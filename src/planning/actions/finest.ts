@@ -10,3 +10,7 @@ export function finestOf({ marks }: Pick<Chain, "marks">): WantedRoughness | und
   ]);
   return wanted.toSorted((a, b) => rzOf(a) - rzOf(b))[0];
 }
+
+/** Whether a section has a toleranced surface: that is finished by itself, when nothing else moves the part any more. */
+export const isToleranced = ({ marks }: Pick<Chain, "marks">): boolean =>
+  marks.some(({ tolerance }) => tolerance !== undefined);

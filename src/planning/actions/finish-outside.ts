@@ -25,7 +25,7 @@ export const finishOutside: ActionSource = {
     const work = outsideWork(state, request);
     const last = work.pieces.toSorted((a, b) => b.span[1] - a.span[1])[0];
     if (!last) return [];
-    const isRest = state.done.some(({ action }) => action.kind === "finishOutside");
+    const isRest = state.done.some(({ action }) => action.kind === "finishOutside" || action.inOneCall);
     const isAlone = (piece: Piece) => isRest || (!piece.opensAhead && work.pieces.length > 1);
     const single = work.pieces
       .filter((piece) => piece !== last || !piece.opensAhead)
@@ -45,7 +45,14 @@ export const finishOutside: ActionSource = {
   },
 };
 
-function finishings(work: OutsideWork, stock: readonly Ring[], request: PlanRequest): readonly Action[] {
+/** Passes along a contour with inserts for it. `operation`: both where they rough it first, in one call. */
+export function finishings(
+  work: OutsideWork,
+  stock: readonly Ring[],
+  request: PlanRequest,
+  operation: "finish" | "both" = "finish",
+): readonly Action[] {
+  const inOneCall = operation === "both";
   const tools = toolsOf(request).filter(({ TYPE }) => TYPE === "FINISH" || TYPE === "ROUGH");
   const box = boxAround([part.flattenedChain(work.chain.segments, CHORD)]);
   const roughness = finestOf(work.chain);
@@ -53,8 +60,10 @@ function finishings(work: OutsideWork, stock: readonly Ring[], request: PlanRequ
   return turningCycles(work.chain.segments, request)
     .filter((cycle) => hasHollow || !worksAcross(cycle))
     .flatMap((cycle) => {
-      const cut = cutOf(cycle, "finish", { box, stock, ...(roughness !== undefined && { roughness }) });
-      const candidate = { kind: "finishOutside", site: "outside", cycle, box } as const;
+      const cut = cutOf(cycle, operation, { box, stock, ...(roughness !== undefined && { roughness }) });
+      const candidate = inOneCall
+        ? ({ kind: "roughOutside", site: "outside", cycle, box, variant: "finish" } as const)
+        : ({ kind: "finishOutside", site: "outside", cycle, box } as const);
       const jobOf = ({ segments }: Chain) => withValue(contourJob(cycle, { segments, way: "ahead", stock }), "Q487", 1);
       const fits = tools.flatMap((tool) => {
         const chain = withoutFront(
@@ -66,10 +75,11 @@ function finishings(work: OutsideWork, stock: readonly Ring[], request: PlanRequ
           ),
         );
         const fit = chain.segments.length > 0 && fitted({ cycle, cut, job: jobOf(chain) }, tool, request);
-        return fit ? { ...fit, goesInto: chain.segments.length } : [];
+        return fit && (fit.makesContour || !inOneCall) ? { ...fit, goesInto: chain.segments.length } : [];
       });
-      return deepest(fits, MOST, request, better).map(({ tool, job, values }) =>
-        actionOf(candidate, tool, job, values),
-      );
+      return deepest(fits, MOST, request, better).map(({ tool, job, values }) => ({
+        ...actionOf(candidate, tool, job, values),
+        ...(inOneCall && ({ inOneCall } as const)),
+      }));
     });
 }

@@ -8,6 +8,7 @@ import type { OpenRegion } from "../open-regions.ts";
 import type { Action, ActionSource, PlanRequest } from "../types.ts";
 import { insideRegions } from "./bore.ts";
 import { barActions, barsOf, freeInside, plungings, ROUGH_BEYOND, sectionInBore } from "./bore-turning.ts";
+import { finestOf, isToleranced } from "./finest.ts";
 import { notDone } from "./candidates.ts";
 
 /** Thinner material is left to finishing, in oversizes. */
@@ -44,6 +45,30 @@ function roughing(region: OpenRegion, stock: readonly Ring[], request: PlanReque
     });
 }
 
+/** The same to its finished size in one call, where nothing of it is toleranced. */
+function inOneCall(region: OpenRegion, stock: readonly Ring[], request: PlanRequest): readonly Action[] {
+  const section = sectionInBore(stock, request.part, region);
+  if (!section || isToleranced(section)) return [];
+  const { segments, way } = section;
+  const wanted = freeInside(segments);
+  const roughness = finestOf(section);
+  const cut = { operation: "both", work: "rough", ...(roughness !== undefined && { roughness }) } as const;
+  return cyclesFor(wanted)
+    .filter(({ group, number }) => group === "longitudinal" && !request.withoutCycles.includes(number))
+    .flatMap((cycle) => {
+      const tools = barsOf(request, (t) => isUsualTool(cycle.group, t));
+      const plunges = plungings(segments).includes(true);
+      const into = plunges ? { plunges } : {};
+      return barActions(
+        { kind: "roughInside", wanted, region, way, cut, most: MOST_TOOLS, ...into },
+        cycle,
+        tools,
+        stock,
+        request,
+      );
+    });
+}
+
 /** Bores roughly, where the stock has a bore that a bar enters. */
 export const roughInside: ActionSource = {
   kind: "roughInside",
@@ -51,7 +76,7 @@ export const roughInside: ActionSource = {
     notDone(
       insideRegions(state.stock, request.part, THICK * radiusOf(request.rules.allowance.diameter))
         .slice(0, MOST_REGIONS)
-        .flatMap((region) => roughing(region, state.stock, request)),
+        .flatMap((region) => [...roughing(region, state.stock, request), ...inOneCall(region, state.stock, request)]),
       state,
     ),
 };

@@ -5,6 +5,8 @@ import type { Ring } from "../../kernel/geometry/point.ts";
 import { withCycleValues } from "../../program/job/requested-job.ts";
 import type { Action, ActionSource, Chain, PlanRequest } from "../types.ts";
 import { actionOf, actionsOf, fitted, notDone, toolsOf, deepest } from "./candidates.ts";
+import { isToleranced } from "./finest.ts";
+import { finishings } from "./finish-outside.ts";
 import { contourJob } from "./contour-job.ts";
 import { outsideWork, workUpTo, type OutsideWork, type Piece } from "./outside-work.ts";
 import { bridgedOver } from "./pockets.ts";
@@ -26,7 +28,14 @@ export const roughOutside: ActionSource = {
         state,
       );
     const all = toolsOf(request);
-    return TYPES.flatMap((type) => withTools(all.filter(({ TYPE }) => TYPE === type)));
+    const finished = open.map((piece) => workUpTo(work, piece)).filter(({ chain }) => !isToleranced(chain));
+    return [
+      ...TYPES.flatMap((type) => withTools(all.filter(({ TYPE }) => TYPE === type))),
+      ...notDone(
+        finished.flatMap((each) => finishings(each, state.stock, request, "both")),
+        state,
+      ),
+    ];
   },
 };
 

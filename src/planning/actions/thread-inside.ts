@@ -19,7 +19,7 @@ import { clearRadius, insideRegions, solidFrom } from "./bore.ts";
 import { barsOf, heldBar, jobInside, startFor, startLimit, type BoreWay } from "./bore-turning.ts";
 import { actionOf, fitsOf, fitted, notDone } from "./candidates.ts";
 import { drillsOf, onAxis } from "./on-axis.ts";
-import { fillOf, RUN_OUT, threadId, threadsOf, type ThreadPlace } from "./thread.ts";
+import { alongCrest, fillOf, RUN_OUT, taperCycles, threadId, threadsOf, type ThreadPlace } from "./thread.ts";
 
 /** Most bars that are proposed for a thread. */
 const MOST_TOOLS = 2;
@@ -86,7 +86,9 @@ function turned(open: OpenThread, stock: readonly Ring[], request: PlanRequest):
   const { named, place, box, id, isFinished } = open;
   if (!isFinished) return [];
   const { inside } = request.part;
-  const across = toDiameter(radius(box.low));
+  const isTaper = named.taper > 0;
+  const across = toDiameter(radius(isTaper ? box.high : box.low));
+  const segments = inside.segments.slice(place.first, place.last + 1);
   const corner = (z: number) => ({ diameter: diameter(rounded(across)), z: axial(rounded(z)) });
   const [before, next] = [inside.segments[place.first - 1], inside.segments[place.last + 1]];
   const runOut = RUN_OUT * named.pitch;
@@ -108,7 +110,7 @@ function turned(open: OpenThread, stock: readonly Ring[], request: PlanRequest):
   const clear = clearRadius(stock, box.left, front);
   const z = begin + Math.max(LEAST_RUN_UP, RUN_UP * named.pitch);
   const way: BoreWay = { z, clear, low: clear - BESIDE };
-  return cyclesFor(wanted)
+  return (isTaper ? taperCycles : cyclesFor(wanted))
     .filter(({ number }) => !request.withoutCycles.includes(number))
     .flatMap((cycle) => {
       const fitOfBar = (tool: Tool) => {
@@ -118,7 +120,9 @@ function turned(open: OpenThread, stock: readonly Ring[], request: PlanRequest):
         const lifts = Math.min(LIFT, roundedDown(clear - startLimit(tool, clear)));
         if (lifts < LEAST_LIFT) return null;
         const made = withValue(jobInside(cycle, wanted, stock, { z, r }), "Q460", lifts);
-        const filled = Object.entries(fill.values).reduce((job, [q, value]) => withValue(job, q, value), made);
+        const line = isTaper ? alongCrest(cycle, segments, [begin, end], fill.cut.depth) : null;
+        const values = { ...fill.values, ...line, ...(line && { Q466: rounded(named.pitch) }) };
+        const filled = Object.entries(values).reduce((job, [q, value]) => withValue(job, q, value), made);
         const job = withValue(filled, "Q474", isRelieved ? 0 : rounded(runOut));
         const cut = {
           operation: "both",
@@ -131,7 +135,8 @@ function turned(open: OpenThread, stock: readonly Ring[], request: PlanRequest):
           bar: heldBar(tool, front - box.left),
         } as const;
         const fit = fitted({ cycle, job, cut }, tool, request);
-        const room = { front: z, rear: end - runOut, high: radiusOf(fill.cut.root) + ROOT, low: box.low - ROOT };
+        const root = isTaper ? box.high + fill.cut.depth : radiusOf(fill.cut.root);
+        const room = { front: z, rear: end - runOut, high: root + ROOT, low: box.low - ROOT };
         return fit && { ...fit, room };
       };
       const bars = barsOf(request, (tool) => hasAngleOf(named, tool));

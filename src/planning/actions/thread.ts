@@ -68,18 +68,24 @@ const EDGE = 3;
 export const RUN_OUT = 2;
 
 /** Cycles that cut a thread on a cone. */
-const taperCycles: readonly Cycle[] = catalogue.filter((c) => c.thread?.line && useOf(c).shapes.includes("thread"));
+export const taperCycles: readonly Cycle[] = catalogue.filter(
+  (c) => c.thread?.line && useOf(c).shapes.includes("thread"),
+);
 
-/** The line of a taper thread, on the crest of the drawing between two Z; null for a cycle without such a line. */
-function alongCrest(
+/**
+ * The line of a taper thread between two Z, on the crest of the drawing; in a bore, where a cycle names its root, so far
+ * outside of it, mm. Null for a cycle without such a line.
+ */
+export function alongCrest(
   { thread: roles }: Cycle,
   segments: readonly Segment[],
   [front, end]: readonly [number, number],
+  outside = 0,
 ): Readonly<Record<string, number>> | null {
   const [first, last] = [segments[0]?.from, segments.at(-1)?.to];
   if (!roles?.line || !first || !last) return null;
   const across = (z: number) =>
-    rounded(toDiameter(radius(first.r + ((last.r - first.r) * (z - first.z)) / (last.z - first.z))));
+    rounded(toDiameter(radius(first.r + outside + ((last.r - first.r) * (z - first.z)) / (last.z - first.z))));
   const [startX = "", endX = ""] = roles.diameters;
   const { startZ, endZ } = roles.line;
   return { [startX]: across(front), [startZ]: rounded(front), [endX]: across(end), [endZ]: rounded(end) };

@@ -5,6 +5,7 @@ import { SAME } from "../../kernel/tolerance.ts";
 import { radians, radiusOf } from "../../kernel/units.ts";
 import { readRows, type RowReading } from "../../program/job/contour-rows.ts";
 import type { ContourRow } from "../../program/job/job.ts";
+import { coreOf, hasTap } from "../../program/tools/tap-of-thread.ts";
 import type { FinishedPart, RowMark } from "./finished-part.ts";
 import { partProblem, type PartProblem } from "./part-problem.ts";
 
@@ -34,10 +35,14 @@ function plain(row: ContourRow, { radius, turn }: RowReading, end: End): Contour
 /** The middle of a size, ⌀ or length from Z0; null where the text has none for it. */
 const middleOf = (tolerance: string, size: number) => toleranceMiddle(tolerance, size)?.middle ?? null;
 
-/** The crest of a cylinder that a thread is cut into, mm, in the middle of its class; null where it varies. */
+/**
+ * The crest of a cylinder that a thread is cut into, mm: the drill before a tap, else the middle of its class; null where
+ * it varies.
+ */
 function crestOf(thread: NamedThread, side: Side): number | null {
   const own = thread[side];
-  return own && thread.taper === 0 ? cutThread(own, "middle").crest : null;
+  if (!own || thread.taper !== 0) return null;
+  return (side === "inside" && hasTap(thread) ? coreOf(thread)?.size : null) ?? cutThread(own, "middle").crest;
 }
 
 /** Slopes of lines that keep their angle when a cylinder beside them moves: chamfers and flanks, not tapers. */

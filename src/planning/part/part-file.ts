@@ -93,6 +93,7 @@ export const partSchema = z.strictObject({
       finishBeforeRough: seconds,
       insideBeforeOutside: seconds,
       thinBeforeLong: seconds,
+      tolerancedLast: seconds,
       allowance: z.optional(z.strictObject({ diameter: oversize, z: oversize })),
     }),
   ),

@@ -115,10 +115,9 @@ const functions = (m: number): Statement => ({ kind: "functions", words: { ...no
 /** The blocks from the tool call to the retraction: `cut` begins at the safe position and ends at the start point. */
 export function machiningStatements(job: SetJob, cut: readonly Statement[]): Statement[] {
   const place = placeOfStart(job);
-  const safeX = roundedTo(
-    Math.max(number(job.blank.outside, 0), number(job.start.x, 0)) + SAFE_DISTANCE.x,
-    POSITION_DECIMALS,
-  );
+  // A quill may be thicker than what it holds.
+  const outermost = [job.blank.outside, job.start.x, job.clamping?.words.QUILL ?? ""].map((x) => number(x, 0));
+  const safeX = roundedTo(Math.max(...outermost) + SAFE_DISTANCE.x, POSITION_DECIMALS);
   const safeZ = roundedTo(
     Math.max(number(job.blank.allowance, 0), number(job.start.z, 0), 0) + SAFE_DISTANCE.z,
     POSITION_DECIMALS,

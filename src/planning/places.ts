@@ -1,0 +1,6 @@
+import type { Action } from "./types.ts";
+
+/** Whether two actions work in the same place. */
+export const isInPlace = (a: Action, b: Action): boolean =>
+  Math.min(a.place.front, b.place.front) > Math.max(a.place.rear, b.place.rear) &&
+  Math.min(a.place.high, b.place.high) > Math.max(a.place.low, b.place.low);
