@@ -50,7 +50,9 @@ function* withTool(
 function canGain(node: PlanNode, before: PlanNode, rest: readonly Action[], { request }: Searching): boolean {
   if (node.left < before.left - LEAST_REGION) return true;
   const [last, next] = [node.tried?.action ?? null, rest[0]];
-  const change = next ? changeBefore(next, before.tried?.action ?? null, request) - changeBefore(next, last, request) : 0;
+  const change = next
+    ? changeBefore(next, before.tried?.action ?? null, request) - changeBefore(next, last, request)
+    : 0;
   const price = rest.some(({ tool }) => tool.T === last?.tool.T) && last ? priceOf(last, doneIn(before), request) : 0;
   return node.cost < before.cost + change + price;
 }

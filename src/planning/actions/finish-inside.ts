@@ -1,6 +1,6 @@
 import { boxAround } from "../../kernel/area/box.ts";
 import { difference, offset, opened } from "../../kernel/area/clip.ts";
-import { part as geometry, type Segment } from "../../kernel/geometry/point.ts";
+import { part as geometry } from "../../kernel/geometry/point.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { CHORD, SAME, SLIVER } from "../../kernel/tolerance.ts";
 import { radiusOf } from "../../kernel/units.ts";
@@ -17,18 +17,8 @@ import { finestOf } from "./finest.ts";
 /** Thicker material is roughed first, in oversizes. */
 const THIN = 2.4;
 const MOST_TOOLS = 2;
-/** Clearance of the tip beside the narrowest place of a wall, mm. */
-const BESIDE = 0.2;
-/** Length of the cone of a drill that a cut along the wall follows, mm. */
-const ON_CONE = 1;
 
 const finishersFirst = (a: Tool, b: Tool) => Number(b.TYPE === "FINISH") - Number(a.TYPE === "FINISH");
-
-/** The beginning of a cone to the axis: the nose stands off its corner, and does not go across the axis. */
-function begun(cone: Segment): readonly Segment[] {
-  const share = ON_CONE / geometry.lengthOf(cone);
-  return share < 1 ? [{ ...cone, to: geometry.pointOn(cone, share) }] : [];
-}
 
 /** Finishes the inside to size, in one pass along all its elements that have material. */
 export const finishInside: ActionSource = {
@@ -55,14 +45,11 @@ export const finishInside: ActionSource = {
     const last = section?.segments.at(-1);
     if (!section || !last) return [];
     const { segments: whole, way } = section;
-    // A thick bar leaves a bottom that a thinner one faces from the axis on; the cone of a drill is left to it.
-    const endsOnAxis = last.to.r < SAME;
-    const isFloor = endsOnAxis && last.from.z - last.to.z < SAME;
+    // A thick bar leaves a bottom that a thinner one faces from the axis on.
+    const isFloor = last.to.r < SAME && last.from.z - last.to.z < SAME;
     const variants = [
       { segments: whole, groups: isFloor ? ["longitudinal", "transverse"] : ["longitudinal"] },
-      ...(endsOnAxis && whole.length > 1
-        ? [{ segments: [...whole.slice(0, -1), ...(isFloor ? [] : begun(last))], groups: ["longitudinal"] }]
-        : []),
+      ...(isFloor && whole.length > 1 ? [{ segments: whole.slice(0, -1), groups: ["longitudinal"] }] : []),
     ];
     const roughness = finestOf(section);
     const cut = { operation: "finish", work: "finish", ...(roughness !== undefined && { roughness }) } as const;
@@ -80,7 +67,7 @@ export const finishInside: ActionSource = {
               kind: "finishInside",
               wanted,
               region: { box, rings: all },
-              way: isFloor ? way : { ...way, low: Math.max(way.low, box.low - BESIDE) },
+              way,
               cut,
               most: MOST_TOOLS,
               ...into,
