@@ -44,6 +44,18 @@ function* replayed({ keep = [], instead }: ClampingChanges, s: Searching): Gener
   return node;
 }
 
+/** A plan to which none of the changes of single steps brings more: each may make another one worth it. */
+function* improved(end: PlanNode, kept: number, s: Searching): Generator<PlanNode, PlanNode> {
+  let [best, before]: [PlanNode, PlanNode | null] = [end, null];
+  while (best !== before) {
+    before = best;
+    best = yield* pruned(best, s);
+    best = yield* retooled(best, kept, s);
+    best = yield* ordered(best, kept, s);
+  }
+  return best;
+}
+
 /**
  * Searches the working plan with the least time that leaves nothing a tool of the shop could take. Yields before every
  * try with the best plan so far; to cancel, stop asking. Pure and deterministic: the same request gives the same plan.
@@ -71,9 +83,7 @@ export function* planning(
   let best: PlanNode | null = null;
   for (const width of WIDTHS) {
     const found = yield* reported(beam(from, width, s), s, () => best);
-    const needed = yield* reported(pruned(found, s), s, () => best);
-    const changed = yield* reported(retooled(needed, from.done.length, s), s, () => best);
-    const end = yield* reported(ordered(changed, from.done.length, s), s, () => best);
+    const end = yield* reported(improved(found, from.done.length, s), s, () => best);
     if (!best || compareEnds(end, best) < 0) best = end;
   }
   const end = yield* reported(inOneCall(best ?? from, from.done.length, s), s, () => best);

@@ -1,5 +1,16 @@
-import { actionsIn, compareEnds, nodeBehind, nodesOf, type PlanNode, type Searching } from "./plan-node.ts";
 import { joined } from "./joined.ts";
+import { LEAST_REGION } from "./open-regions.ts";
+import {
+  actionsIn,
+  changeBefore,
+  compareEnds,
+  doneIn,
+  nodeBehind,
+  nodesOf,
+  priceOf,
+  type PlanNode,
+  type Searching,
+} from "./plan-node.ts";
 import { followed, isSameWork } from "./search.ts";
 import type { Action } from "./types.ts";
 
@@ -20,7 +31,7 @@ function* withTool(
   let node = from;
   for (const wanted of run) {
     let best: PlanNode | null = null;
-    for (const action of actionsIn(node, s).filter((a) => a.tool.T === T && isSameWork(a, wanted))) {
+    for (const action of actionsIn(node, s, wanted.kind).filter((a) => a.tool.T === T && isSameWork(a, wanted))) {
       yield node;
       const tried = s.tries.of(action, node);
       if (!tried.works) continue;
@@ -34,6 +45,24 @@ function* withTool(
 }
 
 /**
+ * Whether a plan with another tool up to here can be better behind it: that takes more, or its tool is in the spindle
+ * already for what follows, was paid for, or can be put together with other work of it; else the rest takes as long as
+ * it did.
+ */
+function canGain(node: PlanNode, before: PlanNode, rest: readonly Action[], { request }: Searching): boolean {
+  if (node.left < before.left - LEAST_REGION) return true;
+  const [last, next] = [node.tried?.action ?? null, rest[0]];
+  const change = next
+    ? changeBefore(next, before.tried?.action ?? null, request) - changeBefore(next, last, request)
+    : 0;
+  if (!last) return true;
+  const isLast = ({ tool }: Action) => tool.T === last.tool.T;
+  const price = rest.some(isLast) ? priceOf(last, doneIn(before), request) : 0;
+  const together = [...doneIn(before), ...rest].some(isLast) ? changeBefore(last, null, request) : 0;
+  return node.cost < before.cost + change + price + together;
+}
+
+/**
  * A plan in which the work that one tool does at a stretch is done by another one where the whole is better for it: a
  * beam keeps few states with the tool that only a later step needs. The first `kept` steps stay. Yields before every try.
  */
@@ -42,18 +71,17 @@ export function* retooled(end: PlanNode, kept: number, s: Searching): Generator<
   for (let i = runsOf(nodesOf(best)).length - 1; i >= 0; i -= 1) {
     const nodes = nodesOf(best);
     const [from, to] = runsOf(nodes)[i] ?? [0, 0];
-    const [start, first] = [nodes[from]?.before, nodes[from]?.tried?.action];
-    if (!start || !first || from < kept) continue;
+    const [start, first, before] = [nodes[from]?.before, nodes[from]?.tried?.action, nodes[to - 1]];
+    if (!start || !first || !before || from < kept) continue;
     const actions = nodes.flatMap(({ tried }) => tried?.action ?? []);
-    const tools = new Set(
-      actionsIn(start, s).flatMap((a) => (isSameWork(a, first) ? [a.tool.T] : [])),
-    );
+    const tools = new Set(actionsIn(start, s).flatMap((a) => (isSameWork(a, first) ? [a.tool.T] : [])));
     for (const T of tools) {
       if (s.tries.count >= s.most) return best;
       const node = yield* withTool(start, actions.slice(from, to), T, s);
-      const then = node && (yield* followed(node, actions.slice(to), s));
-      const other = then && (yield* joined(then, kept, s));
-      if (other && compareEnds(other, best) < 0) best = other;
+      if (!node || !canGain(node, before, actions.slice(to), s)) continue;
+      const then = yield* followed(node, actions.slice(to), s);
+      const other = yield* joined(then, kept, s);
+      if (compareEnds(other, best) < 0) best = other;
     }
   }
   return best;

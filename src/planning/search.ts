@@ -226,8 +226,11 @@ export function* beam(from: PlanNode, width: number, s: Searching): Generator<Pl
   return best ?? from;
 }
 
-/** The same, each step looked at once. */
-function* prunedOnce(end: PlanNode, s: Searching): Generator<PlanNode, PlanNode> {
+/**
+ * A plan without the steps that a later one makes needless, as a finishing cut before a better one. Yields before every
+ * try.
+ */
+export function* pruned(end: PlanNode, s: Searching): Generator<PlanNode, PlanNode> {
   let best = end;
   for (let i = end.done.length - 2; i >= 0; i -= 1) {
     const nodes = nodesOf(best);
@@ -237,20 +240,6 @@ function* prunedOnce(end: PlanNode, s: Searching): Generator<PlanNode, PlanNode>
     if (!action || !start || !later.some((a) => areRivals(a, action))) continue;
     const without = yield* followed(start, later, s);
     if (compareEnds(without, best) < 0) best = without;
-  }
-  return best;
-}
-
-/**
- * A plan without the steps that a later one makes needless, as a finishing cut before a better one. Yields before every
- * try.
- */
-export function* pruned(end: PlanNode, s: Searching): Generator<PlanNode, PlanNode> {
-  let [best, before]: [PlanNode, PlanNode | null] = [end, null];
-  // A step that is taken out may make another one needless.
-  while (best !== before) {
-    before = best;
-    best = yield* prunedOnce(best, s);
   }
   return best;
 }

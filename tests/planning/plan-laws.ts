@@ -1,4 +1,6 @@
+import { areaOf } from "../../src/kernel/area/area.ts";
 import { boxAround, inBox } from "../../src/kernel/area/box.ts";
+import { union } from "../../src/kernel/area/clip.ts";
 import { part as space, type Ring } from "../../src/kernel/geometry/point.ts";
 import { boredTo } from "../../src/planning/actions/bore.ts";
 import { ncLabels } from "../../src/i18n/nc-labels.ts";
@@ -12,7 +14,7 @@ import { actionsIn, firstNode, nodeBehind, type PlanNode, type Searching } from 
 import { USUAL_RULES } from "../../src/planning/shop-rules.ts";
 import { Trade } from "../../src/planning/trade-rules.ts";
 import { Tries } from "../../src/planning/tries.ts";
-import { ACTION_KINDS, type Action, type PlanRequest } from "../../src/planning/types.ts";
+import { ACTION_KINDS, type Action, type ActionKind, type PlanRequest } from "../../src/planning/types.ts";
 import type { PlanChanges, WorkingPlan } from "../../src/planning/working-plan.ts";
 import { builtInTools } from "../../src/program/iso-codes/usual-tools.ts";
 import { touched, turningTools } from "./reach-bound.ts";
@@ -64,13 +66,32 @@ export const searching = (request: PlanRequest): Searching => ({
   known: new Map(),
 });
 
-/** The plan of a fixed table of sequences: kinds in their usual order, of each the first way that works. */
-export function fixedSequence(request: PlanRequest, s: Searching): PlanNode {
+/** A fixed table of sequences: kinds in their usual order, and grooves and undercuts behind finishing. */
+export const SEQUENCES: readonly (readonly ActionKind[])[] = [
+  ACTION_KINDS,
+  [
+    "face",
+    "centre",
+    "drill",
+    "roughOutside",
+    "restRough",
+    "roughInside",
+    "finishOutside",
+    "finishInside",
+    "recess",
+    "undercut",
+    "thread",
+    "partOff",
+  ],
+];
+
+/** The plan of a sequence: of each kind the first way that works, as often as one does. */
+export function fixedSequence(kinds: readonly ActionKind[], request: PlanRequest, s: Searching): PlanNode {
   let node = firstNode(s);
-  for (const kind of ACTION_KINDS)
+  for (const kind of kinds)
     for (;;) {
       const from: PlanNode = node;
-      const works = actionsIn(from, s)
+      const works = actionsIn(from, s, kind)
         .filter((a) => a.kind === kind && (kind !== "partOff" || request.partsOff))
         .map((a) => s.tries.of(a, from))
         .find((t) => t.works);
@@ -117,10 +138,10 @@ export function unprepared({ steps, setup: { part, blank }, judged }: WorkingPla
   ];
 }
 
-/** Of a region that is left for want of a tool, a tool of the table reaches no more than this share. */
+/** Of a region that is left for want of a tool, all tools of the table together reach no more than this share. */
 const MOST_REACHED = 0.5;
 
-/** Regions that a plan leaves as if a tool were missing, though one of the table reaches most of them by its shape. */
+/** Regions that a plan leaves as if a tool were missing, though those of the table reach most of them by their shape. */
 export function leftThoughReached(request: PlanRequest): readonly string[] {
   const plan = planOf(request);
   const { stock } = endOf(plan, searching(request));
@@ -129,10 +150,14 @@ export function leftThoughReached(request: PlanRequest): readonly string[] {
   const stays = [...request.part.rings, ...behind];
   return plan.residue.flatMap(({ region, why, site }) => {
     if (!region || why !== "tool") return [];
-    const all = turningTools(request.shop.tools).map((tool) => ({ tool, area: touched(region.rings, stays, tool) }));
-    const [best] = all.toSorted((a, b) => b.area - a.area);
-    if (!best || best.area < MOST_REACHED * region.area) return [];
-    return [`${site} ${region.area.toFixed(2)} mm² left, T${best.tool.T} reaches ${best.area.toFixed(2)} by its shape`];
+    const all = turningTools(request.shop.tools).flatMap((tool) => {
+      const rings = touched(region.rings, stays, tool);
+      return rings.length > 0 ? [{ tool, rings }] : [];
+    });
+    const area = areaOf(union(all.flatMap(({ rings }) => rings)));
+    if (area < MOST_REACHED * region.area) return [];
+    const names = all.map(({ tool }) => `T${tool.T}`).join(", ");
+    return [`${site} ${region.area.toFixed(2)} mm² left, ${area.toFixed(2)} reached by the shape of ${names}`];
   });
 }
 
@@ -148,7 +173,7 @@ export function brokenByPart(request: PlanRequest): readonly string[] {
   const plan = planOf(request);
   const s = searching(request);
   const end = endOf(plan, s);
-  const fixed = fixedSequence(request, s);
+  const fixed = SEQUENCES.map((kinds) => fixedSequence(kinds, request, s)).filter((other) => isBetterEnd(other, end));
   const open = actionsIn(end, s).filter((a) => {
     const tried = s.tries.of(a, end);
     return tried.works && areaBeyond(end.open, tried.stock) > LEAST_REGION;
@@ -162,7 +187,10 @@ export function brokenByPart(request: PlanRequest): readonly string[] {
     ...(plan.gouge > 0.01 ? [`gouge ${plan.gouge}`] : []),
     ...unprepared(plan),
     ...open.map(({ key }) => `left for ${key}`),
-    ...(isBetterEnd(fixed, end) ? [`worse than the fixed sequence: ${end.cost} s, ${fixed.cost} s`] : []),
+    ...fixed.map(
+      ({ cost, left }) =>
+        `worse than a fixed sequence: ${end.cost} s and ${end.left} mm² left, ${cost} s and ${left} mm²`,
+    ),
     ...(again.text === plan.text ? [] : ["another plan of the same request"]),
     ...(kept.text === plan.text ? [] : ["another plan when nothing changed"]),
     ...(kept.tries <= plan.tries ? [] : ["more tries when nothing changed"]),

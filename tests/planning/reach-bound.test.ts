@@ -1,4 +1,5 @@
 import { expect, test } from "vitest";
+import { areaOf } from "../../src/kernel/area/area.ts";
 import { at, type Ring } from "../../src/kernel/geometry/point.ts";
 import type { Tool } from "../../src/kernel/plan/tool.ts";
 import { shippedTools } from "../../src/program/tools/shipped-tools.ts";
@@ -27,7 +28,7 @@ test.each([
   ["a tool for the outside does not reach the wall of a bore", 1, TUBE, box(-40, -30, 11, 12), 0, 0],
   ["a ring above a shaft is reached from outside", 1, [box(-60, 0, 0, 20)], box(-40, -10, 20, 22), 59.9, 60],
 ] as const)("%s", (_, T, stays, area, least, most) => {
-  const found = touched([area], stays, tool(T));
+  const found = areaOf(touched([area], stays, tool(T)));
   expect(found).toBeGreaterThanOrEqual(least);
   expect(found).toBeLessThanOrEqual(most + 0.01);
 });

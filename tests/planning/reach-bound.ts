@@ -1,4 +1,4 @@
-import { areaOf, areaOfRing } from "../../src/kernel/area/area.ts";
+import { areaOfRing } from "../../src/kernel/area/area.ts";
 import { boxAround, inBox } from "../../src/kernel/area/box.ts";
 import { difference, intersection, isInside, opened, simplified, union } from "../../src/kernel/area/clip.ts";
 import { at, type Pt, type Ring } from "../../src/kernel/geometry/point.ts";
@@ -49,8 +49,8 @@ const edgesOf = (rings: readonly Ring[]): readonly (readonly [Pt, Pt])[] =>
 const along = (edges: readonly (readonly [Pt, Pt])[], shape: Ring): readonly Ring[] =>
   edges.map(([a, b]) => hull([...moved(shape, a), ...moved(shape, b)]));
 
-/** What the cutting part of a tool can touch of an area, mm²: `stays`: what no part of the tool may meet. */
-export function touched(area: readonly Ring[], stays: readonly Ring[], tool: Tool): number {
+/** What the cutting part of a tool can touch of an area: `stays`: what no part of the tool may meet. */
+export function touched(area: readonly Ring[], stays: readonly Ring[], tool: Tool): readonly Ring[] {
   const { insert, checked, holder } = outlinesOf()(tool);
   const both = [...stays, ...stays.map((ring) => ring.map(({ z, r }) => at(z, -r)).toReversed())];
   const obstacles = simplified(union(both), WITHIN);
@@ -66,7 +66,7 @@ export function touched(area: readonly Ring[], stays: readonly Ring[], tool: Too
   const free = difference([room], union(forbidden));
   const outside = at(right + ROOM - 1, top - 1);
   const open = regionsOf(free, 0).find(({ outline }) => isInside(outline, outside));
-  if (!open) return 0;
+  if (!open) return [];
   const places = [open.outline, ...open.holes];
   const [own, shape] = [boxAround(area), boxAround([insert])];
   const near = inBox(places, {
@@ -76,7 +76,7 @@ export function touched(area: readonly Ring[], stays: readonly Ring[], tool: Too
     high: own.high - shape.low + 1,
   });
   const reached = union([...along(edgesOf(near), insert), ...near.map((ring) => moved(ring, insert[0] ?? at(0, 0)))]);
-  return areaOf(opened(intersection(area, reached), SLIVER));
+  return opened(intersection(area, reached), SLIVER);
 }
 
 /** Tools that cut along a path. A blade for faces is curved, so that its shape in the half plane says too much. */

@@ -1,13 +1,24 @@
 import { overlap, type Box } from "../geometry/segments.ts";
-import { part, type Segment } from "../geometry/point.ts";
-import { SAME } from "../tolerance.ts";
+import { part, type Pt, type Segment } from "../geometry/point.ts";
+import { ARC_END, SAME } from "../tolerance.ts";
 
-const { along, boxOf, lengthOf, meetings } = part;
+const { along, apart, boxOf, lengthOf, meetings } = part;
 
-/** True when two segments meet in a point that is not an end of both. */
+/** The corner in which a segment follows another one; null where none does. */
+function cornerOf(a: Segment, b: Segment): Pt | null {
+  if (apart(a.to, b.from) < SAME) return a.to;
+  return apart(b.to, a.from) < SAME ? b.to : null;
+}
+
+/**
+ * True when two segments meet in a point that is not an end of both. A circle whose centre is rounded passes its end at
+ * a little distance, and meets what follows there.
+ */
 function crosses(a: Segment, b: Segment): boolean {
   const [lengthA, lengthB] = [lengthOf(a), lengthOf(b)];
+  const corner = cornerOf(a, b);
   return meetings(a, b).some((point) => {
+    if (corner && apart(corner, point) < ARC_END) return false;
     const [onA, onB] = [along(a, point), along(b, point)];
     if (onA < -SAME || onA > lengthA + SAME || onB < -SAME || onB > lengthB + SAME) return false;
     const inA = onA > SAME && onA < lengthA - SAME;
