@@ -13,26 +13,32 @@ function shares(took: (share: number) => number, pictures: number): number[] {
   return out;
 }
 
-test("late frames lower the resolution as long as that makes them faster", () => {
+test("late frames lower the resolution to what it takes", () => {
   const seen = shares((share) => 7 + 61.3 * share * share, 400);
-  expect(seen).toEqual([1, 0.7]);
-  // Late at any resolution, but each step is worth it: down to the lowest.
-  expect(shares((share) => 31 + 173 * share * share, 400).at(-1)).toBeLessThan(0.5);
+  expect(seen).toHaveLength(2);
+  expect(seen[1]).toBeCloseTo(0.66, 2);
+  // Late at any resolution, but the lowest is worth it.
+  expect(shares((share) => 31 + 173 * share * share, 400)).toEqual([1, 0.5, 0.4]);
 });
 
 test("if something else is slow the resolution is restored and kept", () => {
   const seen = shares((share) => 117 + 3.1 * share, 900);
-  expect(seen).toEqual([1, 0.7, 1]);
+  expect(seen).toEqual([1, 0.5, 0.4, 1]);
 });
 
 test("fast frames restore the resolution, and late ones lower it again", () => {
   const sharpness = createSharpness();
-  for (let i = 0; i < 6; i += 1) sharpness.noteFrame(55);
-  expect(sharpness.noteFrame(11)).toBe(0.7);
-  for (let i = 0; i < 200; i += 1) sharpness.noteFrame(11);
+  for (let i = 0; i < 3; i += 1) sharpness.noteFrame(120);
+  expect(sharpness.noteFrame(11)).toBe(0.5);
+  for (let i = 0; i < 300; i += 1) sharpness.noteFrame(11);
   expect(sharpness.noteFrame(11)).toBe(1);
-  for (let i = 0; i < 6; i += 1) sharpness.noteFrame(55);
-  expect(sharpness.noteFrame(11)).toBe(0.7);
+  for (let i = 0; i < 3; i += 1) sharpness.noteFrame(120);
+  expect(sharpness.noteFrame(11)).toBe(0.5);
+});
+
+test("one frame that waits very long for other work does not undo the lowest resolution", () => {
+  let frames = 0;
+  expect(shares((share) => ((frames += 1) === 60 ? 1600 : 31 + 173 * share * share), 400)).toEqual([1, 0.5, 0.4]);
 });
 
 test("a single late frame, and one that waited for other work, change nothing", () => {

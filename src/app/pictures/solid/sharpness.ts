@@ -1,13 +1,11 @@
-/**
- * Frames later than this after their request, ms, lower the resolution while something moves: number of late frames,
- * weight of a very late one, factor of a step, lowest share. After enough early frames it rises again.
- */
-const SLOW = { ms: 40, pictures: 6, few: 3, by: 0.7, least: 0.4 } as const;
-const SOON = { ms: 24, pictures: 90 } as const;
+/** Frames later than this, ms, lower the resolution while something moves, by this many at a time, to about `aim` ms. */
+const LATE = { ms: 40, frames: 3, aim: 30, by: 0.5, least: 0.4 } as const;
+/** After this many early frames, ms, the resolution rises again by a step. */
+const SOON = { ms: 24, frames: 90, by: 1.4 } as const;
 /** Frames after a change that are not counted: those under way still have the previous resolution. */
-const UNDER_WAY = 3;
-/** A lower resolution that does not reduce the delay to this share is undone: something else is slow. */
-const WORTH = 0.85;
+const UNDER_WAY = 2;
+/** A lowest resolution that does not reduce the delay to this share of the full one's is undone: something else is slow. */
+const WORTH = { share: 0.85, frames: 8 } as const;
 
 /** The resolution of frames while something moves. */
 export interface Sharpness {
@@ -17,12 +15,12 @@ export interface Sharpness {
 
 /** Adapts from frame to frame. */
 export function createSharpness(): Sharpness {
-  let [share, late, soon, sum, count, underWay] = [1, 0, 0, 0, 0, 0];
-  /** The share before the last step down, and the average delay there. */
-  let before: { readonly share: number; readonly ms: number } | null = null;
+  let [share, soon, sum, count, underWay] = [1, 0, 0, 0, 0];
+  /** The average delay at full resolution, ms; below that of the lowest, only the full one is used. */
+  let full = 0;
   let isWorth = true;
   const next = (to: number) => {
-    [share, late, sum, count, underWay] = [to, 0, 0, 0, UNDER_WAY];
+    [share, sum, count, underWay] = [to, 0, 0, UNDER_WAY];
     return share;
   };
   return {
@@ -32,22 +30,21 @@ export function createSharpness(): Sharpness {
         return share;
       }
       soon = ms < SOON.ms ? soon + 1 : 0;
-      if (soon >= SOON.pictures) {
-        [soon, before, isWorth] = [0, null, true];
-        return next(Math.min(1, share / SLOW.by));
+      if (soon >= SOON.frames) {
+        [soon, isWorth] = [0, true];
+        return next(Math.min(1, share * SOON.by));
       }
-      [late, sum, count] =
-        ms > SLOW.ms ? [late + Math.min(SLOW.few, Math.floor(ms / SLOW.ms)), sum + ms, count + 1] : [0, 0, 0];
-      // A step is soon made, but judged by as many frames as it takes to tell.
-      if (late < SLOW.pictures || (before && count < SLOW.pictures)) return share;
+      // One very late frame waited for other work.
+      [sum, count] = ms > LATE.ms ? [sum + (full > 0 ? Math.min(ms, full) : ms), count + 1] : [0, 0];
+      const isLeast = share <= LATE.least;
+      if (!isWorth || count < (isLeast ? WORTH.frames : LATE.frames)) return share;
       const average = sum / count;
-      if (before && average > WORTH * before.ms) {
-        isWorth = false;
-        return next(before.share);
+      if (isLeast) {
+        isWorth = average <= WORTH.share * full;
+        return next(isWorth ? share : 1);
       }
-      if (!isWorth || share <= SLOW.least) return next(share);
-      before = { share, ms: average };
-      return next(Math.max(SLOW.least, share * SLOW.by));
+      if (share === 1) full = average;
+      return next(Math.max(LATE.least, share * Math.max(LATE.by, Math.sqrt(LATE.aim / average))));
     },
   };
 }

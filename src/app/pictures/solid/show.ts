@@ -90,7 +90,7 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
   let [asked, changed]: [(() => void) | null, boolean] = [null, true];
   let [coarse, learned] = [1, 1];
   const sharpness = createSharpness();
-  let [askedAt, lastPicture] = [0, 0];
+  let [lastPicture, took]: [number, number] = [-Infinity, 0];
   let resting: ReturnType<typeof setTimeout> | undefined;
   let told = NOTHING_TOLD;
   let heard: (() => void)[] = [];
@@ -192,20 +192,25 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
     stage.setShare(share);
   }
 
-  /** Lowers the resolution if frames are late; returns the time of this frame. */
-  function adaptSharpness(now: number): number {
-    const took = now - Math.max(lastPicture, askedAt),
-      goesOn = playing() || askedAt - lastPicture < REST.ms;
-    lastPicture = now;
-    if (goesOn) learned = sharpness.noteFrame(took);
-    if (goesOn) setCoarse(learned);
-    return took;
+  /**
+   * Lowers the resolution of a moving picture if its frames are late. A frame takes until the next one may begin: a
+   * movement of the pointer comes just before its frame, however late that is.
+   */
+  function adaptSharpness(begun: number): void {
+    if (playing() || begun - lastPicture < Math.max(REST.ms, REST.times * took)) {
+      setCoarse(learned);
+      clock.frame(() => {
+        took = stopwatch() - begun;
+        learned = sharpness.noteFrame(took);
+      });
+    }
+    lastPicture = begun;
   }
 
   function picture(): void {
     asked = null;
     const begun = stopwatch();
-    const took = adaptSharpness(begun);
+    adaptSharpness(begun);
     if (changed && !source.isAsked() && (!playing() || begun - builtAt > PAUSE * cost)) {
       build();
       builtAt = stopwatch();
@@ -233,7 +238,6 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
 
   function ask(): void {
     if (asked) return;
-    askedAt = stopwatch();
     asked = clock.frame(picture);
   }
   /** Fits the view: to a whole body, or to lines on the side of the tool. */
