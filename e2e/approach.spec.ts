@@ -150,7 +150,7 @@ test("a mouth narrower than the tool is reported at its place, with the largest 
   await editor.openFile("NARROW.h", Buffer.from(NARROW));
   await editor.show("findings");
   await expect(
-    page.getByText(/Along element 1 the tool cuts 1 mm into element 8 at .*Y\s?\+?9.*4\.5/).first(),
+    page.getByText(/Along element 1 the tool cuts 1\smm into element 8 at .*Y\s?\+?9.*4\.5/).first(),
   ).toBeVisible();
   const view = page.getByRole("region", { name: t.approach.view });
   await expect(view.getByRole("button", { name: /Along element 1 the tool cuts/ })).toBeVisible();
