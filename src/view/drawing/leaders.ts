@@ -144,8 +144,7 @@ export function drawnLeaders(
           ];
     const line = [to, ...passes, ...knees, end];
     lines.push(line);
-    const first = line[1] ?? end,
-      length = Math.hypot(first.x - to.x, first.y - to.y) || 1;
+    const first = line[1] ?? end;
     shapes.push({
       role: "thin",
       d:
@@ -155,7 +154,7 @@ export function drawnLeaders(
           { x: shelf + width / 2, y },
         ]),
     });
-    shapes.push({ role: "arrow", d: arrow(to, (to.x - first.x) / length, (to.y - first.y) / length) });
+    shapes.push({ role: "arrow", d: arrow(to, to.x - first.x, to.y - first.y) });
     if (isMark) {
       const textWide = widthOf(size),
         apex = { x: shelf - width / 2 + SIGN / 2 + 0.3, y };

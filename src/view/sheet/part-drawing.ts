@@ -9,7 +9,7 @@ import { unstatedClamping } from "../unstated-clamping.ts";
 import { middleOf } from "../dimensions/labels.ts";
 import { bodyShapes, mirroredAt } from "../drawing/body.ts";
 import { dimensionLine, LINE, widthOf, writtenAt, type PrintShape, type PrintText } from "../drawing/paper.ts";
-import { lineThrough, onPaperGrid } from "../dimensions/strokes.ts";
+import { circleAt, lineThrough, onPaperGrid } from "../dimensions/strokes.ts";
 import { featuresOf, type DiameterFeature, type PositionFeature, type TurnedContour } from "./features.ts";
 import type { DimensionRequest } from "../dimensions/placed-dimensions.ts";
 import { measuredOnPaper } from "./measured.ts";
@@ -105,7 +105,7 @@ function zeroSign({ x, y }: Place): readonly PrintShape[] {
   return [
     {
       role: "zero",
-      d: `M${onPaperGrid(x - ZERO)} ${onPaperGrid(y)}a${ZERO} ${ZERO} 0 1 1 ${ZERO + ZERO} 0a${ZERO} ${ZERO} 0 1 1 ${-ZERO - ZERO} 0Z`,
+      d: circleAt({ x, y }, ZERO),
     },
     { role: "zeroFilled", d: quarter(1, -1) + quarter(-1, 1) },
   ];
@@ -202,7 +202,7 @@ export function partDrawing(
       text = saidDiameter(feature),
       x = right + KNEE;
     shapes.push({ role: "thin", d: lineThrough([from, { x: Math.max(right, from.x), y: from.y }, { x, y: middle }]) });
-    shapes.push({ role: "arrow", d: dot(from) });
+    shapes.push({ role: "arrow", d: circleAt(from, DOT) });
     writeAt(text, { x: x + GAP + widthIn(text) / 2, y: middle }, false);
   }
   const floor = height - row;
@@ -261,5 +261,3 @@ export function partDrawing(
 
 /** The end of a leader on a surface. */
 const DOT = 0.45;
-const dot = ({ x, y }: Place): string =>
-  `M${onPaperGrid(x - DOT)} ${onPaperGrid(y)}a${DOT} ${DOT} 0 1 1 ${DOT + DOT} 0a${DOT} ${DOT} 0 1 1 ${-DOT - DOT} 0Z`;
