@@ -14,7 +14,7 @@ import { featuresOf, type DiameterFeature, type PositionFeature, type TurnedCont
 import type { DimensionRequest } from "../dimensions/placed-dimensions.ts";
 import { measuredOnPaper } from "./measured.ts";
 import { factorOf, usualScale, type DrawingScale } from "./scales.ts";
-import { spread } from "../dimensions/spread.ts";
+import { mostThatFit, spread } from "../dimensions/spread.ts";
 
 /** What is drawn. Part space, mm. */
 export interface DrawnWork {
@@ -78,21 +78,20 @@ const distinct = <F extends PositionFeature>(features: readonly F[], along: (fea
 function placed<F extends { readonly extent: number }>(
   features: readonly F[],
   along: (feature: F) => number,
-  size: (feature: F) => number,
   [low, high]: readonly [number, number],
 ): { readonly feature: F; readonly middle: number }[] {
-  const shown = [...features].sort((a, b) => b.extent - a.extent);
-  for (let n = shown.length; n > 0; n -= 1) {
-    const some = shown.slice(0, n).sort((a, b) => along(a) - along(b));
+  const ranked = [...features].sort((a, b) => b.extent - a.extent);
+  const laid = mostThatFit(ranked, (shown) => {
+    const some = shown.toSorted((a, b) => along(a) - along(b));
     const middles = spread(
-      some.map((f) => ({ at: along(f), size: size(f) })),
+      some.map((f) => ({ at: along(f), size: LINE.plain })),
       low,
       high,
       GAP,
     );
-    if (middles) return some.map((feature, i) => ({ feature, middle: middles[i] ?? 0 }));
-  }
-  return [];
+    return middles && some.map((feature, i) => ({ feature, middle: middles[i] ?? 0 }));
+  });
+  return laid ?? [];
 }
 
 /** Nearer along the axis is one place, mm. */
@@ -194,7 +193,6 @@ export function partDrawing(
   const shownDiameters = placed(
     distinct(diameters, (d) => seen(d).y),
     (d) => seen(d).y,
-    () => LINE.plain,
     [0, height - row],
   );
   for (const { feature, middle } of shownDiameters) {
@@ -209,7 +207,6 @@ export function partDrawing(
   const shownPositions = placed(
     distinct(marks, (p) => onPaper(p.at).x),
     (p) => onPaper(p.at).x,
-    () => LINE.plain,
     [0, room.width - column],
   );
   for (const { feature, middle } of shownPositions) {
