@@ -2,7 +2,7 @@ import type { Pt } from "../kernel/geometry/point.ts";
 import { toPlace, type Camera, type Place, type Size } from "./camera.ts";
 import type { VisibleArea } from "./edge-mark.ts";
 import { arrange } from "./dimensions/arrange.ts";
-import { labelsOverlap, type LabelBox } from "./dimensions/labels.ts";
+import { isThrough, labelsOverlap, type LabelBox } from "./dimensions/labels.ts";
 
 /**
  * Distance from a mark to the text beside it, overhang of a text above or below a mark, and vertical distance from a
@@ -49,22 +49,6 @@ export function labelPlaces(
   });
 }
 
-/** Whether a line from one place to another goes through a box; all of them in the same space. */
-function goesThrough(from: Pt, to: Pt, low: Pt, high: Pt): boolean {
-  let [enters, leaves] = [0, 1];
-  for (const axis of ["z", "r"] as const) {
-    const way = to[axis] - from[axis],
-      [a, b] = [low[axis] - from[axis], high[axis] - from[axis]];
-    if (way === 0) {
-      if (a > 0 || b < 0) return false;
-      continue;
-    }
-    enters = Math.max(enters, Math.min(a / way, b / way));
-    leaves = Math.min(leaves, Math.max(a / way, b / way));
-  }
-  return enters <= leaves;
-}
-
 /** How many quarters of a text overlap an area, rounded up. */
 function quartersOn(box: LabelBox, area: LabelBox): number {
   const wide = Math.min(box.x + box.width, area.x + area.width) - Math.max(box.x, area.x);
@@ -78,12 +62,13 @@ const AREA = 20;
 /** The cost of a text in a box: lines through it, and areas by the share of the text on them. */
 function covers(box: LabelBox, { areas, lines }: Obstacles, camera: Camera): number {
   const [a, b] = [toPlace(camera, box), toPlace(camera, { x: box.x + box.width, y: box.y + box.height })];
-  const low = { z: a.z, r: a.r < b.r ? a.r : b.r },
-    high = { z: b.z, r: a.r < b.r ? b.r : a.r };
+  const ofPart = { x: a.z, y: Math.min(a.r, b.r), width: b.z - a.z, height: Math.abs(b.r - a.r) };
   let count = 0;
-  for (const line of lines) {
-    for (let i = 1; i < line.length; i += 1) if (goesThrough(line[i - 1] as Pt, line[i] as Pt, low, high)) count += 1;
-  }
+  for (const line of lines)
+    line.forEach(({ z, r }, i) => {
+      const before = line[i - 1];
+      if (before && isThrough(before.z, before.r, z, r, ofPart)) count += 1;
+    });
   for (const area of areas) count += AREA * quartersOn(box, area);
   return count;
 }

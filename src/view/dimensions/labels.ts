@@ -58,23 +58,22 @@ export function movedInto(b: LabelBox, room: LabelBox): LabelBox {
   };
 }
 
-/** Whether a line runs through a box. */
-export function runsThrough([a, b]: StraightLine, { x, y, width, height }: LabelBox): boolean {
-  let [low, high] = [0, 1];
-  for (const [from, way, least, most] of [
-    [a.x, b.x - a.x, x, x + width],
-    [a.y, b.y - a.y, y, y + height],
-  ] as const) {
-    if (way === 0) {
-      if (from <= least || from >= most) return false;
-      continue;
-    }
-    const ends = [(least - from) / way, (most - from) / way] as const;
-    low = Math.max(low, Math.min(...ends));
-    high = Math.min(high, Math.max(...ends));
-  }
-  return low < high;
+/**
+ * Whether a line from (ax, ay) to (bx, by) runs through a box of the same space; plain numbers, because a picture asks
+ * for every piece of a contour in every frame.
+ */
+export function isThrough(ax: number, ay: number, bx: number, by: number, box: LabelBox): boolean {
+  // The shares of the line at which it meets the four sides; a level or upright one meets two of them at infinity.
+  const left = (box.x - ax) / (bx - ax),
+    right = (box.x + box.width - ax) / (bx - ax),
+    top = (box.y - ay) / (by - ay),
+    floor = (box.y + box.height - ay) / (by - ay);
+  const enters = Math.max(0, Math.min(left, right), Math.min(top, floor));
+  return enters < Math.min(1, Math.max(left, right), Math.max(top, floor));
 }
+
+/** Whether a line runs through a box. */
+export const runsThrough = ([a, b]: StraightLine, box: LabelBox): boolean => isThrough(a.x, a.y, b.x, b.y, box);
 
 /** The box round a line. */
 export const boxOfLine = ([a, b]: StraightLine): LabelBox => ({

@@ -38,3 +38,12 @@ export function spread(labels: readonly OnLine[], low: number, high: number, gap
   );
   return level.map((value, i) => value + (before[i] ?? 0));
 }
+
+/** As many texts as find a place, laid out; those of the lowest rank, the last, are left out first. Null if none does. */
+export function mostThatFit<T, L>(ranked: readonly T[], lay: (some: readonly T[]) => L | null): L | null {
+  for (let n = ranked.length; n > 0; n -= 1) {
+    const laid = lay(ranked.slice(0, n));
+    if (laid) return laid;
+  }
+  return null;
+}

@@ -7,15 +7,23 @@ export const onPaperGrid = (v: number): string => String(Math.round(v * 100) / 1
 export const lineThrough = (places: readonly Place[]): string =>
   `M${places.map(({ x, y }) => `${onPaperGrid(x)} ${onPaperGrid(y)}`).join("L")}`;
 
-/** Path data of an arrowhead whose tip points in a direction of length one; `half`: half of its width. */
-export function arrowAt(
-  tip: Place,
-  way: Place,
-  { long, half }: { readonly long: number; readonly half: number },
-): string {
-  const side = (by: number): Place => ({
-    x: tip.x - way.x * long - way.y * by,
-    y: tip.y - way.y * long + way.x * by,
-  });
-  return `${lineThrough([tip, side(half), side(-half)])}Z`;
+/** Path data of a circle. */
+export const circleAt = ({ x, y }: Place, r: number): string =>
+  `M${onPaperGrid(x - r)} ${onPaperGrid(y)}a${r} ${r} 0 1 1 ${r + r} 0a${r} ${r} 0 1 1 ${-r - r} 0Z`;
+
+/** An arrowhead: its length, and half of its width. */
+interface Head {
+  readonly long: number;
+  readonly half: number;
 }
+
+/** The corners of an arrowhead whose tip points in a direction of any length. */
+export function headPlaces(tip: Place, { x, y }: Place, { long, half }: Head): readonly Place[] {
+  const length = Math.hypot(x, y) || 1,
+    [ux, uy] = [x / length, y / length];
+  const side = (by: number): Place => ({ x: tip.x - ux * long - uy * by, y: tip.y - uy * long + ux * by });
+  return [tip, side(half), side(-half)];
+}
+
+/** Path data of the same. */
+export const arrowAt = (tip: Place, way: Place, head: Head): string => `${lineThrough(headPlaces(tip, way, head))}Z`;

@@ -1,6 +1,6 @@
 import type { Place } from "../camera.ts";
 import { FIGURES } from "../sheet/sizes.ts";
-import { spread } from "../dimensions/spread.ts";
+import { mostThatFit, spread } from "../dimensions/spread.ts";
 import { arrow, tallOf, widthOf, writtenAt, type PrintShape, type PrintSize, type PrintText } from "./paper.ts";
 import { lineThrough, onPaperGrid } from "../dimensions/strokes.ts";
 
@@ -98,16 +98,17 @@ function inRows(leaders: readonly Leader[], rows: number, width: number, below: 
   return { rows: placed, count: rows, middles };
 }
 
-/** Notes in as few rows as they need; notes that are left out have no room at all. */
+/** Notes, the most important first, in as few rows as they need; notes that are left out have no room at all. */
 export function leaderRows(leaders: readonly Leader[], width: number, below: readonly TextBelow[]): LaidRows {
-  const sorted = [...leaders].sort((a, b) => a.to.x - b.to.x);
-  for (let n = sorted.length; n > 0; n -= 1) {
+  const laid = mostThatFit(leaders, (some) => {
+    const sorted = some.toSorted((a, b) => a.to.x - b.to.x);
     for (let count = 1; count <= MOST_ROWS; count += 1) {
-      const laid = inRows(sorted.slice(0, n), count, width, below);
-      if (laid) return laid;
+      const found = inRows(sorted, count, width, below);
+      if (found) return found;
     }
-  }
-  return inRows([], 0, width, below) ?? { rows: [], count: 0, middles: [] };
+    return null;
+  });
+  return laid ?? inRows([], 0, width, below) ?? { rows: [], count: 0, middles: [] };
 }
 
 /** Draws notes in rows above a level, each joined to its place; `band`: top and bottom of the texts below them. */
@@ -144,8 +145,7 @@ export function drawnLeaders(
           ];
     const line = [to, ...passes, ...knees, end];
     lines.push(line);
-    const first = line[1] ?? end,
-      length = Math.hypot(first.x - to.x, first.y - to.y) || 1;
+    const first = line[1] ?? end;
     shapes.push({
       role: "thin",
       d:
@@ -155,7 +155,7 @@ export function drawnLeaders(
           { x: shelf + width / 2, y },
         ]),
     });
-    shapes.push({ role: "arrow", d: arrow(to, (to.x - first.x) / length, (to.y - first.y) / length) });
+    shapes.push({ role: "arrow", d: arrow(to, to.x - first.x, to.y - first.y) });
     if (isMark) {
       const textWide = widthOf(size),
         apex = { x: shelf - width / 2 + SIGN / 2 + 0.3, y };

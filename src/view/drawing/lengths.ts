@@ -13,7 +13,7 @@ import {
   type PrintSize,
   type PrintText,
 } from "./paper.ts";
-import { lineThrough, onPaperGrid } from "../dimensions/strokes.ts";
+import { circleAt, lineThrough } from "../dimensions/strokes.ts";
 
 /** A length from Z0: where its dimension begins on the part, mm on paper. */
 export interface PrintLength {
@@ -169,9 +169,7 @@ function addingUp(
     },
     {
       role: "origin",
-      d: `M${onPaperGrid(zero.x - ORIGIN)} ${onPaperGrid(y)}a${ORIGIN} ${ORIGIN} 0 1 1 ${ORIGIN + ORIGIN} 0a${ORIGIN} ${ORIGIN} 0 1 1 ${
-        -ORIGIN - ORIGIN
-      } 0Z`,
+      d: circleAt({ x: zero.x, y }, ORIGIN),
     },
   ];
   const texts = sorted.map(({ size, from }, i) => {
@@ -184,7 +182,7 @@ function addingUp(
         { x, y: foot },
       ]),
     });
-    shapes.push({ role: "arrow", d: arrow({ x: from.x, y }, Math.sign(from.x - zero.x), 0) });
+    shapes.push({ role: "arrow", d: arrow({ x: from.x, y }, from.x - zero.x, 0) });
     return writtenAt(size, { x, y: foot + down * (widthOf(size) / 2 + 0.8) }, true);
   });
   return { shapes, texts, isCrossed: false, reach: TO_FEET + long + 2 };

@@ -62,7 +62,7 @@ export function widthOf(size: PrintSize): number {
   return nominalWidth(size) + (behind > 0 ? NEXT + behind : 0);
 }
 
-/** An arrow whose tip points in a direction of length one. */
+/** An arrow whose tip points in a direction. */
 export const arrow = (tip: Place, dx: number, dy: number): string =>
   arrowAt(tip, { x: dx, y: dy }, { long: ARROW.long, half: ARROW.wide });
 

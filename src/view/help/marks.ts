@@ -1,5 +1,6 @@
 import { part, type Segment } from "../../kernel/geometry/point.ts";
 import { toScreen, type Camera, type Place } from "../camera.ts";
+import { headPlaces } from "../dimensions/strokes.ts";
 
 /** What a filled shape stands for. */
 export type Fill = "part" | "cut" | "oversize" | "paper" | "arrow" | "tool" | "place";
@@ -89,14 +90,5 @@ export function segmentPath(segments: readonly Segment[], camera: Camera): strin
 }
 
 /** A slim arrowhead with its tip at `tip`, pointing along the screen direction (x, y). */
-export function arrowHead(tip: Place, x: number, y: number, size = 8): string {
-  const long = Math.hypot(x, y) || 1;
-  const [ux, uy] = [x / long, y / long];
-  const back = { x: tip.x - ux * size, y: tip.y - uy * size };
-  const half = size * 0.21;
-  return polygon([
-    tip,
-    { x: back.x - uy * half, y: back.y + ux * half },
-    { x: back.x + uy * half, y: back.y - ux * half },
-  ]);
-}
+export const arrowHead = (tip: Place, x: number, y: number, size = 8): string =>
+  polygon(headPlaces(tip, { x, y }, { long: size, half: size * 0.21 }));

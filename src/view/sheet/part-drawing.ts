@@ -9,12 +9,12 @@ import { unstatedClamping } from "../unstated-clamping.ts";
 import { middleOf } from "../dimensions/labels.ts";
 import { bodyShapes, mirroredAt } from "../drawing/body.ts";
 import { dimensionLine, LINE, widthOf, writtenAt, type PrintShape, type PrintText } from "../drawing/paper.ts";
-import { lineThrough, onPaperGrid } from "../dimensions/strokes.ts";
+import { circleAt, lineThrough, onPaperGrid } from "../dimensions/strokes.ts";
 import { featuresOf, type DiameterFeature, type PositionFeature, type TurnedContour } from "./features.ts";
 import type { DimensionRequest } from "../dimensions/placed-dimensions.ts";
 import { measuredOnPaper } from "./measured.ts";
 import { factorOf, usualScale, type DrawingScale } from "./scales.ts";
-import { spread } from "../dimensions/spread.ts";
+import { mostThatFit, spread } from "../dimensions/spread.ts";
 
 /** What is drawn. Part space, mm. */
 export interface DrawnWork {
@@ -78,21 +78,20 @@ const distinct = <F extends PositionFeature>(features: readonly F[], along: (fea
 function placed<F extends { readonly extent: number }>(
   features: readonly F[],
   along: (feature: F) => number,
-  size: (feature: F) => number,
   [low, high]: readonly [number, number],
 ): { readonly feature: F; readonly middle: number }[] {
-  const shown = [...features].sort((a, b) => b.extent - a.extent);
-  for (let n = shown.length; n > 0; n -= 1) {
-    const some = shown.slice(0, n).sort((a, b) => along(a) - along(b));
+  const ranked = [...features].sort((a, b) => b.extent - a.extent);
+  const laid = mostThatFit(ranked, (shown) => {
+    const some = shown.toSorted((a, b) => along(a) - along(b));
     const middles = spread(
-      some.map((f) => ({ at: along(f), size: size(f) })),
+      some.map((f) => ({ at: along(f), size: LINE.plain })),
       low,
       high,
       GAP,
     );
-    if (middles) return some.map((feature, i) => ({ feature, middle: middles[i] ?? 0 }));
-  }
-  return [];
+    return middles && some.map((feature, i) => ({ feature, middle: middles[i] ?? 0 }));
+  });
+  return laid ?? [];
 }
 
 /** Nearer along the axis is one place, mm. */
@@ -105,7 +104,7 @@ function zeroSign({ x, y }: Place): readonly PrintShape[] {
   return [
     {
       role: "zero",
-      d: `M${onPaperGrid(x - ZERO)} ${onPaperGrid(y)}a${ZERO} ${ZERO} 0 1 1 ${ZERO + ZERO} 0a${ZERO} ${ZERO} 0 1 1 ${-ZERO - ZERO} 0Z`,
+      d: circleAt({ x, y }, ZERO),
     },
     { role: "zeroFilled", d: quarter(1, -1) + quarter(-1, 1) },
   ];
@@ -194,7 +193,6 @@ export function partDrawing(
   const shownDiameters = placed(
     distinct(diameters, (d) => seen(d).y),
     (d) => seen(d).y,
-    () => LINE.plain,
     [0, height - row],
   );
   for (const { feature, middle } of shownDiameters) {
@@ -202,14 +200,13 @@ export function partDrawing(
       text = saidDiameter(feature),
       x = right + KNEE;
     shapes.push({ role: "thin", d: lineThrough([from, { x: Math.max(right, from.x), y: from.y }, { x, y: middle }]) });
-    shapes.push({ role: "arrow", d: dot(from) });
+    shapes.push({ role: "arrow", d: circleAt(from, DOT) });
     writeAt(text, { x: x + GAP + widthIn(text) / 2, y: middle }, false);
   }
   const floor = height - row;
   const shownPositions = placed(
     distinct(marks, (p) => onPaper(p.at).x),
     (p) => onPaper(p.at).x,
-    () => LINE.plain,
     [0, room.width - column],
   );
   for (const { feature, middle } of shownPositions) {
@@ -261,5 +258,3 @@ export function partDrawing(
 
 /** The end of a leader on a surface. */
 const DOT = 0.45;
-const dot = ({ x, y }: Place): string =>
-  `M${onPaperGrid(x - DOT)} ${onPaperGrid(y)}a${DOT} ${DOT} 0 1 1 ${DOT + DOT} 0a${DOT} ${DOT} 0 1 1 ${-DOT - DOT} 0Z`;

@@ -3,6 +3,7 @@ import { useStore } from "zustand";
 import type { MeasuredPlace } from "../../../kernel/plan/measured.ts";
 import { part } from "../../../kernel/geometry/point.ts";
 import { toScreen, type Camera } from "../../../view/camera.ts";
+import { circleAt } from "../../../view/dimensions/strokes.ts";
 import { textWidth, type LabelBox } from "../../../view/dimensions/labels.ts";
 import { namePlace } from "../../../view/measure/name-place.ts";
 import { polyline } from "../../../view/help/marks.ts";
@@ -30,7 +31,7 @@ const MARK = 5,
 
 const marks: Readonly<Record<MeasuredPlace["spot"], string>> = {
   corner: `M${-MARK} ${-MARK}H${MARK}V${MARK}H${-MARK}Z`,
-  centre: `M${-MARK} 0a${MARK} ${MARK} 0 1 1 ${2 * MARK} 0a${MARK} ${MARK} 0 1 1 ${-2 * MARK} 0Z`,
+  centre: circleAt({ x: 0, y: 0 }, MARK),
   edge: `M${-MARK} ${-MARK}L${MARK} ${MARK}M${-MARK} ${MARK}L${MARK} ${-MARK}`,
   path: `M0 ${-MARK}L${MARK} 0L0 ${MARK}L${-MARK} 0Z`,
   free: "",
