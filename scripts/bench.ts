@@ -1,6 +1,7 @@
 import { spawnSync } from "node:child_process";
 import { ncLabels } from "../src/i18n/nc-labels.ts";
 import { parse } from "../src/nc/parse.ts";
+import type { FinishedPart } from "../src/planning/part/finished-part.ts";
 import { planning } from "../src/planning/plan.ts";
 import type { PlanRequest } from "../src/planning/types.ts";
 import type { SetJob } from "../src/program/job/job.ts";
@@ -19,6 +20,7 @@ import { changedAt, changedOperations, PLACES, planningAgain } from "./bench-aga
 import { longContour, printedExample } from "./long-contour.ts";
 import { grownProgram, type largePrograms } from "./large-programs.ts";
 import { longProgram } from "./long-program.ts";
+import { longShaft } from "./long-shaft.ts";
 import { markdownTable, writeIntoPage } from "./performance-page.ts";
 import { middle, REFERENCE, referenceTime } from "./reference.ts";
 import { verified } from "./verify.ts";
@@ -171,8 +173,11 @@ function* grownCases(): Generator<BenchCase> {
   );
 }
 
-/** Parts of the trade whose working plans are measured. */
-const PLANNED_PARTS = ["shaft", "pulley", "piston"] as const;
+/** Parts whose working plans are measured: of the trade, and one of many features. */
+const PLANNED_PARTS: readonly (readonly [name: string, part: FinishedPart])[] = [
+  ...["shaft", "pulley", "piston"].map((name) => [name, partOfTrade(name)] as const),
+  ["long shaft", longShaft()],
+];
 
 /** A search up to its first whole plan, or to its end. */
 function searched(request: PlanRequest, toFirst: boolean): void {
@@ -181,8 +186,8 @@ function searched(request: PlanRequest, toFirst: boolean): void {
 }
 
 function* workingPlans(): Generator<BenchCase> {
-  for (const name of PLANNED_PARTS) {
-    const request = requestOf(partOfTrade(name));
+  for (const [name, part] of PLANNED_PARTS) {
+    const request = requestOf(part);
     if (!request) throw new Error(name);
     yield benchCase(`working plan ${name}, first`, () => searched(request, true), FEW);
     yield benchCase(`working plan ${name}`, () => searched(request, false), FEW);

@@ -56,15 +56,19 @@ export const areRivals = (a: Action, b: Action): boolean =>
   (FAMILY[a.kind] ?? a.kind) === (FAMILY[b.kind] ?? b.kind) &&
   (a.threads.length > 0 ? b.threads.some((t) => a.threads.includes(t)) : isInPlace(a, b));
 
-/** What a source proposes in a state and is neither excluded nor done, with the values set by hand. */
+/**
+ * What a source proposes in a state and is neither excluded nor done, with the values set by hand. Of what was done it
+ * sees its own kind and what finishes besides roughing: other ways to the same stock need no other answer.
+ */
 function proposedBy(source: ActionSource, state: PlanState, s: Searching): readonly Action[] {
   const { request, hand } = s;
-  const done = state.done.map(({ action }) => action.key).toSorted();
+  const own = state.done.filter(({ action }) => action.kind === source.kind || action.inOneCall);
+  const done = own.map(({ action }) => action.key).toSorted();
   const question = `${s.sources.indexOf(source)} ${done.join()}\n${s.tries.keyOf(state.stock)}`;
   const known = s.known.get(question);
   if (known) return known;
   const made = source
-    .actions(state, request)
+    .actions({ ...state, done: own }, request)
     .filter(
       ({ cycle, tool, threads }) =>
         (cycle === null || !request.withoutCycles.includes(cycle)) &&

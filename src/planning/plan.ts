@@ -83,7 +83,8 @@ export function* planning(
   let best: PlanNode | null = null;
   for (const width of WIDTHS) {
     const found = yield* reported(beam(from, width, s), s, () => best);
-    const end = yield* reported(improved(found, from.done.length, s), s, () => best);
+    const shown: PlanNode = best ?? found;
+    const end = yield* reported(improved(found, from.done.length, s), s, () => shown);
     if (!best || compareEnds(end, best) < 0) best = end;
   }
   const end = yield* reported(inOneCall(best ?? from, from.done.length, s), s, () => best);

@@ -74,7 +74,7 @@ export function* retooled(end: PlanNode, kept: number, s: Searching): Generator<
     const [start, first, before] = [nodes[from]?.before, nodes[from]?.tried?.action, nodes[to - 1]];
     if (!start || !first || !before || from < kept) continue;
     const actions = nodes.flatMap(({ tried }) => tried?.action ?? []);
-    const tools = new Set(actionsIn(start, s).flatMap((a) => (isSameWork(a, first) ? [a.tool.T] : [])));
+    const tools = new Set(actionsIn(start, s, first.kind).flatMap((a) => (isSameWork(a, first) ? [a.tool.T] : [])));
     for (const T of tools) {
       if (s.tries.count >= s.most) return best;
       const node = yield* withTool(start, actions.slice(from, to), T, s);

@@ -135,7 +135,7 @@ class Level {
     if (!last || !node.before || last.tool.T !== action.tool.T || last.kind !== action.kind) return false;
     if (isInPlace(last, action) || action.place.front < last.place.front) return false;
     if (action.place.front === last.place.front && action.key >= last.key) return false;
-    return actionsIn(node.before, this.s).some(({ key }) => key === action.key);
+    return actionsIn(node.before, this.s, action.kind).some(({ key }) => key === action.key);
   }
 }
 
