@@ -156,6 +156,17 @@ describe("the section", () => {
     expect(areaFilled(rings)).toBeCloseTo(areaOf(rings), 6);
   });
 
+  test("corners on straight sides have triangles, so that sections and sides meet without gaps", () => {
+    const divided = ring(
+      ...tube.flatMap((p, i) => {
+        const q = tube[(i + 1) % tube.length] ?? p;
+        return [0, 0.25, 0.5, 0.75].map((k): [number, number] => [p.z + k * (q.z - p.z), p.r + k * (q.r - p.r)]);
+      }),
+    );
+    expect(new Set(trianglesOf([divided])).size).toBe(divided.length);
+    expect(areaFilled([divided])).toBeCloseTo(areaOfRing(divided), 6);
+  });
+
   test("a comb of grooves is filled exactly", () => {
     const teeth = Array.from({ length: 25 }, (_, i) =>
       ring([-2.4 * i - 1.3, 14.2], [-2.4 * i, 14.2], [-2.4 * i - 0.6, 30]),
