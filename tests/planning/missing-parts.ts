@@ -31,10 +31,10 @@ export const MISSING_PARTS = {
     inside: [{ x: 30, z: 0 }, { z: -10 }, { x: 31.4 }, { z: -11.3 }, { x: 30 }, { id: "bore", z: -30 }],
     marks: { bore: { tolerance: "H7", ra: 1.6 } },
   }),
-  "deep bore of small diameter": barPart("GUIDE", [FRONT, { x: 24 }, { z: -40 }], {
+  "deep bore of small diameter": barPart("GUIDE", [FRONT, { x: 24 }, { z: -50 }], {
     inside: [
       { x: 7.5, z: 0 },
-      { id: "bore", z: -40 },
+      { id: "bore", z: -50 },
     ],
     marks: { bore: { tolerance: "H7", ra: 1.6 } },
   }),

@@ -180,7 +180,10 @@ export function sectionInBore(
   const end = part.inside.segments.at(-1)?.to.z ?? 0;
   const open = solidFrom(stock, along - BESIDE);
   const rear = open <= end + SAME ? Math.max(cone, Math.min(end, open)) : cone;
-  const cut = upToZ(isDeep && isWall ? beside : whole, rear);
+  // Roughing takes a cone behind the part with it: whatever it left there a finishing edge would meet, and the whole
+  // program counts it as the part of the contours outside.
+  const limit = oversize > 0 && rear === cone && cone < end ? -Infinity : rear;
+  const cut = upToZ(isDeep && isWall ? beside : whole, limit);
   const segments = oversize > 0 ? cut : [...cut, ...runOut(cut, stock, part.inside.segments)];
   const low = Math.min(along, isDeep ? box.low : Infinity) - BESIDE;
   return segments.length > 0 ? { segments, marks, way: { z, clear, low }, isDeep } : null;
