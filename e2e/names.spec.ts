@@ -119,6 +119,7 @@ test("every control of every screen has the name listed for it, and no other con
 
   await page.goto(".?clock=manual&seed=7#/own");
   await own.add.click();
+  await page.getByRole("button", { name: `${t.page.undo}:` }).waitFor();
   await look("own cycles");
   expect(`${screens.join("\n\n")}\n`).toMatchSnapshot("names.txt");
 });
