@@ -1,12 +1,15 @@
 import { areaOf } from "../../src/kernel/area/area.ts";
+import type { Tool } from "../../src/kernel/plan/tool.ts";
+import { radiusOf } from "../../src/kernel/units.ts";
+import { outlinesOf } from "../../src/sim/outlines.ts";
 import { boxAround, inBox } from "../../src/kernel/area/box.ts";
 import { union } from "../../src/kernel/area/clip.ts";
 import { part as space, type Ring } from "../../src/kernel/geometry/point.ts";
-import { boredTo } from "../../src/planning/actions/bore.ts";
+import { boredTo, clearRadius } from "../../src/planning/actions/bore.ts";
 import { ncLabels } from "../../src/i18n/nc-labels.ts";
 import { actionSources } from "../../src/planning/actions/index.ts";
 import { areaBeyond } from "../../src/planning/apply-action.ts";
-import { LEAST_REGION } from "../../src/planning/open-regions.ts";
+import { LEAST_REGION, type OpenRegion } from "../../src/planning/open-regions.ts";
 import type { FinishedPart } from "../../src/planning/part/finished-part.ts";
 import { plannedPart } from "../../src/planning/part/planned-part.ts";
 import { planning } from "../../src/planning/plan.ts";
@@ -141,6 +144,17 @@ export function unprepared({ steps, setup: { part, blank }, judged }: WorkingPla
 /** Of a region that is left for want of a tool, all tools of the table together reach no more than this share. */
 const MOST_REACHED = 0.5;
 
+/**
+ * Whether a bar goes as deep into a bore as a region lies: it needs its least bore and a holder for all of the depth,
+ * since nothing is known of what comes behind it.
+ */
+function isBarFor({ box }: OpenRegion, { part: { rings } }: PlanRequest): (tool: Tool) => boolean {
+  const depth = boxAround(rings).right - box.left,
+    least = clearRadius(rings, box.left, box.right);
+  return (tool) =>
+    boxAround(outlinesOf()(tool).holder).right >= depth && (tool.DMIN === undefined || radiusOf(tool.DMIN) <= least);
+}
+
 /** Regions that a plan leaves as if a tool were missing, though those of the table reach most of them by their shape. */
 export function leftThoughReached(request: PlanRequest): readonly string[] {
   const plan = planOf(request);
@@ -150,10 +164,13 @@ export function leftThoughReached(request: PlanRequest): readonly string[] {
   const stays = [...request.part.rings, ...behind];
   return plan.residue.flatMap(({ region, why, site }) => {
     if (!region || why !== "tool") return [];
-    const all = turningTools(request.shop.tools).flatMap((tool) => {
-      const rings = touched(region.rings, stays, tool);
-      return rings.length > 0 ? [{ tool, rings }] : [];
-    });
+    const goes = site === "inside" ? isBarFor(region, request) : () => true;
+    const all = turningTools(request.shop.tools)
+      .filter(goes)
+      .flatMap((tool) => {
+        const rings = touched(region.rings, stays, tool);
+        return rings.length > 0 ? [{ tool, rings }] : [];
+      });
     const area = areaOf(union(all.flatMap(({ rings }) => rings)));
     if (area < MOST_REACHED * region.area) return [];
     const names = all.map(({ tool }) => `T${tool.T}`).join(", ");
