@@ -17,9 +17,10 @@ import {
   type DimensionRequest,
   type PlacedDimension,
 } from "../src/view/dimensions/placed-dimensions.ts";
-import { drawingOnSheet, workshopDrawing } from "../src/view/drawing/workshop-drawing.ts";
+import { forMaker } from "../src/view/drawing/maker.ts";
+import { drawingOnSheet, partDrawing } from "../src/view/drawing/part-drawing.ts";
 import { contourDrawing } from "../src/view/help/contour-drawing.ts";
-import { partDrawing } from "../src/view/sheet/part-drawing.ts";
+import { forSetter } from "../src/view/drawing/setter.ts";
 import { faultsOf } from "./drawing-faults.ts";
 import { cycles, drawn, exampleOf, printedContour } from "./help/drawings.ts";
 import { PART_NAMES, partOfTrade } from "./planning/parts.ts";
@@ -79,9 +80,9 @@ describe.each(LANGUAGES)("%s", (language) => {
       const work = { blank, rings, outside, bore, sizes: [], threads: [], marks: [] },
         words = printWords(texts(language, "course-drawing"), language);
       const prints = [
-        workshopDrawing(work, words, { width: 178, height: 128 }),
-        workshopDrawing(work, words, { width: 84, height: 128 }),
-        drawingOnSheet(work, words, { width: 275, height: 158 }),
+        partDrawing(forMaker(work, words), { width: 178, height: 128 }),
+        partDrawing(forMaker(work, words), { width: 84, height: 128 }),
+        drawingOnSheet(forMaker(work, words), { width: 275, height: 158 }),
       ];
       expect(prints.map((print) => print && faultsOf(print))).toEqual(prints.map(() => []));
       const lengths = lengthsIn(language, "mm", 1);
@@ -96,8 +97,10 @@ describe.each(LANGUAGES)("%s", (language) => {
       ]) {
         const contours = [{ segments: outside }, { segments: bore }];
         const sheet = partDrawing(
-          { blank, finished: rings, contours, clamping, measured: measured.slice(0, 4) },
-          sheetWords(texts(language), texts(language, "sheet"), lengths),
+          forSetter(
+            { blank, finished: rings, contours, clamping, measured: measured.slice(0, 4) },
+            sheetWords(texts(language), texts(language, "sheet"), lengths),
+          ),
           room,
         );
         expect(

@@ -1,5 +1,5 @@
 import { labelsOverlap, type LabelBox } from "../src/view/dimensions/labels.ts";
-import type { WorkshopPrint } from "../src/view/drawing/workshop-drawing.ts";
+import type { PartDrawing } from "../src/view/drawing/part-drawing.ts";
 
 /** A box without the margin around its letters. */
 const letters = ({ x, y, width, height }: LabelBox): LabelBox => ({
@@ -32,7 +32,7 @@ function crosses([[ax, ay], [bx, by]]: readonly [Spot, Spot], { x, y, width, hei
 }
 
 /** The faults of a drawing as a print. */
-export function faultsOf({ texts, shapes, width, height }: WorkshopPrint): string[] {
+export function faultsOf({ texts, shapes, width, height }: PartDrawing): string[] {
   const over = texts.flatMap((a, i) =>
     texts
       .slice(i + 1)

@@ -8,7 +8,8 @@ import { courseDrawing as english } from "../src/i18n/en/course-drawing.ts";
 import { courseDrawing as german } from "../src/i18n/de/course-drawing.ts";
 import { courseDrawing as french } from "../src/i18n/fr/course-drawing.ts";
 import { courseDrawing as chinese } from "../src/i18n/zh/course-drawing.ts";
-import { drawingOnSheet, workshopDrawing } from "../src/view/drawing/workshop-drawing.ts";
+import { forMaker } from "../src/view/drawing/maker.ts";
+import { drawingOnSheet, partDrawing } from "../src/view/drawing/part-drawing.ts";
 import { faultsOf } from "./drawing-faults.ts";
 import { partOf, turnedParts } from "./drawn-parts.ts";
 import { projectFile } from "./sources.ts";
@@ -32,11 +33,14 @@ const drawings = readdirSync("src/course/tasks").flatMap((file): (readonly [stri
 
 describe.each(drawings)("%s", (_, drawn) => {
   test.each(Object.entries(LANGUAGES))("is a legible print, %s", (_language, words) => {
-    const prints = [...ROOMS.map((room) => workshopDrawing(drawn, words, room)), drawingOnSheet(drawn, words, SHEET)];
+    const prints = [
+      ...ROOMS.map((room) => partDrawing(forMaker(drawn, words), room)),
+      drawingOnSheet(forMaker(drawn, words), SHEET),
+    ];
     expect(prints.map((print) => print && faultsOf(print))).toEqual(prints.map(() => []));
   });
   test("has room on one sheet", () => {
-    const print = drawingOnSheet(drawn, LANGUAGES.de, SHEET);
+    const print = drawingOnSheet(forMaker(drawn, LANGUAGES.de), SHEET);
     expect(print?.width).toBeLessThanOrEqual(SHEET.width);
     expect(print?.height).toBeLessThanOrEqual(SHEET.height);
   });
@@ -107,7 +111,7 @@ test("any turned part is a legible print on one sheet", () => {
         sizes,
         rules: { rz: [{ from: 0, to: z, most: 6.3 }] },
       });
-      const print = drawn && drawingOnSheet(drawn, LANGUAGES[language], SHEET);
+      const print = drawn && drawingOnSheet(forMaker(drawn, LANGUAGES[language]), SHEET);
       expect(print).not.toBeNull();
       if (print) expect(faultsOf(print)).toEqual([]);
       expect(print?.width).toBeLessThanOrEqual(SHEET.width);
@@ -120,7 +124,7 @@ test("any turned part is a legible print on one sheet", () => {
 /** The faults in the print of a generated part. */
 function wrongWith(turned: Parameters<typeof partOf>[0], language: keyof typeof LANGUAGES): readonly string[] {
   const drawn = drawnTask(partOf(turned)),
-    print = drawn && drawingOnSheet(drawn, LANGUAGES[language], SHEET);
+    print = drawn && drawingOnSheet(forMaker(drawn, LANGUAGES[language]), SHEET);
   expect(drawn?.issues).toEqual([]);
   expect(print).not.toBeNull();
   expect(print?.width).toBeLessThanOrEqual(SHEET.width);

@@ -10,7 +10,8 @@ import { boxAround } from "../src/kernel/area/box.ts";
 import { courseDrawing as english } from "../src/i18n/en/course-drawing.ts";
 import { courseDrawing as german } from "../src/i18n/de/course-drawing.ts";
 import { drawingSvg, titleBlock } from "../src/view/drawing/drawing-svg.ts";
-import { drawingOnSheet } from "../src/view/drawing/workshop-drawing.ts";
+import { forMaker } from "../src/view/drawing/maker.ts";
+import { drawingOnSheet } from "../src/view/drawing/part-drawing.ts";
 import { finishedBody, isBody } from "../src/view/solid/bodies.ts";
 import { faultsOf } from "./drawing-faults.ts";
 
@@ -24,7 +25,7 @@ function drawn(text: string, known: Parameters<typeof drawnProgram>[2] = null): 
   return drawnProgram(answer, isBody(wanted) ? wanted : producedParts(answer.simulation), known);
 }
 const example = (name: string) => readFileSync(new URL(`../src/examples/${name}.h`, import.meta.url), "utf8");
-const printOf = (part: DrawnTask | null) => part && drawingOnSheet(part, words, SHEET);
+const printOf = (part: DrawnTask | null) => part && drawingOnSheet(forMaker(part, words), SHEET);
 /** The sizes of a drawing as written, by kind. */
 const sizesOf = (part: DrawnTask | null) =>
   (printOf(part)?.list ?? [])

@@ -11,19 +11,21 @@ import { run } from "../src/program/run/run.ts";
 import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 import { simulate } from "../src/sim/simulate.ts";
 import { labelsOverlap } from "../src/view/dimensions/labels.ts";
-import { factorOf } from "../src/view/sheet/scales.ts";
-import { partDrawing, type DrawnWork, type DrawingWords, type PartDrawing } from "../src/view/sheet/part-drawing.ts";
+import { factorOf } from "../src/view/drawing/scales.ts";
+import { partDrawing, type PartDrawing } from "../src/view/drawing/part-drawing.ts";
+import type { SetUpWords } from "../src/view/drawing/print-sizes.ts";
+import { forSetter, type DrawnSetUp } from "../src/view/drawing/setter.ts";
 
 const plain = (n: number) => String(Math.round(n * 1000) / 1000);
-const words: DrawingWords = {
+const words: SetUpWords = {
   diameter: (d) => `⌀${plain(d)}`,
   position: plain,
   thread: (diameter, lead) => `${diameter}×${plain(lead)}`,
-  blankLength: plain,
+  length: plain,
 };
 const ROOM = { width: 124, height: 96 };
 
-function drawnWork(text: string): DrawnWork {
+function drawnWork(text: string): DrawnSetUp {
   const made = run(parse(text), { tools: shippedTools, rapid: 10_000 });
   return {
     blank: made.blank,
@@ -61,7 +63,7 @@ describe("no dimension over another, none outside", () => {
   test.each([...examples, ...programs])("%s", (_, text) => {
     const work = drawnWork(text);
     for (const room of [ROOM, { width: 124, height: 60 }, { width: 70, height: 96 }]) {
-      const drawing = partDrawing(work, words, room);
+      const drawing = partDrawing(forSetter(work, words), room);
       expect(drawing).not.toBe(null);
       expect(drawing && faultsOf(drawing)).toEqual([]);
       expect(drawing && drawing.height).toBeLessThanOrEqual(room.height);
@@ -70,8 +72,8 @@ describe("no dimension over another, none outside", () => {
 
   test("any size in any room", () => {
     const works = [...examples.slice(0, 4), ...programs].map(([, text]) => drawnWork(text));
-    const scaled = (work: DrawnWork, k: number): DrawnWork => {
-      const ring = (points: DrawnWork["blank"][number]) =>
+    const scaled = (work: DrawnSetUp, k: number): DrawnSetUp => {
+      const ring = (points: DrawnSetUp["blank"][number]) =>
         points.map(({ z, r }) => ({ z: z * k, r: r * k }) as (typeof points)[number]);
       return { blank: work.blank.map(ring), finished: work.finished.map(ring), contours: [] };
     };
@@ -82,7 +84,7 @@ describe("no dimension over another, none outside", () => {
         fc.double({ min: 62, max: 190, noNaN: true }),
         fc.double({ min: 45, max: 150, noNaN: true }),
         (work, k, width, height) => {
-          const drawing = partDrawing(scaled(work, k), words, { width, height });
+          const drawing = partDrawing(forSetter(scaled(work, k), words), { width, height });
           expect(drawing && faultsOf(drawing)).toEqual([]);
         },
       ),
@@ -94,7 +96,7 @@ describe("no dimension over another, none outside", () => {
 describe("the content of a drawing", () => {
   const drawing = (name: string) => {
     const found = programs.find(([own]) => own === name);
-    const made = partDrawing(drawnWork(found?.[1] ?? ""), words, ROOM);
+    const made = partDrawing(forSetter(drawnWork(found?.[1] ?? ""), words), ROOM);
     if (!made) throw new Error(name);
     return made;
   };
@@ -131,14 +133,14 @@ describe("the content of a drawing", () => {
   });
 
   test("an empty drawing says so", () => {
-    expect(partDrawing({ blank: [], finished: [], contours: [] }, words, ROOM)).toBe(null);
+    expect(partDrawing(forSetter({ blank: [], finished: [], contours: [] }, words), ROOM)).toBe(null);
   });
 });
 
 test("every golden program has a drawing without a fault, or nothing to draw", () => {
   const folder = join("tests", "programs");
   for (const name of readdirSync(folder).filter((each) => each.endsWith(".h"))) {
-    const made = partDrawing(drawnWork(readFileSync(join(folder, name), "utf8")), words, ROOM);
+    const made = partDrawing(forSetter(drawnWork(readFileSync(join(folder, name), "utf8")), words), ROOM);
     expect([name, made ? faultsOf(made) : []]).toEqual([name, []]);
   }
 });

@@ -5,9 +5,9 @@ import type { Task } from "../src/course/task.ts";
 import { courseDrawing as english } from "../src/i18n/en/course-drawing.ts";
 import { courseDrawing as german } from "../src/i18n/de/course-drawing.ts";
 import { labelsOverlap } from "../src/view/dimensions/labels.ts";
-import { workshopDrawing, type WorkshopPrint } from "../src/view/drawing/workshop-drawing.ts";
-import { NEXT, nominalWidth, SMALL, widthOf } from "../src/view/drawing/paper.ts";
-import { FIGURES } from "../src/view/sheet/sizes.ts";
+import { forMaker } from "../src/view/drawing/maker.ts";
+import { partDrawing, type PartDrawing } from "../src/view/drawing/part-drawing.ts";
+import { FIGURES, NEXT, nominalWidth, SMALL, widthOf } from "../src/view/drawing/paper.ts";
 
 /** The drawn data of a task. */
 type Drawn = Pick<Task, "part" | "sizes" | "rules">;
@@ -149,15 +149,16 @@ const works = { shaft, flange, thread, ball, many };
 
 const ROOMS = { wide: { width: 178, height: 130 }, narrow: { width: 92, height: 120 } };
 
-function drawn(work: Drawn, room: keyof typeof ROOMS, language: "en" | "de" = "en"): WorkshopPrint {
+function drawn(work: Drawn, room: keyof typeof ROOMS, language: "en" | "de" = "en"): PartDrawing {
   const part = drawnTask(work);
-  const print = part && workshopDrawing(part, printWords(language === "de" ? german : english, language), ROOMS[room]);
+  const print =
+    part && partDrawing(forMaker(part, printWords(language === "de" ? german : english, language)), ROOMS[room]);
   if (!print) throw new Error("nothing drawn");
   return print;
 }
 
 /** The drawing as a file, with its letters as placed on the page. */
-function svgOf({ width, height, shapes, texts }: WorkshopPrint): string {
+function svgOf({ width, height, shapes, texts }: PartDrawing): string {
   const n = (v: number) => String(Math.round(v * 100) / 100 + 0);
   const style =
     `svg{background:#fff;fill:none;stroke:#000;stroke-width:.15}.outline{stroke-width:.5}.edge{stroke-width:.35}.arrow{fill:#000}` +

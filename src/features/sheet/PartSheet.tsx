@@ -2,8 +2,9 @@ import { producedParts } from "../../sim/produced-parts.ts";
 import { useId, useMemo } from "react";
 import type { SheetTexts } from "../../i18n/en/sheet.ts";
 import type { CurrentMeasurement } from "../../view/measure/reading.ts";
-import { partDrawing } from "../../view/sheet/part-drawing.ts";
-import { FIGURES } from "../../view/sheet/sizes.ts";
+import { partDrawing } from "../../view/drawing/part-drawing.ts";
+import { forSetter } from "../../view/drawing/setter.ts";
+import { FIGURES } from "../../view/drawing/paper.ts";
 import type { Outcome } from "../../app/calculation/outcome.ts";
 import { useDrawnMeasured } from "./SheetMeasured.tsx";
 import type { SheetWords } from "./sheet-words.ts";
@@ -31,17 +32,19 @@ export function PartSheet({
     if (!outcome) return null;
     const { run, simulation } = outcome;
     return partDrawing(
-      {
-        blank: run.blank,
-        finished: producedParts(simulation),
-        contours: run.operations.map(({ plan: { contour, thread } }) => ({
-          segments: contour,
-          ...(thread && { thread: { lead: thread.lead, starts: thread.starts } }),
-        })),
-        clamping: run.clamping,
-        measured: drawn,
-      },
-      words,
+      forSetter(
+        {
+          blank: run.blank,
+          finished: producedParts(simulation),
+          contours: run.operations.map(({ plan: { contour, thread } }) => ({
+            segments: contour,
+            ...(thread && { thread: { lead: thread.lead, starts: thread.starts } }),
+          })),
+          clamping: run.clamping,
+          measured: drawn,
+        },
+        words,
+      ),
       ROOM,
     );
   }, [outcome, words, drawn]);

@@ -6,14 +6,12 @@ import type { Spindle } from "../../kernel/time/step.ts";
 import type { Pt } from "../../kernel/geometry/point.ts";
 import { type Diameter, toDiameter } from "../../kernel/units.ts";
 import type { SheetFeed } from "../../report/sheet/setup-data.ts";
-import type { DrawingWords } from "../../view/sheet/part-drawing.ts";
+import type { SetUpWords } from "../../view/drawing/print-sizes.ts";
 import { durationText } from "../../app/base/clock-text.ts";
 
 /** Number and time formats of the sheet in one language, and lengths in the unit of the program. */
-export interface SheetWords extends DrawingWords {
+export interface SheetWords extends SetUpWords {
   readonly number: (value: number) => string;
-  /** A length in mm, without its unit. */
-  readonly length: (mm: number) => string;
   /** A text with units, converted to the unit of the program. */
   readonly units: (text: string) => string;
   readonly signed: (value: number) => string;
@@ -43,7 +41,6 @@ export function sheetWords(t: Texts, own: SheetTexts, lengths: Lengths): SheetWo
     diameter,
     position: signed,
     thread: (across, lead, starts) => own.thread(across, length(lead), starts),
-    blankLength: length,
     start: ({ z, r }) => `X${diameter(toDiameter(r))} Z${signed(z)}`,
     time: (seconds) => durationText(t.page.effect.duration, language, seconds),
     feeds: (feeds) =>

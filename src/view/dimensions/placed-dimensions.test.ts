@@ -3,7 +3,7 @@ import { describe, expect, test } from "vitest";
 import { at } from "../../kernel/geometry/point.ts";
 import { toScreen, type Camera } from "../camera.ts";
 import { isWholeIn, labelsOverlap, middleOf, runsThrough } from "./labels.ts";
-import { measuredOnPaper } from "../sheet/measured.ts";
+import { measuredOnPaper } from "../drawing/measured.ts";
 import type { Dimension } from "./dimension.ts";
 import { placedDimensions, type DimensionPaper, type DimensionRequest } from "./placed-dimensions.ts";
 

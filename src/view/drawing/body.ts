@@ -92,7 +92,8 @@ function within(body: readonly Ring[], ends: readonly [Pt, Pt]): readonly [Pt, P
   return [at(first, a.r), at(last, a.r)];
 }
 
-interface BodyView {
+/** How a part is drawn. */
+export interface BodyView {
   readonly broken: number | null;
   /** Both halves in section, the upper one, or none. */
   readonly section: "whole" | "upper" | "none";

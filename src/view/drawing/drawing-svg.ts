@@ -1,8 +1,7 @@
 import { textWidth } from "../dimensions/labels.ts";
-import { FIGURES } from "../sheet/sizes.ts";
-import { NEXT, nominalWidth, SMALL, STACKED, widthOf, type PrintText } from "./paper.ts";
+import { FIGURES, NEXT, nominalWidth, SMALL, STACKED, widthOf, type PrintText } from "./paper.ts";
 import { onPaperGrid as n } from "../dimensions/strokes.ts";
-import type { WorkshopPrint } from "./workshop-drawing.ts";
+import type { PartDrawing } from "./part-drawing.ts";
 
 /** A fact of a title block, with its label. */
 export interface TitleCell {
@@ -116,7 +115,7 @@ function written(text: PrintText): string {
  * its frame, mm.
  */
 export function drawingSvg(
-  print: WorkshopPrint,
+  print: PartDrawing,
   title: SheetTitle,
   frame: { readonly width: number; readonly height: number },
 ): string {

@@ -1,7 +1,15 @@
 import type { Place } from "../camera.ts";
-import { FIGURES } from "../sheet/sizes.ts";
 import { mostThatFit, spread } from "../dimensions/spread.ts";
-import { arrow, tallOf, widthOf, writtenAt, type PrintShape, type PrintSize, type PrintText } from "./paper.ts";
+import {
+  arrow,
+  FIGURES,
+  tallOf,
+  widthOf,
+  writtenAt,
+  type PrintShape,
+  type PrintSize,
+  type PrintText,
+} from "./paper.ts";
 import { lineThrough, onPaperGrid } from "../dimensions/strokes.ts";
 
 /** A note joined to a place of the part by a leader. */

@@ -1,5 +1,5 @@
 import type { Place } from "../camera.ts";
-import { spread } from "../dimensions/spread.ts";
+import { mostThatFit, spread } from "../dimensions/spread.ts";
 import {
   arrow,
   ARROW,
@@ -9,16 +9,18 @@ import {
   LINE,
   widthOf,
   writtenAt,
+  type Drawn,
   type PrintShape,
   type PrintSize,
   type PrintText,
 } from "./paper.ts";
 import { circleAt, lineThrough } from "../dimensions/strokes.ts";
 
-/** A length from Z0: where its dimension begins on the part, mm on paper. */
+/** A size along one direction: where its line begins on the part, mm on paper, and its rank: the least goes first. */
 export interface PrintLength {
   readonly size: PrintSize;
   readonly from: Place;
+  readonly extent: number;
 }
 
 /** Up to this many lengths each have a line of their own; more share one line as running dimensions. */
@@ -29,9 +31,7 @@ const PAST = 1.2,
   FIRST = 7;
 const ORIGIN = 0.8;
 
-export interface DrawnLengths {
-  readonly shapes: readonly PrintShape[];
-  readonly texts: readonly PrintText[];
+export interface DrawnLengths extends Drawn {
   /** How far they reach from the part, mm on paper. */
   readonly reach: number;
   /** A passing line crosses a text that has no other place. */
@@ -87,7 +87,7 @@ function clearMiddle([a, b]: readonly [number, number], wide: number, stops: rea
 
 /** Lengths from the zero edge; the shortest is nearest to the part. */
 export function drawnLengths(lengths: readonly PrintLength[], room: LengthRoom): DrawnLengths {
-  if (lengths.length === 0) return { shapes: [], texts: [], reach: 0, isCrossed: false };
+  if (lengths.length === 0) return { shapes: [], texts: [], reach: 0, isCrossed: false, omitted: 0 };
   const {
     zero: { x: from },
   } = room;
@@ -95,13 +95,24 @@ export function drawnLengths(lengths: readonly PrintLength[], room: LengthRoom):
   return sorted.length <= MOST_LINES && !room.middles ? inParallel(sorted, room) : addingUp(sorted, room);
 }
 
+const FIRST_LINE = { below: FIRST - 2, above: FIRST - LINE.stacked } as const;
+const stepTo = ({ size }: Pick<PrintLength, "size">): number => tallOf(size) + 0.6;
+
+/** How far lengths on lines of their own reach from the part, mm on paper. */
+export const reachOfLines = (lengths: readonly Pick<PrintLength, "size">[], side: "below" | "above"): number =>
+  lengths.length === 0
+    ? 0
+    : lengths.reduce((sum, each) => sum + stepTo(each), FIRST_LINE[side]) +
+      (side === "below" ? 2 * PAST : LINE.stacked);
+
 function inParallel(lengths: readonly PrintLength[], { zero, edge, side, width, clear }: LengthRoom): DrawnLengths {
   const shapes: PrintShape[] = [];
   const texts: PrintText[] = [];
   const down = side === "below" ? 1 : -1;
-  let reach = side === "below" ? FIRST - 2 : FIRST - LINE.stacked;
-  for (const [i, { size, from }] of lengths.entries()) {
-    reach += tallOf(size) + 0.6;
+  let reach: number = FIRST_LINE[side];
+  for (const [i, each] of lengths.entries()) {
+    const { size, from } = each;
+    reach += stepTo(each);
     const y = edge + down * reach;
     const [a, b] = [
       { x: Math.min(from.x, zero.x), y },
@@ -122,7 +133,7 @@ function inParallel(lengths: readonly PrintLength[], { zero, edge, side, width, 
   }
   shapes.push(extension(zero, down, edge + down * reach));
   const crossed = texts.some(({ box }) => isCrossed(clear, box));
-  return { shapes, texts, isCrossed: crossed, reach: reach + (side === "below" ? 2 * PAST : LINE.stacked) };
+  return { shapes, texts, omitted: 0, isCrossed: crossed, reach: reachOfLines(lengths, side) };
 }
 
 const extension = ({ x, y }: Place, down: number, end: number): PrintShape => ({
@@ -147,43 +158,99 @@ export const turnedTexts = (
 
 const fromLeft = (lengths: readonly PrintLength[]) => [...lengths].sort((a, b) => a.from.x - b.from.x);
 
-function addingUp(
-  lengths: readonly PrintLength[],
-  { zero, edge, side, width, middles: given }: LengthRoom,
-): DrawnLengths {
+/** A row of texts along an edge, each led to by a line from its place. Mm on paper. */
+interface TextRow {
+  /** Where the lines turn to their texts, and where the texts begin. */
+  readonly turn: number;
+  readonly foot: number;
+  /** The side of the texts: 1 towards greater numbers. */
+  readonly way: 1 | -1;
+  readonly low: number;
+  readonly high: number;
+  /** Least gap between two texts. */
+  readonly gap: number;
+  /** A column beside the part instead of a row of turned texts; its lines begin with a dot. */
+  readonly isColumn: boolean;
+  /** Places of the texts in their order along the row, if they are known. */
+  readonly middles?: readonly number[];
+}
+
+/** Nearer places cannot be told apart, mm on paper: a size without an extent is left out beside a better one. */
+const APART = 0.35;
+/** The end of a leader on a surface, mm on paper. */
+const DOT = 0.45;
+
+/**
+ * As many sizes as have room in a row of texts, in the order of their places, so that no line crosses another. Those of
+ * the least extent are left out first, of equal ones the last.
+ */
+export function rowOfTexts(
+  asked: readonly PrintLength[],
+  { turn, foot, way, low, high, gap, isColumn, middles }: TextRow,
+): Drawn & { readonly shown: readonly PrintLength[] } {
+  const along = ({ x, y }: Place) => (isColumn ? y : x),
+    placeAt = (a: number, out: number): Place => (isColumn ? { x: out, y: a } : { x: a, y: out });
+  const all = asked.filter(
+    (own, i) =>
+      own.extent > 0 ||
+      !asked.some((other, k) => (other.extent > 0 || k < i) && Math.abs(along(other.from) - along(own.from)) < APART),
+  );
+  const laid =
+    mostThatFit(
+      all.toSorted((a, b) => b.extent - a.extent),
+      (ranked) => {
+        const some = ranked.toSorted((a, b) => along(a.from) - along(b.from)),
+          wanted = some.map(({ from, size }) => ({ at: along(from), size: tallOf(size) }));
+        const found = middles ?? spread(wanted, low, high, gap);
+        return found && some.map((each, i) => ({ ...each, middle: found[i] ?? along(each.from) }));
+      },
+    ) ?? [];
+  return {
+    shapes: laid.flatMap(({ from, middle }): PrintShape[] => {
+      const start = isColumn ? from : placeAt(along(from), from.y + way * AIR);
+      return [
+        { role: "thin", d: lineThrough([start, placeAt(along(from), turn), placeAt(middle, foot)]) },
+        ...(isColumn ? [{ role: "arrow" as const, d: circleAt(from, DOT) }] : []),
+      ];
+    }),
+    texts: laid.map(({ size, middle }) =>
+      writtenAt(size, placeAt(middle, foot + way * (widthOf(size) / 2 + AIR)), !isColumn),
+    ),
+    omitted: all.length - laid.length,
+    shown: laid,
+  };
+}
+
+/** How far texts in a row reach from the part, beginning at their feet; mm on paper. */
+export const reachOfTexts = (sizes: readonly Pick<PrintLength, "size">[], foot: number): number =>
+  foot + Math.max(...sizes.map(({ size }) => widthOf(size))) + 2;
+
+/** Lengths that share one dimension line, with turned texts behind it. */
+function addingUp(lengths: readonly PrintLength[], { zero, edge, side, width, middles }: LengthRoom): DrawnLengths {
   const down = side === "below" ? 1 : -1,
     y = edge + down * FIRST,
-    foot = edge + down * TO_FEET;
-  const sorted = fromLeft(lengths),
     far = lengths.at(-1);
-  const middles = given ?? spread(turnedTexts(lengths, true), 1, width - 1, 0.3);
-  const long = Math.max(...lengths.map(({ size }) => widthOf(size)));
-  const shapes: PrintShape[] = [
-    extension(zero, down, y),
-    {
-      role: "thin",
-      d: lineThrough([
-        { x: zero.x, y },
-        { x: far?.from.x ?? zero.x, y },
-      ]),
-    },
-    {
-      role: "origin",
-      d: circleAt({ x: zero.x, y }, ORIGIN),
-    },
-  ];
-  const texts = sorted.map(({ size, from }, i) => {
-    const x = middles?.[i] ?? from.x;
-    shapes.push({
-      role: "thin",
-      d: lineThrough([
-        { x: from.x, y: from.y + down * AIR },
-        { x: from.x, y: y + down * PAST },
-        { x, y: foot },
-      ]),
-    });
-    shapes.push({ role: "arrow", d: arrow({ x: from.x, y }, from.x - zero.x, 0) });
-    return writtenAt(size, { x, y: foot + down * (widthOf(size) / 2 + 0.8) }, true);
+  const turned = rowOfTexts(lengths, {
+    turn: y + down * PAST,
+    foot: edge + down * TO_FEET,
+    way: down,
+    low: 1,
+    high: width - 1,
+    gap: 0.3,
+    isColumn: false,
+    ...(middles && { middles }),
   });
-  return { shapes, texts, isCrossed: false, reach: TO_FEET + long + 2 };
+  const line = [zero, far?.from ?? zero].map(({ x }) => ({ x, y }));
+  return {
+    ...turned,
+    shapes: [
+      extension(zero, down, y),
+      { role: "thin", d: lineThrough(line) },
+      { role: "origin", d: circleAt({ x: zero.x, y }, ORIGIN) },
+      ...turned.shapes,
+      ...turned.shown.map(({ from: { x } }): PrintShape => ({ role: "arrow", d: arrow({ x, y }, x - zero.x, 0) })),
+    ],
+    isCrossed: false,
+    reach: reachOfTexts(lengths, TO_FEET),
+  };
 }

@@ -1,7 +1,9 @@
 import { boxAbout, runsThrough, textWidth, type LabelBox } from "../dimensions/labels.ts";
 import { arrowAt, lineThrough } from "../dimensions/strokes.ts";
 import type { Place } from "../camera.ts";
-import { FIGURES } from "../sheet/sizes.ts";
+
+/** Size of the figures of a drawing, mm on paper. */
+export const FIGURES = 3;
 
 /** A size as a print writes it: the nominal, with deviations stacked behind it where they are not one ± value. */
 export interface PrintSize {
@@ -41,6 +43,13 @@ export interface PrintText extends PrintSize {
   readonly at: Place;
   readonly turned: boolean;
   readonly box: LabelBox;
+}
+
+/** Part of a drawing: its lines and texts, and the number of sizes that found no room. */
+export interface Drawn {
+  readonly shapes: readonly PrintShape[];
+  readonly texts: readonly PrintText[];
+  readonly omitted: number;
 }
 
 /** Size of deviations, as a share of the nominal's. */

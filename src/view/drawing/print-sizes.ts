@@ -1,9 +1,12 @@
-import { at, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
+import { at, part, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import { diameter, type Diameter, toDiameter, toRadius } from "../../kernel/units.ts";
+import { boundsOf } from "../bounds.ts";
+import type { Bounds } from "../camera.ts";
 import { BESIDE, spanAt, type PrintThread } from "./body.ts";
-import type { Limits } from "./measured-feature.ts";
+import { featuresOnPart, type FoundCylinder, type FoundPosition, type TurnedContour } from "./found-features.ts";
+import type { Limits, MeasuredFeature } from "./measured-feature.ts";
 import type { PrintSize } from "./paper.ts";
-import type { PrintCorner, PrintFeatures } from "./print-features.ts";
+import { printFeatures, type PrintCorner, type PrintFeatures } from "./print-features.ts";
 
 /**
  * A size with deviations. "diameter" outside and "bore" inside at Z = at; "face": the first material from the free end
@@ -30,12 +33,16 @@ export interface PrintedPart {
 }
 
 /** Numbers as the drawing's language writes them. */
-export interface PrintWords {
+interface SizeWords {
   readonly diameter: (value: Diameter) => string;
   /** A length, or a radius or chamfer, without its sign. */
   readonly length: (value: number) => string;
   /** A place along the axis, with its sign. */
   readonly position: (value: number) => string;
+}
+
+/** The same with all that only a part in the making has. */
+export interface PrintWords extends SizeWords {
   /** A deviation with its sign, and one that is the same on both sides. */
   readonly deviation: (value: number) => string;
   readonly both: (value: number) => string;
@@ -48,21 +55,61 @@ export interface PrintWords {
   readonly roughness: (value: number) => string;
 }
 
+/** The same with threads by their lead, as a set-up states them. */
+export interface SetUpWords extends SizeWords {
+  readonly thread: (diameter: string, lead: number, starts: number) => string;
+}
+
+/** A size of the drawing as data, for a list beside it. */
+export interface ListedSize {
+  readonly kind: "diameter" | "bore" | "length" | "chamfer" | "radius" | "angle" | "thread" | "mark" | "blank";
+  readonly size: PrintSize;
+  /** Z of its place, both ends of a stretch; mm. */
+  readonly at: readonly number[];
+  /** What it measures on the part; null for the blank, threads and surface marks. */
+  readonly measures: MeasuredFeature | null;
+}
+
+/** A note with the place that its leader shows; a surface mark has a symbol. */
+export interface Note {
+  readonly size: PrintSize;
+  readonly at: Pt;
+  readonly isMark: boolean;
+}
+
+/** The sizes of a drawing. Part space, mm. */
+export interface DrawnSizes {
+  readonly across: readonly Across[];
+  readonly positions: readonly Position[];
+  readonly notes: readonly Note[];
+  readonly list: readonly ListedSize[];
+  /** The mark of all turned surfaces, as text; null if they have no common one. */
+  readonly general: string | null;
+}
+
 /** Nearer values are one, mm. */
 const ONE = 0.005;
 /** A size belongs to a feature whose value is this near, mm. */
 const BELONGS = 0.5;
 
-/** A diameter with its stretch along Z, and the place of its dimension. */
-export interface Across {
+/** A size as it is written, and what it allows. */
+interface Sized {
+  readonly size: PrintSize;
+  readonly limits: Limits;
+}
+
+/** A diameter with its stretch along Z; `extent`: the length of its surfaces, mm. */
+export interface Across extends Sized {
   readonly r: number;
   readonly left: number;
   readonly right: number;
   readonly isBore: boolean;
   readonly isBlank: boolean;
-  readonly size: PrintSize;
-  readonly limits: Limits;
+  readonly extent: number;
 }
+
+/** A position along the axis; `extent`: the length of its faces, mm. */
+export interface Position extends FoundPosition, Sized {}
 
 function toleranced(text: string, found: TolerancedSize | undefined, words: PrintWords): PrintSize {
   if (!found || (found.upper === 0 && found.lower === 0)) return { text };
@@ -92,19 +139,53 @@ const sizeAcross = (
       Math.abs(s.nominal - toDiameter(at(0, r).r)) < BELONGS,
   );
 
-export function diametersOf(work: PrintedPart, features: PrintFeatures, isBore: boolean, words: PrintWords): Across[] {
-  const kind = isBore ? "bore" : "diameter",
-    made: Across[] = [];
-  for (const { r, left, right, follows } of features.cylinders) {
-    const found = sizeAcross(work.sizes, kind, r, { left, right });
-    if (follows && !found) continue;
-    const size = toleranced(words.diameter(found ? diameter(found.nominal) : toDiameter(at(0, r).r)), found, words);
-    const limits = limitsOf(r, found, (value) => toRadius(diameter(value)));
-    const same = made.find((m) => Math.abs(m.r - r) < ONE && spelled(m.size) === spelled(size));
-    if (!same) made.push({ r, left, right, isBore, isBlank: false, size, limits });
-    else if (right > same.right) made[made.indexOf(same)] = { ...same, right, left };
+const isPlain = ({ limits: [least, most] }: Sized) => least === most;
+
+/** The diameters of cylinders, each once with its deviations; those without a size of their own are left out. */
+function diametersOf(cylinders: readonly FoundCylinder[], sized: (own: FoundCylinder) => Sized | null): Across[] {
+  const made: Across[] = [];
+  for (const own of cylinders) {
+    const size = sized(own);
+    if (!size) continue;
+    const { r, left, right, isBore, extent } = own;
+    const isSame = (m: Across) =>
+      m.isBore === isBore &&
+      Math.abs(m.r - r) < ONE &&
+      (spelled(m.size) === spelled(size.size) || (isPlain(m) && isPlain(size)));
+    const i = made.findIndex(isSame),
+      known = made[i];
+    if (!known) made.push({ r, left, right, isBore, isBlank: false, extent, ...size });
+    else made[i] = { ...known, ...(right > known.right && { left, right }), extent: known.extent + extent };
   }
   return made;
+}
+
+/** The positions, each once, where its line is shortest. */
+function positionsOf(positions: readonly FoundPosition[], sized: (z: number) => Sized): Position[] {
+  const made: Position[] = [];
+  for (const { from, extent } of positions) {
+    const i = made.findIndex((m) => Math.abs(m.from.z - from.z) < ONE),
+      known = made[i];
+    if (!known) made.push({ from, extent, ...sized(from.z) });
+    else made[i] = { ...known, extent: known.extent + extent, from: known.from.r >= from.r ? known.from : from };
+  }
+  return made;
+}
+
+/** The diameters of the blank that are not also diameters of the part, on the stretch that each keeps. */
+function acrossBlank(
+  blank: Bounds,
+  turned: readonly Across[],
+  words: SizeWords,
+  stretch: (isBore: boolean) => readonly [left: number, right: number],
+): Across[] {
+  return [false, true].flatMap((isBore): Across[] => {
+    const r = isBore ? blank.low : blank.high,
+      [left, right] = stretch(isBore);
+    if (r < ONE || right < left + ONE || turned.some((t) => t.isBore === isBore && Math.abs(t.r - r) < ONE)) return [];
+    const size = { text: `(${words.diameter(toDiameter(at(0, r).r))})` };
+    return [{ r, left, right, isBore, isBlank: true, extent: Infinity, size, limits: [r, r] }];
+  });
 }
 
 function cornerSize(corner: PrintCorner, words: PrintWords): string {
@@ -113,7 +194,7 @@ function cornerSize(corner: PrintCorner, words: PrintWords): string {
 }
 
 /** Corners of one size share one note, at the first of them from the free end, with their number. */
-export function cornersOf(
+function cornersOf(
   corners: readonly PrintCorner[],
   words: PrintWords,
 ): { readonly corner: PrintCorner; readonly size: PrintSize; readonly all: readonly Pt[] }[] {
@@ -131,6 +212,19 @@ export function cornersOf(
   }));
 }
 
+/** Positions with the ends of the material, in brackets, that are not among them. */
+const withEnds = (made: readonly Position[], ends: readonly Pt[], text: (z: number) => string): Position[] => [
+  ...made,
+  ...ends
+    .filter(({ z }) => !made.some((m) => Math.abs(m.from.z - z) < ONE))
+    .map((from): Position => ({
+      from,
+      extent: Infinity,
+      size: { text: `(${text(from.z)})` },
+      limits: [from.z, from.z],
+    })),
+];
+
 /** Where a thread ends on its own surface, without an edge; not where it runs out in a groove. */
 const runOut = (rings: readonly Ring[], { from, to }: PrintThread): readonly Pt[] =>
   [from, to].filter((p) => {
@@ -138,39 +232,12 @@ const runOut = (rings: readonly Ring[], { from, to }: PrintThread): readonly Pt[
     return span !== null && [span.high, span.low].some((r) => Math.abs(r - p.r) < ONE);
   });
 
-/** The positions that need a length from Z0, with their deviations; `end` is the end of the part, if it is drawn. */
-export function positionsOf(
-  work: PrintedPart,
-  features: readonly PrintFeatures[],
-  words: PrintWords,
-  end: number | null,
-) {
-  const made: { from: Pt; size: PrintSize; limits: Limits }[] = [];
-  const all = [
-    ...features.flatMap(({ positions }) => positions),
-    ...work.threads.flatMap((thread) => runOut(work.rings, thread)),
-  ];
-  for (const p of all) {
-    if (Math.abs(p.z) < ONE || made.some(({ from }) => Math.abs(from.z - p.z) < ONE)) continue;
-    const found = work.sizes.find((s) => s.kind === "face" && Math.abs(s.nominal - p.z) < BELONGS && s.nominal !== 0);
-    made.push({
-      from: p,
-      size: toleranced(words.length(Math.abs(found?.nominal ?? p.z)), found && outwards(found), words),
-      limits: limitsOf(p.z, found, (z) => z),
-    });
-  }
-  const last = spanAt(work.rings, (end ?? 0) + BESIDE);
-  if (end !== null && last && !made.some(({ from }) => Math.abs(from.z - end) < ONE))
-    made.push({ from: at(end, last.high), size: { text: `(${words.length(Math.abs(end))})` }, limits: [end, end] });
-  return made;
-}
-
 /** Deviations of a Z as deviations of a length: behind Z0 a smaller Z is a greater length. */
 const outwards = (size: TolerancedSize): TolerancedSize =>
   size.nominal < 0 ? { ...size, upper: 0 - size.lower, lower: 0 - size.upper } : size;
 
 /** The surface marks: one for all turned surfaces, or each at the longest surface of its stretch. */
-export function surfaceMarks(work: PrintedPart, outer: PrintFeatures, inner: PrintFeatures) {
+function surfaceMarks(work: PrintedPart, outer: PrintFeatures, inner: PrintFeatures) {
   const turned = [...work.outside, ...work.bore].flatMap((s) => [s.from.z, s.to.z]);
   const [low, high] = [Math.min(...turned), Math.max(...turned)];
   let general: number | null = null;
@@ -190,4 +257,138 @@ export function surfaceMarks(work: PrintedPart, outer: PrintFeatures, inner: Pri
     }
   }
   return { general, single };
+}
+
+const found = (features: PrintFeatures, isBore: boolean) =>
+  features.cylinders.map((own): FoundCylinder => ({ ...own, isBore, extent: own.right - own.left }));
+
+/**
+ * All sizes that a part is made by: with deviations, lengths from Z0, broken edges, threads by name and surface marks.
+ * `from`: where the drawn part begins; `isBroken`: whether the blank continues there.
+ */
+export function makerSizes(
+  work: PrintedPart,
+  words: PrintWords,
+  { from, isBroken }: { readonly from: number; readonly isBroken: boolean },
+): DrawnSizes {
+  const [outer, inner] = [printFeatures(work.outside), printFeatures(work.bore)];
+  const turned = diametersOf([...found(outer, false), ...found(inner, true)], ({ r, left, right, follows, isBore }) => {
+    const own = sizeAcross(work.sizes, isBore ? "bore" : "diameter", r, { left, right });
+    if (follows && !own) return null;
+    return {
+      size: toleranced(words.diameter(own ? diameter(own.nominal) : toDiameter(at(0, r).r)), own, words),
+      limits: limitsOf(r, own, (value) => toRadius(diameter(value))),
+    };
+  });
+  const blank = boundsOf(work.blank.flat());
+  const across = [
+    ...turned,
+    ...(blank
+      ? acrossBlank(blank, turned, words, (isBore) => [
+          from,
+          Math.min(blank.right, ...(isBore ? work.bore : work.outside).flatMap((s) => [s.from.z, s.to.z])),
+        ])
+      : []),
+  ];
+  const end = spanAt(work.rings, from + BESIDE);
+  const positions = withEnds(
+    positionsOf(
+      [...outer.positions, ...inner.positions, ...work.threads.flatMap((thread) => runOut(work.rings, thread))]
+        .filter(({ z }) => Math.abs(z) >= ONE)
+        .map((p) => ({ from: p, extent: Infinity })),
+      (z) => {
+        const own = work.sizes.find((s) => s.kind === "face" && Math.abs(s.nominal - z) < BELONGS && s.nominal !== 0);
+        return {
+          size: toleranced(words.length(Math.abs(own?.nominal ?? z)), own && outwards(own), words),
+          limits: limitsOf(z, own, (value) => value),
+        };
+      },
+    ),
+    end && !isBroken ? [at(from, end.high)] : [],
+    (z) => words.length(Math.abs(z)),
+  );
+  const threads = work.threads.map((thread) => ({ thread, size: { text: thread.name } }));
+  const corners = [...cornersOf(outer.corners, words), ...cornersOf(inner.corners, words)];
+  const marks = surfaceMarks(work, outer, inner),
+    single = marks.single.map((mark) => ({ ...mark, size: { text: words.roughness(mark.most) } }));
+  const onThread = ({ r, left, right }: Across) =>
+    work.threads.some(
+      (t) => Math.abs(t.from.r - r) < ONE && [t.from.z, t.to.z].some((z) => z > left - ONE && z < right + 1),
+    );
+  const note = (size: PrintSize, p: Pt, isMark = false): Note => ({ size, at: p, isMark });
+  const listed = (
+    kind: ListedSize["kind"],
+    size: PrintSize,
+    zs: readonly number[],
+    measures: MeasuredFeature | null = null,
+  ): ListedSize => ({ kind, size, at: zs, measures });
+  return {
+    across: across.filter((a) => !onThread(a)),
+    positions,
+    notes: [
+      ...threads.map(({ thread, size }) => note(size, part.pointOn(part.line(thread.from, thread.to), 1 / 2))),
+      ...corners.map(({ corner, size }) => note(size, corner.at)),
+      ...single.map((mark) => note(mark.size, mark.at, true)),
+    ],
+    list: [
+      ...across.map(({ size, r, limits, isBore, isBlank, left, right }) => {
+        const zs = left === right ? [left] : [right, left];
+        if (isBlank) return listed("blank", size, zs);
+        return listed(isBore ? "bore" : "diameter", size, zs, { kind: "diameter", r, left, right, limits });
+      }),
+      ...threads.map(({ thread, size }) => listed("thread", size, [thread.from.z, thread.to.z])),
+      ...positions.map(({ size, from: { z }, limits }) => listed("length", size, [z], { kind: "length", z, limits })),
+      ...corners.map(({ corner: { kind, size: own }, size, all: places }) => {
+        const measures =
+          kind === "angle" ? { kind, degrees: own, places } : { kind: "corner" as const, size: own, places };
+        return listed(
+          kind,
+          size,
+          places.map(({ z }) => z),
+          measures,
+        );
+      }),
+      ...single.map(({ size, stretch }) => listed("mark", size, stretch)),
+    ],
+    general: marks.general === null ? null : words.roughness(marks.general),
+  };
+}
+
+/** Nearer along the axis is one place, mm. */
+const ONE_PLACE = 0.05;
+
+/** The main sizes of what a set-up turns, as coordinates from its zero, and those of its blank in brackets. */
+export function setterSizes(
+  contours: readonly TurnedContour[],
+  finished: readonly Ring[],
+  blank: readonly Ring[],
+  words: SetUpWords,
+): DrawnSizes {
+  const { cylinders, positions } = featuresOnPart(contours, finished, blank);
+  const turned = diametersOf(cylinders, ({ r, isBore }) => {
+    const thread = cylinders.findLast((c) => c.isBore === isBore && Math.abs(c.r - r) < ONE && c.thread)?.thread;
+    const text = words.diameter(toDiameter(at(0, r).r));
+    return { size: { text: thread ? words.thread(text, thread.lead, thread.starts) : text }, limits: [r, r] };
+  });
+  const material = boundsOf(blank.flat());
+  const along = withEnds(
+    positionsOf(positions, (z) => ({ size: { text: words.position(z) }, limits: [z, z] })),
+    material ? [at(material.left, material.high), at(material.right, material.high)] : [],
+    words.position,
+  );
+  const zero: Position = { from: at(0, 0), extent: Infinity, size: { text: words.position(0) }, limits: [0, 0] };
+  // Of two places that cannot be told apart, as of a slope, the first is shown.
+  const outermost = (a: Pt, b: Pt) => b.z + b.r - a.z - a.r;
+  return {
+    across: [
+      ...turned.toSorted((a, b) => outermost(at(a.right, a.r), at(b.right, b.r))),
+      ...(material ? acrossBlank(material, turned, words, () => [material.left, material.right]) : []),
+    ],
+    positions: (along.some(({ from: { z } }) => Math.abs(z) < ONE_PLACE) ? along : [zero, ...along]).toSorted((a, b) =>
+      outermost(a.from, b.from),
+    ),
+    notes: [],
+    list: [],
+    general: null,
+  };
 }

@@ -8,7 +8,7 @@ import { boundsOf } from "../bounds.ts";
 import type { Bounds, Place } from "../camera.ts";
 import { outOfBlade } from "../cutting-tool/drawing.ts";
 import { ringData } from "../path.ts";
-import { factorOf, usualScale, type DrawingScale } from "./scales.ts";
+import { factorOf, usualScale, type DrawingScale } from "../drawing/scales.ts";
 
 /** A tool at its tip to a usual scale, mm on paper: Z to the right, X up. */
 export interface ToolPicture {

@@ -4,8 +4,9 @@ import { drawnTask } from "../../../course/drawn-task.ts";
 import { shownId } from "../../../course/task.ts";
 import { inScreenLanguage } from "../../../course/words.ts";
 import { usualTable } from "../../../program/tools/cutting-table.ts";
-import type { ListedSize } from "../../../view/drawing/workshop-drawing.ts";
-import { workshopDrawing } from "../../../view/drawing/workshop-drawing.ts";
+import { forMaker } from "../../../view/drawing/maker.ts";
+import { partDrawing } from "../../../view/drawing/part-drawing.ts";
+import type { ListedSize } from "../../../view/drawing/print-sizes.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
@@ -53,7 +54,7 @@ function Pane({ task }: { readonly task: DrawableTask }) {
   const print = useMemo(
     () =>
       drawn &&
-      workshopDrawing(drawn, words, {
+      partDrawing(forMaker(drawn, words), {
         width: paper,
         height: Math.max(PAPER.narrow, height / READABLE),
         fills: true,

@@ -3,7 +3,8 @@ import { createPortal } from "react-dom";
 import type { DrawnTask } from "../../../course/drawn-task.ts";
 import type { CourseDrawingTexts } from "../../../i18n/en/course-drawing.ts";
 import type { PrintWords } from "../../../view/drawing/print-sizes.ts";
-import { drawingOnSheet } from "../../../view/drawing/workshop-drawing.ts";
+import { forMaker } from "../../../view/drawing/maker.ts";
+import { drawingOnSheet } from "../../../view/drawing/part-drawing.ts";
 import { drawingSvg } from "../../../view/drawing/drawing-svg.ts";
 import { downloadText } from "../../../app/base/download.ts";
 import { useSize } from "../../../app/pictures/help/use-size.ts";
@@ -46,7 +47,7 @@ export function DrawingSheet({ titled, drawn, words, t, stem, onClose }: Props) 
   const fit = Math.min((size.width - AIR) / width, (size.height - AIR) / height);
   const zoom = useSheetZoom(frame, fit, READABLE);
   const print = useMemo(
-    () => drawingOnSheet(drawn, words, { width: width - 2, height: drawing }),
+    () => drawingOnSheet(forMaker(drawn, words), { width: width - 2, height: drawing }),
     [drawn, words, width, drawing],
   );
   if (!print) return null;

@@ -1,7 +1,6 @@
 import { useId, type CSSProperties } from "react";
-import { NEXT, nominalWidth, SMALL, STACKED, widthOf, type PrintText } from "../../../view/drawing/paper.ts";
-import type { WorkshopPrint } from "../../../view/drawing/workshop-drawing.ts";
-import { FIGURES } from "../../../view/sheet/sizes.ts";
+import { FIGURES, NEXT, nominalWidth, SMALL, STACKED, widthOf, type PrintText } from "../../../view/drawing/paper.ts";
+import type { PartDrawing } from "../../../view/drawing/part-drawing.ts";
 
 /** A size with its deviations, as a print stacks them. */
 export function Written({ text }: { readonly text: PrintText }) {
@@ -31,7 +30,7 @@ export function Written({ text }: { readonly text: PrintText }) {
 }
 
 /** The lines of a workshop drawing, without its figures. */
-export function PrintShapes({ print }: { readonly print: WorkshopPrint }) {
+export function PrintShapes({ print }: { readonly print: PartDrawing }) {
   const hatch = useId();
   return (
     <>
@@ -52,7 +51,7 @@ export function DrawnPrint({
   list,
   style,
 }: {
-  readonly print: WorkshopPrint;
+  readonly print: PartDrawing;
   readonly name: string;
   readonly list: string;
   readonly style?: CSSProperties;

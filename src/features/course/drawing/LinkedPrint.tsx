@@ -1,8 +1,9 @@
 import { useRef, useState, type CSSProperties, type KeyboardEvent, type PointerEvent } from "react";
-import { factorOf } from "../../../view/sheet/scales.ts";
+import { factorOf } from "../../../view/drawing/scales.ts";
 import { segmentData } from "../../../view/path.ts";
 import { measuredSegments } from "../../../view/drawing/measured-feature.ts";
-import type { ListedSize, WorkshopPrint } from "../../../view/drawing/workshop-drawing.ts";
+import type { PartDrawing } from "../../../view/drawing/part-drawing.ts";
+import type { ListedSize } from "../../../view/drawing/print-sizes.ts";
 import type { Segment } from "../../../kernel/geometry/point.ts";
 import { PrintShapes, Written } from "./DrawnPrint.tsx";
 import { DRAG } from "./use-sheet-zoom.ts";
@@ -13,7 +14,7 @@ const NEAR = 22;
 const STEPS: Readonly<Record<string, number>> = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 };
 
 interface Props {
-  readonly print: WorkshopPrint;
+  readonly print: PartDrawing;
   readonly name: string;
   /** The outlines of the drawn part. */
   readonly outlines: readonly (readonly Segment[])[];

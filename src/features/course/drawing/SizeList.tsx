@@ -1,6 +1,5 @@
 import type { CourseDrawingTexts } from "../../../i18n/en/course-drawing.ts";
-import type { PrintWords } from "../../../view/drawing/print-sizes.ts";
-import type { ListedSize } from "../../../view/drawing/workshop-drawing.ts";
+import type { ListedSize, PrintWords } from "../../../view/drawing/print-sizes.ts";
 
 /** The sizes of a drawing as a list, for screen readers, and for notes without room. */
 export function SizeList({

@@ -3,7 +3,8 @@ import { drawnTask } from "../../../course/drawn-task.ts";
 import { shownId, type Task } from "../../../course/task.ts";
 import type { Language } from "../../../i18n/languages.ts";
 import { usualTable } from "../../../program/tools/cutting-table.ts";
-import { workshopDrawing } from "../../../view/drawing/workshop-drawing.ts";
+import { forMaker } from "../../../view/drawing/maker.ts";
+import { partDrawing } from "../../../view/drawing/part-drawing.ts";
 import { useSize } from "../../../app/pictures/help/use-size.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { inScreenLanguage } from "../../../course/words.ts";
@@ -40,7 +41,7 @@ export function WorkshopDrawing({ task, language }: { readonly task: DrawableTas
   const words = useMemo(() => printWords(t, language), [t, language]);
   const drawn = useMemo(() => drawnTask(task), [task]);
   const print = useMemo(
-    () => drawn && workshopDrawing(drawn, words, { width, height: PAPER.height }),
+    () => drawn && partDrawing(forMaker(drawn, words), { width, height: PAPER.height }),
     [drawn, words, width],
   );
   const name = inScreenLanguage(task.words, language)?.title ?? task.id;

@@ -9,7 +9,8 @@ import { courseDrawing } from "../../../i18n/en/course-drawing.ts";
 import { parse } from "../../../nc/parse.ts";
 import { run } from "../../../program/run/run.ts";
 import { shippedTools } from "../../../program/tools/shipped-tools.ts";
-import { workshopDrawing } from "../../../view/drawing/workshop-drawing.ts";
+import { forMaker } from "../../../view/drawing/maker.ts";
+import { partDrawing } from "../../../view/drawing/part-drawing.ts";
 import { printWords } from "./print-words.ts";
 import { sourceOfSize } from "./size-source.ts";
 
@@ -26,7 +27,7 @@ const taskOf = (id: string): Task => {
 /** The measured sizes of a task's drawing, each with what makes it in a program. */
 function sourcesIn(task: Task, lines: readonly string[] = task.solution ?? []) {
   const drawn = drawnTask(task);
-  const print = drawn && workshopDrawing(drawn, printWords(courseDrawing, "en"), { width: 150, height: 128 });
+  const print = drawn && partDrawing(forMaker(drawn, printWords(courseDrawing, "en")), { width: 150, height: 128 });
   const done = run(parse(lines.join("\n")), { tools: shippedTools, rapid: TASK_RAPID });
   return (print?.list ?? []).flatMap(({ size, measures }) =>
     measures ? [{ size: size.text, source: sourceOfSize(done, measures) }] : [],

@@ -4,7 +4,7 @@ import { radius, toDiameter } from "../../../kernel/units.ts";
 import { boundsOf } from "../../../view/bounds.ts";
 import type { SheetTitle } from "../../../view/drawing/drawing-svg.ts";
 import type { PrintWords } from "../../../view/drawing/print-sizes.ts";
-import type { WorkshopPrint } from "../../../view/drawing/workshop-drawing.ts";
+import type { PartDrawing } from "../../../view/drawing/part-drawing.ts";
 
 /** The entries of a title block besides the drawing. */
 export interface Titled {
@@ -20,7 +20,7 @@ export interface Titled {
 export interface TitleSource {
   readonly titled: Titled;
   readonly drawn: DrawnTask;
-  readonly print: WorkshopPrint;
+  readonly print: PartDrawing;
   readonly words: PrintWords;
   readonly t: CourseDrawingTexts;
 }

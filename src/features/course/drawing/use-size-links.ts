@@ -4,7 +4,7 @@ import { blockNumbers, startLines } from "../../../nc/program.ts";
 import type { CourseDrawingTexts } from "../../../i18n/en/course-drawing.ts";
 import type { Run } from "../../../program/state/run-types.ts";
 import { measuredSegments, type MeasuredFeature } from "../../../view/drawing/measured-feature.ts";
-import type { ListedSize } from "../../../view/drawing/workshop-drawing.ts";
+import type { ListedSize } from "../../../view/drawing/print-sizes.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { useOutcome } from "../../../app/calculation/outcome.ts";
 import { useReading } from "../../../app/document/reading.ts";

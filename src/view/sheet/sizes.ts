@@ -1,2 +1,0 @@
-/** Size of the dimension figures of a sheet, mm on paper. */
-export const FIGURES = 3;
