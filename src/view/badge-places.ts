@@ -1,4 +1,6 @@
 import type { Place } from "./camera.ts";
+import { arrange } from "./dimensions/arrange.ts";
+import { boxAbout } from "./dimensions/labels.ts";
 import type { VisibleArea } from "./edge-mark.ts";
 
 /** Offset of a badge from its place, pixels, so that the place itself stays visible. */
@@ -85,31 +87,22 @@ function seemsFar({ x, y }: Place): number {
  * another or leaves the visible area.
  */
 export function badgePlaces(places: readonly Place[], seen: VisibleArea): readonly Place[] {
-  const put: (Place & { readonly pitch: number })[] = [],
-    found: Place[] = places.map(({ x, y }) => ({ x: x + ASIDE.x, y: y + ASIDE.y }));
-  for (const crowd of crowdsOf(places)) {
-    const { shares, pitch } = rowOf(crowd, seen),
-      first = rowOver({ shares, pitch }, crowd, seen);
-    const shifted = (by: Place) => first.map(({ x, y }) => ({ x: x + by.x * APART, y: y + by.y * APART }));
-    const isFree = (row: readonly Place[]) =>
-      row.every(
-        (at) =>
-          at.x - HALF >= seen.left &&
-          at.x + HALF <= seen.right &&
-          at.y - HALF >= seen.top &&
-          at.y + HALF <= seen.bottom &&
-          !put.some(
-            (other) => Math.abs(other.x - at.x) < (other.pitch + pitch) / 2 && Math.abs(other.y - at.y) < APART,
-          ),
-      );
-    const by = SHIFTS.find((each) => isFree(shifted(each))) ?? { x: 0, y: 0 },
-      row = shifted(by);
-    shares.forEach((each, i) => {
-      const at = row[i];
-      if (!at) return;
-      for (const { index } of each) found[index] = at;
-      put.push({ ...at, pitch });
+  const rows = crowdsOf(places).map((crowd) => {
+    const row = rowOf(crowd, seen),
+      first = rowOver(row, crowd, seen);
+    const size = { width: row.shares.length * row.pitch, height: APART };
+    const candidates = SHIFTS.map((by) => {
+      const put = first.map(({ x, y }) => ({ x: x + by.x * APART, y: y + by.y * APART }));
+      const middle = { x: ((put[0]?.x ?? 0) + (put.at(-1)?.x ?? 0)) / 2, y: put[0]?.y ?? 0 };
+      return { label: boxAbout(middle, size), lines: [], cost: 0, put, shares: row.shares };
     });
-  }
+    return { q: "", candidates, needed: true };
+  });
+  const air = APART / 2 - HALF,
+    [x, y] = [seen.left - air, seen.top - air];
+  const room = { x, y, width: seen.right + air - x, height: seen.bottom + air - y };
+  const found = [...places];
+  for (const { put, shares } of arrange(rows, { width: seen.right, height: seen.bottom, room, avoid: [], kept: [] }))
+    for (const [i, at] of put.entries()) for (const { index } of shares[i] ?? []) found[index] = at;
   return found;
 }

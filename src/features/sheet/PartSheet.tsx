@@ -1,10 +1,10 @@
 import { producedParts } from "../../sim/produced-parts.ts";
-import { useId, useMemo } from "react";
+import { useMemo } from "react";
 import type { SheetTexts } from "../../i18n/en/sheet.ts";
 import type { CurrentMeasurement } from "../../view/measure/reading.ts";
 import { partDrawing } from "../../view/drawing/part-drawing.ts";
 import { forSetter } from "../../view/drawing/setter.ts";
-import { FIGURES } from "../../view/drawing/paper.ts";
+import { PaperDrawing } from "../../app/pictures/paper/PaperDrawing.tsx";
 import type { Outcome } from "../../app/calculation/outcome.ts";
 import { useDrawnMeasured } from "./SheetMeasured.tsx";
 import type { SheetWords } from "./sheet-words.ts";
@@ -27,7 +27,6 @@ export function PartSheet({
   readonly words: SheetWords;
 }) {
   const drawn = useDrawnMeasured(measured, outcome?.run);
-  const hatch = useId();
   const drawing = useMemo(() => {
     if (!outcome) return null;
     const { run, simulation } = outcome;
@@ -49,28 +48,11 @@ export function PartSheet({
     );
   }, [outcome, words, drawn]);
   if (!drawing) return <p className="sheet-soft">{t.noDrawing}</p>;
-  const { scale, width, height, shapes, texts, omitted } = drawing;
+  const { scale, width, height, omitted } = drawing;
   return (
     <figure className="sheet-part">
       <svg role="img" aria-label={t.drawingOf(name)} viewBox={`0 0 ${width} ${height}`} style={{ width: `${width}mm` }}>
-        <pattern id={hatch} width="1.6" height="1.6" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">
-          <path d="M0 0V1.6" className="sheet-hatch" />
-        </pattern>
-        {shapes.map(({ role, d }, i) => (
-          <path key={i} className={`sheet-${role}`} d={d} {...(role === "section" && { fill: `url(#${hatch})` })} />
-        ))}
-        {texts.map(({ text, at: { x, y }, turned }, i) => (
-          <text
-            key={i}
-            x={x}
-            y={y}
-            fontSize={FIGURES}
-            className="sheet-figure"
-            {...(turned && { transform: `rotate(-90 ${x} ${y})` })}
-          >
-            {text}
-          </text>
-        ))}
+        <PaperDrawing {...drawing} />
       </svg>
       <figcaption>
         <b>{t.scale(scale.paper, scale.part)}</b>

@@ -3,38 +3,14 @@ import type { PlanePoint } from "../../kernel/plane/plane.ts";
 import type { Camera, Place } from "../camera.ts";
 import { textBox } from "../dimensions/labels.ts";
 import { arcPath, arrowHead } from "../help/marks.ts";
-import { between, extension, filled, stroke, value, type Candidate, type HelpItem, type Tag } from "../help/stroke.ts";
+import { parallel } from "../help/dimensions.ts";
+import { filled, stroke, value, type Candidate, type HelpItem, type Tag } from "../help/stroke.ts";
 import { onScreen } from "./frame.ts";
 import type { ApproachWords } from "./words.ts";
 import { ROUND } from "../../kernel/tolerance.ts";
 import { rounded } from "../../kernel/units.ts";
 
-/** Distance from the measured line to its dimension, pixels. */
-const ASIDE = 24;
-
 const moved = (p: Place, x: number, y: number, k: number): Place => ({ x: p.x + x * k, y: p.y + y * k });
-
-/** LEN between two points: beside the line, on either side. */
-function lengthItem(tag: Tag, text: string, a: Place, b: Place): HelpItem {
-  const long = Math.hypot(b.x - a.x, b.y - a.y) || 1;
-  const [nx, ny] = [-(b.y - a.y) / long, (b.x - a.x) / long];
-  const candidates = [1, -1, 2, -2].map((k): Candidate => {
-    const [c, d] = [moved(a, nx, ny, ASIDE * k), moved(b, nx, ny, ASIDE * k)];
-    const middle = moved(
-      { x: (c.x + d.x) / 2, y: (c.y + d.y) / 2 },
-      nx,
-      ny,
-      Math.sign(k) * (Math.abs(nx) > 0.7 ? 22 : 11),
-    );
-    return {
-      marks: [...extension(tag, a, c), ...extension(tag, b, d), ...between(tag, c, d), value(tag, middle, text)],
-      label: textBox(middle, text, 0),
-      lines: [[c, d]],
-      cost: Math.abs(k),
-    };
-  });
-  return { q: "LEN", candidates };
-}
 
 interface Arc {
   readonly centre: Place;
@@ -128,5 +104,6 @@ export function dimensionItems(
   const [inner, outer] = result.departing ? [points.PE, points.PN] : [points.PA, points.PH];
   if (!inner || !outer || result.shape === "CT" || result.shape === "LCT") return [];
   const size = Math.hypot(outer.x - inner.x, outer.y - inner.y);
-  return [lengthItem(tag("LEN"), `LEN ${speech.number(size)}`, place(outer), place(inner))];
+  const lettering = { q: "LEN", text: `LEN ${speech.number(size)}`, active: active === "LEN" };
+  return [{ q: "LEN", candidates: parallel(lettering, place(outer), place(inner)) }];
 }

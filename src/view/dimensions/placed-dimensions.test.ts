@@ -120,18 +120,20 @@ describe("dimensions over the picture", () => {
 
 test("on the sheet they are as large as its figures, in frames with round ends, clear of the sheet's own dimensions", () => {
   const kept = [{ x: 80, y: 20, width: 20, height: 60 }];
-  const made = measuredOnPaper(some, {
-    camera: { scale: 0.83, zero: { x: 71.3, y: 44.1 }, xUp: true },
-    width: 124,
-    height: 96,
-    kept,
-  });
-  expect(made).toHaveLength(some.length);
-  for (const { box, frame } of made) {
-    expect(box.height).toBeCloseTo((20 * 3) / 13, 9);
+  const camera = { scale: 0.83, zero: { x: 71.3, y: 44.1 }, xUp: true };
+  const made = measuredOnPaper(some, camera, { width: 124, height: 96 }, kept);
+  expect(made.omitted).toBe(0);
+  expect(made.texts.map(({ text }) => text)).toEqual(some.map(({ text }) => text));
+  const frames = made.shapes.filter(({ role }) => role === "measured").map(({ d }) => d);
+  expect(frames).toHaveLength(some.length);
+  for (const [i, frame] of frames.entries()) {
+    const [x = 0, y = 0, long = 0, r = 0] = frame.match(/-?[\d.]+/g)?.map(Number) ?? [];
+    const box = { x: x - r, y, width: long + 2 * r, height: 2 * r };
+    expect(box.height).toBeCloseTo((20 * 3) / 13, 1);
     expect(kept.some((each) => labelsOverlap(each, box))).toBe(false);
     expect(frame).toMatch(/^M.*a.*a.*Z$/);
     expect(box.x).toBeGreaterThanOrEqual(1);
-    expect(box.x + box.width).toBeLessThanOrEqual(123);
+    expect(box.x + box.width).toBeLessThanOrEqual(123.02);
+    expect(made.texts[i]?.at.y).toBeCloseTo(y + r, 1);
   }
 });

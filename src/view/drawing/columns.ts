@@ -22,8 +22,10 @@ const FIRST = 6,
 /** How far the line of a bore continues behind its text, mm on paper. */
 const PAST_TEXT = 2;
 /** From where a leader turns to its text, and least gap between two texts of a column, mm on paper. */
-export const KNEE = 5;
-export const GAP = 0.5;
+export const KNEE = 5,
+  GAP = 0.5;
+/** From the part to the texts of coordinates, mm on paper. */
+export const TO_TEXTS = FIRST + KNEE;
 
 /** How sizes are drawn: each with a dimension line, or as coordinates in rows of texts. */
 export type SizeForm = "lines" | "coordinates";
@@ -33,7 +35,7 @@ export function widthOfColumn(list: readonly Across[], form: SizeForm): number {
   if (list.length === 0) return 0;
   const widest = Math.max(...list.map(({ size }) => widthOf(size)));
   return form === "coordinates"
-    ? FIRST + KNEE + AIR + widest
+    ? TO_TEXTS + AIR + widest
     : list.reduce((sum, { size }) => sum + tallOf(size) + NEXT_TO, FIRST);
 }
 
@@ -64,7 +66,7 @@ export function drawnColumn(list: readonly Across[], form: SizeForm, room: Colum
       list.map((a) => ({ ...a, from: onPaper(seenAt(a)) })),
       {
         turn: end + side * FIRST,
-        foot: end + side * (FIRST + KNEE),
+        foot: end + side * TO_TEXTS,
         way: side,
         low,
         high,

@@ -82,7 +82,7 @@ function clearMiddle([a, b]: readonly [number, number], wide: number, stops: rea
   const places = wide > b - a - 2 * ARROW.long ? beside : [...along, ...beside];
   // Texts stay on the sheet, however short the line at its edge.
   const onSheet = places.filter((x) => x - wide / 2 >= 0 && x + wide / 2 <= width);
-  return onSheet.find(isClear) ?? onSheet[0] ?? middle;
+  return onSheet.find(isClear) ?? onSheet[0] ?? Math.max(wide / 2, Math.min(middle, width - wide / 2));
 }
 
 /** Lengths from the zero edge; the shortest is nearest to the part. */

@@ -3,7 +3,7 @@ import type { Bounds, Place } from "../camera.ts";
 import type { DimensionRequest } from "../dimensions/placed-dimensions.ts";
 import { lineThrough } from "../dimensions/strokes.ts";
 import { bodyShapes, mirroredAt, type BodyView } from "./body.ts";
-import { drawnColumn, GAP, heightOfColumn, KNEE, widthOfColumn, type SizeForm } from "./columns.ts";
+import { drawnColumn, GAP, heightOfColumn, KNEE, TO_TEXTS, widthOfColumn, type SizeForm } from "./columns.ts";
 import { drawnLeaders, leaderRows, ROW, type Leader } from "./leaders.ts";
 import {
   drawnLengths,
@@ -164,7 +164,7 @@ function laidOut(
       zero: inScene(axis)(content.zero.above),
       edge: axis - half + nearer,
       side: "above",
-      width: isRow ? width - behind : width,
+      width: isRow ? x0 + bounds.right * k + TO_TEXTS : width,
       clear,
       ...(middles.length > 0 && { middles }),
     });

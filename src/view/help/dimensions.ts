@@ -170,7 +170,7 @@ function upright(layout: Layout, l: Lettering, a: Place, b: Place): Candidate[] 
 }
 
 /** A length along a slanted element: a line parallel to it, on either side. */
-function parallel(l: Lettering, a: Place, b: Place): Candidate[] {
+export function parallel(l: Lettering, a: Place, b: Place): Candidate[] {
   const long = Math.hypot(b.x - a.x, b.y - a.y) || 1;
   const n = { x: -(b.y - a.y) / long, y: (b.x - a.x) / long };
   return [16, -16, 30, -30, 46, -46].map((d, i) => {

@@ -5,7 +5,7 @@ import { measuredSegments } from "../../../view/drawing/measured-feature.ts";
 import type { PartDrawing } from "../../../view/drawing/part-drawing.ts";
 import type { ListedSize } from "../../../view/drawing/print-sizes.ts";
 import type { Segment } from "../../../kernel/geometry/point.ts";
-import { PrintShapes, Written } from "./DrawnPrint.tsx";
+import { PaperShapes, Written } from "../../../app/pictures/paper/PaperDrawing.tsx";
 import { DRAG } from "./use-sheet-zoom.ts";
 
 /** A press this near to a size chooses it, pixels. */
@@ -90,7 +90,7 @@ export function LinkedPrint({ print, name, outlines, marked, nameOf, onChoose, s
       onPointerUp={release}
       onPointerCancel={() => void (pressed.current = null)}
     >
-      <PrintShapes print={print} />
+      <PaperShapes shapes={print.shapes} />
       <path
         className="workshop-chosen"
         d={segmentData(elements) + segmentData(elements.map(mirrored))}
