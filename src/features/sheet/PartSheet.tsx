@@ -48,12 +48,10 @@ export function PartSheet({
     );
   }, [outcome, words, drawn]);
   if (!drawing) return <p className="sheet-soft">{t.noDrawing}</p>;
-  const { scale, width, height, omitted } = drawing;
+  const { scale, omitted } = drawing;
   return (
     <figure className="sheet-part">
-      <svg role="img" aria-label={t.drawingOf(name)} viewBox={`0 0 ${width} ${height}`} style={{ width: `${width}mm` }}>
-        <PaperDrawing {...drawing} />
-      </svg>
+      <PaperDrawing drawing={drawing} name={t.drawingOf(name)} style={{ width: `${drawing.width}mm` }} />
       <figcaption>
         <b>{t.scale(scale.paper, scale.part)}</b>
         <span>

@@ -55,15 +55,13 @@ interface ColumnRoom {
   readonly clear: readonly (readonly Place[])[];
 }
 
-/** Where a diameter is seen on the drawing of both halves: one of a bore in the lower half. */
-const seenAt = ({ r, right, isBore }: Across): Pt => at(right, isBore ? -r : r);
-
 /** Draws the diameters of one side. */
 export function drawnColumn(list: readonly Across[], form: SizeForm, room: ColumnRoom): Drawn {
   const { side, end, axis, low, high, onPaper, clear } = room;
   if (form === "coordinates")
     return rowOfTexts(
-      list.map((a) => ({ ...a, from: onPaper(seenAt(a)) })),
+      // Of a bore the lower half shows more: the upper one carries the outside.
+      list.map((a) => ({ ...a, from: onPaper(at(a.right, a.isBore ? -a.r : a.r)) })),
       {
         turn: end + side * FIRST,
         foot: end + side * TO_TEXTS,

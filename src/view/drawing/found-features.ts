@@ -28,12 +28,6 @@ export interface FoundPosition {
   readonly extent: number;
 }
 
-/** The features of a part that drawings give sizes. */
-export interface FoundFeatures {
-  readonly cylinders: readonly FoundCylinder[];
-  readonly positions: readonly FoundPosition[];
-}
-
 /** Nearer values are one, mm. */
 const ONE = 0.005;
 /** Straight along an axis within this, mm. */
@@ -66,11 +60,7 @@ function isShown(segment: Segment, size: number): boolean {
 }
 
 /** The main features of the contours on the finished part; if the program turns none, those of the part itself. */
-export function featuresOnPart(
-  contours: readonly TurnedContour[],
-  finished: readonly Ring[],
-  blank: readonly Ring[],
-): FoundFeatures {
+export function featuresOnPart(contours: readonly TurnedContour[], finished: readonly Ring[], blank: readonly Ring[]) {
   const edges = edgesOf(finished),
     ofBlank = edgesOf(blank);
   const onPart = (p: Pt) => edges.length === 0 || edges.some((edge) => part.distanceTo(edge, p) < NEAR);
@@ -80,29 +70,26 @@ export function featuresOnPart(
     : [{ segments: edges.filter(isOwn) }];
   const box = boxAround([...finished]);
   const size = finished.length > 0 ? Math.hypot(box.right - box.left, box.high - box.low) : 0;
-  const found = all.map(({ segments, thread }): FoundFeatures => {
+  const cylinders: FoundCylinder[] = [],
+    positions: FoundPosition[] = [];
+  for (const { segments, thread } of all) {
     const shown = segments.filter((each) => isShown(each, size)),
-      features = printFeatures(shown);
-    return {
-      cylinders: features.cylinders.flatMap((own): FoundCylinder[] => {
-        const { r, left, right } = own,
-          seen = [right, (left + right) / 2, left].find((z) => onPart(at(z, r)));
-        if (seen === undefined) return [];
-        const isBore =
-          !inMaterial(finished, at(seen, Math.max(0, r - ASIDE))) && inMaterial(finished, at(seen, r + ASIDE));
-        return [{ ...own, right: seen, isBore, extent: right - left, ...(thread && { thread }) }];
-      }),
-      positions: features.positions.flatMap((p): FoundPosition[] => {
-        const own = shown.filter((s) => [s.from, s.to].every((end) => Math.abs(end.z - p.z) < LEVEL));
-        const from = [p, ...own.map((s) => at(p.z, part.pointOn(s, 0.5).r))].find(onPart);
-        // A contour may run out beyond the part.
-        const isBeyond = own.length === 0 && edges.length > 0 && (p.z > box.right + ONE || p.z < box.left - ONE);
-        return from && !isBeyond ? [{ from, extent: own.reduce((sum, s) => sum + part.lengthOf(s), 0) }] : [];
-      }),
-    };
-  });
-  return {
-    cylinders: found.flatMap(({ cylinders }) => cylinders),
-    positions: found.flatMap(({ positions }) => positions),
-  };
+      found = printFeatures(shown);
+    for (const own of found.cylinders) {
+      const { r, left, right } = own,
+        seen = [right, (left + right) / 2, left].find((z) => onPart(at(z, r)));
+      if (seen === undefined) continue;
+      const isBore =
+        !inMaterial(finished, at(seen, Math.max(0, r - ASIDE))) && inMaterial(finished, at(seen, r + ASIDE));
+      cylinders.push({ ...own, right: seen, isBore, extent: right - left, ...(thread && { thread }) });
+    }
+    for (const p of found.positions) {
+      const own = shown.filter((s) => [s.from, s.to].every((end) => Math.abs(end.z - p.z) < LEVEL));
+      const from = [p, ...own.map((s) => at(p.z, part.pointOn(s, 0.5).r))].find(onPart);
+      // A contour may run out beyond the part.
+      const isBeyond = own.length === 0 && edges.length > 0 && (p.z > box.right + ONE || p.z < box.left - ONE);
+      if (from && !isBeyond) positions.push({ from, extent: own.reduce((sum, s) => sum + part.lengthOf(s), 0) });
+    }
+  }
+  return { cylinders, positions };
 }

@@ -1,15 +1,6 @@
 import type { Place } from "../camera.ts";
 import { mostThatFit, spread } from "../dimensions/spread.ts";
-import {
-  arrow,
-  FIGURES,
-  tallOf,
-  widthOf,
-  writtenAt,
-  type PrintShape,
-  type PrintSize,
-  type PrintText,
-} from "./paper.ts";
+import { arrow, FIGURES, tallOf, widthOf, writtenAt, type Drawn, type PrintShape, type PrintSize } from "./paper.ts";
 import { lineThrough, onPaperGrid } from "../dimensions/strokes.ts";
 
 /** A note joined to a place of the part by a leader. */
@@ -124,14 +115,10 @@ export function drawnLeaders(
   rows: readonly Row[],
   bottom: number,
   band: readonly [number, number],
-): {
-  readonly shapes: readonly PrintShape[];
-  readonly texts: readonly PrintText[];
-  readonly lines: readonly (readonly Place[])[];
-} {
+): Pick<Drawn, "shapes" | "texts"> & { readonly lines: readonly (readonly Place[])[] } {
   const shapes: PrintShape[] = [];
   const lines: (readonly Place[])[] = [];
-  const texts: PrintText[] = [];
+  const texts: Drawn["texts"][number][] = [];
   for (const { leader, row, between, ways } of rows) {
     const { to, size, isMark } = leader,
       level = (k: number) => bottom - k * ROW;

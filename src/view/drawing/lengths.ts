@@ -17,9 +17,9 @@ import {
 import { circleAt, lineThrough } from "../dimensions/strokes.ts";
 
 /** A size along one direction: where its line begins on the part, mm on paper, and its rank: the least goes first. */
-export interface PrintLength {
+export interface PrintLength<P = Place> {
   readonly size: PrintSize;
-  readonly from: Place;
+  readonly from: P;
   readonly extent: number;
 }
 

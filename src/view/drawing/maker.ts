@@ -88,6 +88,8 @@ export function forMaker(work: PrintedPart, words: PrintWords): DrawnContent | n
     below: sizes.positions.filter(isSeen).map((each) => ({ ...each, from: onBody(each.from) })),
     above: sizes.positions.filter((each) => !isSeen(each)),
     zero: { below: zero, above: zero },
-    sizes,
+    notes: sizes.notes,
+    list: sizes.list,
+    general: sizes.general,
   };
 }

@@ -15,8 +15,8 @@ import {
   type PrintLength,
 } from "./lengths.ts";
 import { measuredOnPaper } from "./measured.ts";
-import { type PrintShape, type PrintSize, type PrintText } from "./paper.ts";
-import type { Across, DrawnSizes, ListedSize } from "./print-sizes.ts";
+import { type PrintShape, type PrintText } from "./paper.ts";
+import type { Across, ListedSize, Note } from "./print-sizes.ts";
 import { DRAWING_SCALES, factorOf, fillingScale, usualScale, type DrawingScale } from "./scales.ts";
 
 /** A drawing of a part, all places in mm on paper from its top left corner. */
@@ -42,12 +42,7 @@ export interface PaperScene {
   readonly scale: number;
 }
 
-/** A length along the axis, from where its line begins on the part. */
-interface Length {
-  readonly size: PrintSize;
-  readonly from: Pt;
-  readonly extent: number;
-}
+type Length = PrintLength<Pt>;
 
 /** What a drawing shows to its audience. Part space, mm. */
 export interface DrawnContent {
@@ -71,7 +66,10 @@ export interface DrawnContent {
   /** Where the lengths on either side begin. */
   readonly zero: { readonly below: Pt; readonly above: Pt };
   readonly measured?: readonly DimensionRequest[];
-  readonly sizes: DrawnSizes;
+  readonly notes?: readonly Note[];
+  readonly list?: readonly ListedSize[];
+  /** The mark of all turned surfaces, as text. */
+  readonly general?: string | null;
 }
 
 /**
@@ -129,7 +127,7 @@ function laidOut(
   room: PaperRoom,
   upright: boolean,
 ): { readonly drawing: PartDrawing; readonly isCrossed: boolean } {
-  const { bounds, form, sizes, measured = [] } = content,
+  const { bounds, form, measured = [], list = [], general = null } = content,
     { edge, least, nearer } = PAPER[form],
     isRow = form === "coordinates";
   const [wide, tall] = [bounds.right - bounds.left, 2 * bounds.high];
@@ -156,7 +154,7 @@ function laidOut(
     list.map(({ size, from, extent }) => ({ size, extent, from: inScene(axis)(from) }));
   const notes = [
     ...noted.map((a) => ({ size: a.size, at: at((a.left + a.right) / 2, a.r), isMark: false })),
-    ...sizes.notes,
+    ...(content.notes ?? []),
   ].map(({ size, at: p, isMark }): Leader => ({ size, isMark, to: inScene(0)(p) }));
   const { rows, count, middles } = leaderRows(notes, width, turnedTexts(lengthsOnPaper(content.above, 0), upright));
   const lengthsAbove = (axis: number, clear: readonly (readonly Place[])[]) =>
@@ -236,8 +234,8 @@ function laidOut(
       ...inspected.shapes,
     ].filter(({ d }) => d !== ""),
     texts: [...parts, inspected].flatMap(({ texts }) => texts),
-    list: sizes.list,
-    general: sizes.general,
+    list,
+    general,
     omitted: [...parts, inspected].reduce((sum, { omitted }) => sum + omitted, 0),
     origin: camera.zero,
   };

@@ -1,6 +1,6 @@
 import { at, part, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import { diameter, type Diameter, toDiameter, toRadius } from "../../kernel/units.ts";
-import { boundsOf } from "../bounds.ts";
+import { boxAround } from "../../kernel/area/box.ts";
 import type { Bounds } from "../camera.ts";
 import { BESIDE, spanAt, type PrintThread } from "./body.ts";
 import { featuresOnPart, type FoundCylinder, type FoundPosition, type TurnedContour } from "./found-features.ts";
@@ -77,16 +77,6 @@ export interface Note {
   readonly isMark: boolean;
 }
 
-/** The sizes of a drawing. Part space, mm. */
-export interface DrawnSizes {
-  readonly across: readonly Across[];
-  readonly positions: readonly Position[];
-  readonly notes: readonly Note[];
-  readonly list: readonly ListedSize[];
-  /** The mark of all turned surfaces, as text; null if they have no common one. */
-  readonly general: string | null;
-}
-
 /** Nearer values are one, mm. */
 const ONE = 0.005;
 /** A size belongs to a feature whose value is this near, mm. */
@@ -123,21 +113,6 @@ function limitsOf(drawn: number, found: TolerancedSize | undefined, measured: (v
 }
 
 const spelled = ({ text, upper = "", lower = "" }: PrintSize) => [text, upper, lower].join(" ");
-
-/** Deviations of a diameter: those of a size within its stretch. */
-const sizeAcross = (
-  sizes: readonly TolerancedSize[],
-  kind: "diameter" | "bore",
-  r: number,
-  stretch: { left: number; right: number },
-) =>
-  sizes.find(
-    (s) =>
-      s.kind === kind &&
-      s.at >= stretch.left - ONE &&
-      s.at <= stretch.right + ONE &&
-      Math.abs(s.nominal - toDiameter(at(0, r).r)) < BELONGS,
-  );
 
 const isPlain = ({ limits: [least, most] }: Sized) => least === most;
 
@@ -270,25 +245,25 @@ export function makerSizes(
   work: PrintedPart,
   words: PrintWords,
   { from, isBroken }: { readonly from: number; readonly isBroken: boolean },
-): DrawnSizes {
+) {
   const [outer, inner] = [printFeatures(work.outside), printFeatures(work.bore)];
   const turned = diametersOf([...found(outer, false), ...found(inner, true)], ({ r, left, right, follows, isBore }) => {
-    const own = sizeAcross(work.sizes, isBore ? "bore" : "diameter", r, { left, right });
+    const kind = isBore ? "bore" : "diameter",
+      isOn = (s: TolerancedSize) => s.kind === kind && s.at >= left - ONE && s.at <= right + ONE;
+    const own = work.sizes.find((s) => isOn(s) && Math.abs(s.nominal - toDiameter(at(0, r).r)) < BELONGS);
     if (follows && !own) return null;
     return {
       size: toleranced(words.diameter(own ? diameter(own.nominal) : toDiameter(at(0, r).r)), own, words),
       limits: limitsOf(r, own, (value) => toRadius(diameter(value))),
     };
   });
-  const blank = boundsOf(work.blank.flat());
+  const blank = boxAround([...work.blank]);
   const across = [
     ...turned,
-    ...(blank
-      ? acrossBlank(blank, turned, words, (isBore) => [
-          from,
-          Math.min(blank.right, ...(isBore ? work.bore : work.outside).flatMap((s) => [s.from.z, s.to.z])),
-        ])
-      : []),
+    ...acrossBlank(blank, turned, words, (isBore) => [
+      from,
+      Math.min(blank.right, ...(isBore ? work.bore : work.outside).flatMap((s) => [s.from.z, s.to.z])),
+    ]),
   ];
   const end = spanAt(work.rings, from + BESIDE);
   const positions = withEnds(
@@ -355,7 +330,7 @@ export function makerSizes(
 }
 
 /** Nearer along the axis is one place, mm. */
-const ONE_PLACE = 0.05;
+export const ONE_PLACE = 0.05;
 
 /** The main sizes of what a set-up turns, as coordinates from its zero, and those of its blank in brackets. */
 export function setterSizes(
@@ -363,32 +338,27 @@ export function setterSizes(
   finished: readonly Ring[],
   blank: readonly Ring[],
   words: SetUpWords,
-): DrawnSizes {
+) {
   const { cylinders, positions } = featuresOnPart(contours, finished, blank);
   const turned = diametersOf(cylinders, ({ r, isBore }) => {
     const thread = cylinders.findLast((c) => c.isBore === isBore && Math.abs(c.r - r) < ONE && c.thread)?.thread;
     const text = words.diameter(toDiameter(at(0, r).r));
     return { size: { text: thread ? words.thread(text, thread.lead, thread.starts) : text }, limits: [r, r] };
   });
-  const material = boundsOf(blank.flat());
-  const along = withEnds(
-    positionsOf(positions, (z) => ({ size: { text: words.position(z) }, limits: [z, z] })),
-    material ? [at(material.left, material.high), at(material.right, material.high)] : [],
-    words.position,
-  );
-  const zero: Position = { from: at(0, 0), extent: Infinity, size: { text: words.position(0) }, limits: [0, 0] };
+  const material = boxAround([...blank]);
+  const ends = blank.length > 0 ? [at(material.left, material.high), at(material.right, material.high)] : [];
+  const sized = (z: number): Sized => ({ size: { text: words.position(z) }, limits: [z, z] });
+  const along = withEnds(positionsOf(positions, sized), ends, words.position);
+  const zero = { from: at(0, 0), extent: Infinity, ...sized(0) };
   // Of two places that cannot be told apart, as of a slope, the first is shown.
   const outermost = (a: Pt, b: Pt) => b.z + b.r - a.z - a.r;
   return {
     across: [
       ...turned.toSorted((a, b) => outermost(at(a.right, a.r), at(b.right, b.r))),
-      ...(material ? acrossBlank(material, turned, words, () => [material.left, material.right]) : []),
+      ...acrossBlank(material, turned, words, () => [material.left, material.right]),
     ],
     positions: (along.some(({ from: { z } }) => Math.abs(z) < ONE_PLACE) ? along : [zero, ...along]).toSorted((a, b) =>
       outermost(a.from, b.from),
     ),
-    notes: [],
-    list: [],
-    general: null,
   };
 }

@@ -10,7 +10,7 @@ import { clampingNear } from "./clamping-on-paper.ts";
 import type { TurnedContour } from "./found-features.ts";
 import type { PrintShape } from "./paper.ts";
 import type { DrawnContent, PaperScene } from "./part-drawing.ts";
-import { setterSizes, type SetUpWords } from "./print-sizes.ts";
+import { ONE_PLACE, setterSizes, type SetUpWords } from "./print-sizes.ts";
 
 /** A set-up to draw. Part space, mm. */
 export interface DrawnSetUp {
@@ -28,8 +28,6 @@ export interface DrawnSetUp {
 const ZERO = 1.6;
 /** Arcs stay this near to their circle, mm on paper. */
 const CHORD_ON_PAPER = 0.05;
-/** Nearer along the axis is one place, mm. */
-const ONE_PLACE = 0.05;
 
 /** The sign of the workpiece zero: a circle, two opposite quarters of it filled. */
 function zeroSign({ x, y }: Place): readonly PrintShape[] {
@@ -103,6 +101,5 @@ export function forSetter(work: DrawnSetUp, words: SetUpWords): DrawnContent | n
       : [],
     zero: { below: at(0, 0), above: material ? at(material.left, material.high) : at(0, 0) },
     ...(work.measured && { measured: work.measured }),
-    sizes,
   };
 }

@@ -1,4 +1,4 @@
-import { useId } from "react";
+import { useId, type CSSProperties } from "react";
 import { FIGURES, NEXT, nominalWidth, SMALL, STACKED, widthOf, type PrintText } from "../../../view/drawing/paper.ts";
 import type { PartDrawing } from "../../../view/drawing/part-drawing.ts";
 import "./paper-drawing.css";
@@ -45,14 +45,24 @@ export function PaperShapes({ shapes }: Pick<PartDrawing, "shapes">) {
   );
 }
 
-/** A drawing with its figures, black on white when printed. */
-export function PaperDrawing({ shapes, texts }: Pick<PartDrawing, "shapes" | "texts">) {
+/** The picture of a drawing with its figures; `list`: id of an element with its sizes as a list. */
+export function PaperDrawing({
+  drawing: { width, height, shapes, texts },
+  name,
+  list,
+  style,
+}: {
+  readonly drawing: PartDrawing;
+  readonly name: string;
+  readonly list?: string;
+  readonly style?: CSSProperties;
+}) {
   return (
-    <>
+    <svg role="img" aria-label={name} aria-describedby={list} viewBox={`0 0 ${width} ${height}`} style={style}>
       <PaperShapes shapes={shapes} />
       {texts.map((text, i) => (
         <Written key={i} text={text} />
       ))}
-    </>
+    </svg>
   );
 }

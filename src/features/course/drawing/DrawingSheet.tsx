@@ -11,7 +11,7 @@ import { useSize } from "../../../app/pictures/help/use-size.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { ModalDialog } from "../../../app/base/ModalDialog.tsx";
-import { DrawnPrint } from "./DrawnPrint.tsx";
+import { PaperDrawing } from "../../../app/pictures/paper/PaperDrawing.tsx";
 import { SizeList } from "./SizeList.tsx";
 import { sheetTitleOf, type Titled } from "./title-words.ts";
 import { TitleBlock } from "./TitleBlock.tsx";
@@ -108,8 +108,8 @@ export function DrawingSheet({ titled, drawn, words, t, stem, onClose }: Props) 
           style={{ "--mm": `${zoom.scale / 16}rem`, width: mm(width), height: mm(height) } as CSSProperties}
         >
           <div className="drawing-field">
-            <DrawnPrint
-              print={print}
+            <PaperDrawing
+              drawing={print}
               name={name}
               list={list}
               style={{ width: mm(print.width), height: mm(print.height) }}

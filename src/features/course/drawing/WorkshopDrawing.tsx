@@ -9,7 +9,7 @@ import { useSize } from "../../../app/pictures/help/use-size.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { inScreenLanguage } from "../../../course/words.ts";
 import { DrawingSheet } from "./DrawingSheet.tsx";
-import { DrawnPrint } from "./DrawnPrint.tsx";
+import { PaperDrawing } from "../../../app/pictures/paper/PaperDrawing.tsx";
 import { printWords } from "./print-words.ts";
 import { SizeList } from "./SizeList.tsx";
 import { TitleBlock } from "./TitleBlock.tsx";
@@ -65,8 +65,8 @@ export function WorkshopDrawing({ task, language }: { readonly task: DrawableTas
         tabIndex={print.width > width ? 0 : -1}
         onClick={() => setLarge(true)}
       >
-        <DrawnPrint
-          print={print}
+        <PaperDrawing
+          drawing={print}
           name={t.drawingOf(name)}
           list={list}
           style={{ width: `${(print.width / width) * 100}%` }}
