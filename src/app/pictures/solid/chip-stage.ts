@@ -1,9 +1,8 @@
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, Group, Mesh as Triangles, MeshBasicMaterial } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
-import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
-import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import { sameChip, type Chip } from "../../../sim/chip/chip.ts";
 import { chipInSpace } from "../../../view/solid/chip.ts";
+import { piecesGeometry, wideLines } from "./lines.ts";
 
 /** Share of accent in the chip's colour, as in the section; width of the cutting edge, pixels. */
 const ACCENT = 0.38;
@@ -43,9 +42,7 @@ export function createChipStage(): ChipStage {
       filled.setIndex(new BufferAttribute(index, 1));
       group.add(new Triangles(filled, area));
       if (contact.length === 0) return;
-      const line = new LineSegments2(new LineSegmentsGeometry().setPositions(contact), edge);
-      line.frustumCulled = false;
-      group.add(line);
+      group.add(wideLines(piecesGeometry(contact), edge));
     },
     setColours(accent, surface) {
       edge.color.set(accent);

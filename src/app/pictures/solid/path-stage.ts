@@ -1,9 +1,8 @@
-import { DoubleSide, Group, InstancedInterleavedBuffer, InterleavedBufferAttribute, LessDepth } from "three";
+import { BufferGeometry, DoubleSide, Group, LessDepth } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
-import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
-import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import type { PathRole } from "../../../view/scene.ts";
 import { piecesFrom, thinned, type SpaceLines } from "../../../view/solid/path-lines.ts";
+import { PIECE, piecesGeometry, wideLines } from "./lines.ts";
 
 /** Meaning of lines: a line style of the path, or a tone of the colour map; null without a value. */
 export type LineLook = { readonly role: PathRole } | { readonly tone: number | null };
@@ -77,33 +76,21 @@ function colourOf(look: LineLook, colours: LineColours): string {
   return look.tone === null ? colours.untold : colours[`tone${look.tone}` as keyof LineColours];
 }
 
-/** Pieces with their distances along the path at both ends, mm, for dashes. */
-function geometryOf({ places }: SpaceLines): LineSegmentsGeometry {
-  const geometry = new LineSegmentsGeometry(),
-    along = new Float32Array(places.length / 3);
-  geometry.setPositions(places);
-  for (let i = 0, p = 0, far = 0; i < along.length; i += 2, p += 6) {
-    along[i] = far;
-    far += Math.hypot((places[p + 3] ?? 0) - (places[p] ?? 0), (places[p + 5] ?? 0) - (places[p + 2] ?? 0));
-    along[i + 1] = far;
-  }
-  const buffer = new InstancedInterleavedBuffer(along, 2, 1);
-  geometry.setAttribute("instanceDistanceStart", new InterleavedBufferAttribute(buffer, 1, 0));
-  geometry.setAttribute("instanceDistanceEnd", new InterleavedBufferAttribute(buffer, 1, 1));
-  return geometry;
-}
-
 /** The same pieces with a draw count of their own. */
-function sharing(geometry: LineSegmentsGeometry): LineSegmentsGeometry {
-  const other = new LineSegmentsGeometry();
+function sharing(geometry: BufferGeometry): BufferGeometry {
+  const other = new BufferGeometry();
   for (const [name, attribute] of Object.entries(geometry.attributes)) other.setAttribute(name, attribute);
-  return other;
+  return other.setIndex(geometry.index);
 }
 
 /** The lines of the work. Of two overlapping ones the first is visible, and none is blended twice. */
 export function createPathStage(): PathStage {
   const group = new Group();
-  let drawn: readonly { readonly line: LineSegments2; readonly of: StageLines; readonly fades: boolean }[] = [];
+  let drawn: readonly {
+    readonly line: ReturnType<typeof wideLines>;
+    readonly of: StageLines;
+    readonly fades: boolean;
+  }[] = [];
   let [colours, pixel, step]: [LineColours | null, number, number] = [null, 1, 0];
   let whole: readonly StageLines[] = [];
 
@@ -115,7 +102,7 @@ export function createPathStage(): PathStage {
     }
     drawn = [];
   };
-  const put = (of: StageLines, geometry: LineSegmentsGeometry, opacity: number, fades: boolean) => {
+  const put = (of: StageLines, geometry: BufferGeometry, opacity: number, fades: boolean) => {
     const { wide, dash } = formOf(of.look);
     // With X downwards the world is mirrored, and a line would show its back.
     const material = new LineMaterial({
@@ -127,8 +114,7 @@ export function createPathStage(): PathStage {
       side: DoubleSide,
     });
     if (dash) [material.dashSize, material.gapSize] = dash;
-    const line = new LineSegments2(geometry, material);
-    line.frustumCulled = false;
+    const line = wideLines(geometry, material);
     line.renderOrder = group.children.length;
     group.add(line);
     return { line, of, fades };
@@ -141,7 +127,7 @@ export function createPathStage(): PathStage {
     } of drawn) {
       if (colours) material.color.set(colourOf(of.look, colours));
       material.dashScale = 1 / pixel;
-      if (fades) geometry.instanceCount = piecesFrom(of, step);
+      if (fades) geometry.setDrawRange(0, PIECE * piecesFrom(of, step));
     }
   };
 
@@ -151,13 +137,12 @@ export function createPathStage(): PathStage {
     const lines = isMany() ? whole.map((each) => ({ ...each, ...thinned(each, fineness(pixel)) })) : whole;
     const told = lines.filter(({ look: l }) => "tone" in l).reverse(),
       path = lines.filter(({ look: l }) => "role" in l);
-    const first = told.map((each) => put(each, geometryOf(each), STRENGTH.told, false));
-    const made = path.map(geometryOf),
-      all = (each: StageLines, i: number) => made[i] ?? geometryOf(each);
+    const first = told.map((each) => put(each, piecesGeometry(each.places), STRENGTH.told, false));
+    const made = path.map((of) => ({ of, geometry: piecesGeometry(of.places) }));
     const coming =
-      told.length > 0 ? [] : path.map((each, i) => put(each, sharing(all(each, i)), STRENGTH.coming, true));
-    const rest = path.map((each, i) =>
-      put(each, all(each, i), told.length > 0 ? STRENGTH.under : STRENGTH.done, false),
+      told.length > 0 ? [] : made.map(({ of, geometry }) => put(of, sharing(geometry), STRENGTH.coming, true));
+    const rest = made.map(({ of, geometry }) =>
+      put(of, geometry, told.length > 0 ? STRENGTH.under : STRENGTH.done, false),
     );
     drawn = [...first, ...coming, ...rest];
     look();
@@ -171,7 +156,7 @@ export function createPathStage(): PathStage {
     },
     runs(now) {
       step = now;
-      for (const { line, of, fades } of drawn) if (fades) line.geometry.instanceCount = piecesFrom(of, step);
+      for (const { line, of, fades } of drawn) if (fades) line.geometry.setDrawRange(0, PIECE * piecesFrom(of, step));
     },
     setColours(next) {
       colours = next;

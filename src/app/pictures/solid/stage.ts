@@ -1,14 +1,11 @@
 import {
-  AmbientLight,
   BufferAttribute,
   BufferGeometry,
   Color,
-  DirectionalLight,
   Group,
   LineBasicMaterial,
   LineSegments,
   Mesh as Triangles,
-  MeshPhongMaterial,
   PerspectiveCamera,
   Scene as Space,
   Sphere,
@@ -22,11 +19,11 @@ import type { Mesh } from "../../../view/solid/mesh.ts";
 import { eyeOf, FIELD, pixelAt, type Orbit } from "../../../view/solid/orbit.ts";
 import type { MomentBody } from "../../../view/solid/moment.ts";
 import { createChipStage } from "./chip-stage.ts";
-import { finishedSteel, LOOKS_ATTRIBUTE } from "./finish-material.ts";
 import { createPathStage, LINE_COLOURS, type StageLines } from "./path-stage.ts";
 import { hatched } from "./section-material.ts";
 import { createSmoothEdges } from "./smooth-edges.ts";
-import { chuckTones, LIGHT } from "./tone.ts";
+import { LOOKS_ATTRIBUTE, surface } from "./surface-material.ts";
+import { chuckTones } from "./tone.ts";
 
 /** Colours of the page, by the custom properties that hold them. */
 export const STAGE_COLOURS = {
@@ -95,10 +92,6 @@ function geometryOf({ positions, normals, index, looks }: Mesh): BufferGeometry 
   return geometry;
 }
 
-/** A surface slightly behind the lines on it. */
-const shaded = (shininess: number, specular: number) =>
-  new MeshPhongMaterial({ shininess, specular, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
-
 const EVERYWHERE = new Sphere();
 
 const drawnLine = (opacity: number) => new LineBasicMaterial({ transparent: true, opacity });
@@ -119,10 +112,6 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
   const smoothly = createSmoothEdges(renderer);
   const space = new Space(),
     camera = new PerspectiveCamera((FIELD * 180) / Math.PI, 1, 1, 1000);
-  const key = new DirectionalLight(0xffffff, LIGHT.key);
-  key.position.set(...LIGHT.from);
-  // The light and its target move with the eye; otherwise it would aim at the workpiece from the eye itself.
-  camera.add(key, key.target);
   camera.up.set(1, 0, 0);
   const world = new Group(),
     work = new Group(),
@@ -131,17 +120,16 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
   const path = createPathStage(),
     chip = createChipStage();
   world.add(work, chuck, tool, chip.group, path.group);
-  space.add(world, camera, new AmbientLight(0xffffff, LIGHT.around));
+  space.add(world);
 
-  const steel = finishedSteel();
   const surfaces = {
-    steel: steel.material,
-    residual: shaded(8, 0x111111),
-    gouge: shaded(8, 0x111111),
-    chuck: shaded(12, 0x111111),
-    jaw: shaded(12, 0x111111),
-    insert: shaded(30, 0x222222),
-    holder: shaded(16, 0x1a1a1a),
+    steel: surface(28, 0x2a2a2a),
+    residual: surface(8, 0x111111),
+    gouge: surface(8, 0x111111),
+    chuck: surface(12, 0x111111),
+    jaw: surface(12, 0x111111),
+    insert: surface(30, 0x222222),
+    holder: surface(16, 0x1a1a1a),
   };
   const sections = { steel: hatched(-1, 1), residual: hatched(1, 1), gouge: hatched(-1, 1) };
   const lines = { work: drawnLine(0.55), parts: drawnLine(0.4) };
@@ -165,7 +153,7 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
   const setParts = (group: Group, parts: readonly DrawnPart[]) => {
     clear(group);
     for (const { role, mesh, edges } of parts) {
-      add(group, mesh, surfaces[role]);
+      add(group, mesh, surfaces[role].material);
       addLines(group, edges, lines.parts);
     }
   };
@@ -188,7 +176,7 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
     },
     setColours(c) {
       const tones = [c.tone0, c.tone1, c.tone2, c.tone3, c.tone4, c.tone5, c.tone6];
-      steel.colours({ steel: c.turned, dark: c.steelDark, light: c.steelLight, line: c.line, tones });
+      surfaces.steel.setSteel({ steel: c.turned, dark: c.steelDark, light: c.steelLight, line: c.line, tones });
       surfaces.residual.color.set(c.residual);
       surfaces.gouge.color.set(c.danger);
       const { chuck: body, jaw } = chuckTones(c);
@@ -206,7 +194,7 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
     setBodies(bodies) {
       clear(work);
       for (const { role, solid } of bodies) {
-        add(work, solid.surface, surfaces[role]);
+        add(work, solid.surface, surfaces[role].material);
         add(work, solid.section, sections[role].material);
         addLines(work, solid.edges, lines.work);
       }
@@ -241,8 +229,8 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
       for (const group of [work, chuck, tool]) clear(group);
       path.dispose();
       chip.dispose();
-      for (const each of [...Object.values(surfaces), ...Object.values(lines)]) each.dispose();
-      for (const { material } of Object.values(sections)) material.dispose();
+      for (const each of Object.values(lines)) each.dispose();
+      for (const { material } of [...Object.values(surfaces), ...Object.values(sections)]) material.dispose();
       smoothly.dispose();
       renderer.dispose();
       // A browser has few contexts and drops the oldest for a new one, so an unused one is released at once.

@@ -2,7 +2,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { Color } from "three";
 import { describe, expect, test } from "vitest";
-import { groundOf } from "./finish-material.ts";
+import { groundOf } from "./surface-material.ts";
 import { chuckTones, LIGHT, toned } from "./tone.ts";
 
 const sheet = readFileSync(join("src", "app", "base", "styles", "tokens.css"), "utf8");
@@ -16,9 +16,9 @@ function tokensOf(theme: "light" | "dark"): (name: string) => string {
 const [x, y, z] = LIGHT.from;
 /** Light from a surface of colour 1 that faces the eye, faces the light, or is turned away from it. */
 const SEEN = {
-  eye: (LIGHT.around + (LIGHT.key * z) / Math.hypot(x, y, z)) / Math.PI,
-  light: (LIGHT.around + LIGHT.key) / Math.PI,
-  away: LIGHT.around / Math.PI,
+  eye: LIGHT.around + (LIGHT.key * z) / Math.hypot(x, y, z),
+  light: LIGHT.around + LIGHT.key,
+  away: LIGHT.around,
 } as const;
 
 const luminance = ({ r, g, b }: Color) => 0.2126 * r + 0.7152 * g + 0.0722 * b;

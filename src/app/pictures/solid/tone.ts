@@ -4,24 +4,24 @@ import { Color } from "three";
  * One light over the operator's left shoulder (along these axes of the eye: right, up, towards it), and ambient light:
  * a face square to the eye has about its colour, one square to the light is a quarter brighter.
  */
-export const LIGHT = { from: [-0.15, 0.5, 1], key: 0.69 * Math.PI, around: 0.56 * Math.PI } as const;
+export const LIGHT = { from: [-0.15, 0.5, 1], key: 0.69, around: 0.56 } as const;
 
 /**
- * Most light (linear, 1 is white) that steel sends to the eye, and the level from which it approaches that ever more
+ * Most light (linear, 1 is white) that a surface sends to the eye, and the level from which it approaches that ever more
  * slowly.
  */
 const TONE = { knee: 0.6, most: 0.82 } as const;
 const SPAN = TONE.most - TONE.knee;
 
-/** The displayed light for the light of steel: never as bright as a white page. Linear, 1 is white. */
+/** The displayed light for the light of a surface: never as bright as a white page. Linear, 1 is white. */
 export const toned = (light: number): number =>
   light <= TONE.knee ? light : TONE.knee + SPAN * (1 - Math.exp((TONE.knee - light) / SPAN));
 
 /** The same as a shader: tones the brightest channel and keeps the hue. */
 export const TONED = `
-  float brightest = max(outgoingLight.r, max(outgoingLight.g, outgoingLight.b));
+  float brightest = max(light.r, max(light.g, light.b));
   if (brightest > ${TONE.knee.toFixed(3)}) {
-    outgoingLight *= (${TONE.knee.toFixed(3)} + ${SPAN.toFixed(3)} * (1.0 - exp((${TONE.knee.toFixed(3)} - brightest) / ${SPAN.toFixed(
+    light *= (${TONE.knee.toFixed(3)} + ${SPAN.toFixed(3)} * (1.0 - exp((${TONE.knee.toFixed(3)} - brightest) / ${SPAN.toFixed(
       3,
     )}))) / brightest;
   }`;
