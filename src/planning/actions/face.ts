@@ -79,7 +79,7 @@ export const face: ActionSource = {
       ...(roughness !== undefined && { roughness }),
     } as const;
     // A tool that goes on with roughing saves a change.
-    const goesOn = new Set(roughOutside.actions(state, request).flatMap((a) => (a.inOneCall ? [] : [a.tool.T])));
+    const goesOn = new Set(roughOutside.actions(state, request).map(({ tool }) => tool.T));
     const actions = cyclesFor(wanted)
       .filter((c) => worksAcross(c) && useOf(c).shapes.includes("step") && !request.withoutCycles.includes(c.number))
       .flatMap((cycle) => {

@@ -1,7 +1,8 @@
 import { worksAcross } from "../../cycles/use.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
 import { withValue } from "../../program/job/requested-job.ts";
-import type { Action, ActionKind, ActionSource, PlanRequest } from "../types.ts";
+import { perObject } from "../per-object.ts";
+import type { Action, ActionKind, ActionSource, Chain, PlanRequest } from "../types.ts";
 import { bestWays, notDone, toolsOf, type Candidate } from "./candidates.ts";
 import { contourJob, type Way } from "./contour-job.ts";
 import { isInGroove, outsideWork, type Piece } from "./outside-work.ts";
@@ -30,6 +31,14 @@ export const restRough: ActionSource = {
   },
 };
 
+/** A section over its grooves, the same object for each stock. */
+const overGrooves = perObject((section: Chain) =>
+  bridgedOver(
+    section,
+    pocketsOf(section, "r").filter((pocket) => !isValley(pocket)),
+  ),
+);
+
 /** Turns the section of a piece over its grooves, from its front and from its rear. */
 export function sectionWorks(
   { section, box }: Piece,
@@ -37,10 +46,7 @@ export function sectionWorks(
   operation: "rough" | "finish",
   { stock, request }: { readonly stock: readonly Ring[]; readonly request: PlanRequest },
 ): readonly Action[] {
-  const { segments } = bridgedOver(
-    section,
-    pocketsOf(section, "r").filter((pocket) => !isValley(pocket)),
-  );
+  const { segments } = overGrooves(section);
   const tools = toolsOf(request).filter(({ TYPE }) => TYPE === "ROUGH" || TYPE === "FINISH" || TYPE === "BUTTON");
   const roughness = finestOf(section);
   const candidates = turningCycles(segments, request)

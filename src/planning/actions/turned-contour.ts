@@ -9,15 +9,18 @@ import { boxAroundContour } from "../../program/job/requested-shape.ts";
 import { cyclesFor } from "../../report/which/ways.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import type { Chain, PlanRequest } from "../types.ts";
+import { perObject, perText } from "../per-object.ts";
 import type { OutsideWork, Piece } from "./outside-work.ts";
 import { bridgedOver, isValley, type Pocket } from "./pockets.ts";
 import { workOf, type CutRequest } from "./values-of-job.ts";
 
 /** A chain without the faces in front of it, which facing takes. */
-export function withoutFront({ segments, marks }: Chain): Chain {
+export const withoutFront = perObject((chain: Chain): Chain => {
+  const { segments, marks } = chain;
   const first = segments.findIndex((s) => Math.abs(s.to.z - s.from.z) > SAME);
+  if (first === 0) return chain;
   return first < 0 ? { segments: [], marks: [] } : { segments: segments.slice(first), marks: marks.slice(first) };
-}
+});
 
 /** Turning cycles for a section of the contour that are not excluded. `allowance`: of stock along the contour, mm. */
 export function turningCycles(
@@ -84,19 +87,14 @@ const suits = (plan: Plan, tool: Tool, pocket: Pocket): boolean =>
 const unsuited = (plan: Plan, tool: Tool, pockets: readonly Pocket[]): readonly Pocket[] =>
   pockets.flatMap((pocket) => (suits(plan, tool, pocket) ? unsuited(plan, tool, pocket.inner) : [pocket]));
 
-/** The chain of a work over some of its pockets, the same object each time. */
-function bridgedIn(work: OutsideWork, pockets: readonly Pocket[], isAcross: boolean): Chain {
-  const known = bridgedWorks.get(work) ?? new Map<string, Chain>();
-  bridgedWorks.set(work, known);
-  const places = pockets.map(({ axis, first, last, level }) => [axis, first, last, level].join(" "));
-  const name = [isAcross, ...places].join();
-  const bridged = () => bridgedOver(work.chain, pockets);
-  const chain = known.get(name) ?? (isAcross ? bridged() : withoutFront(bridged()));
-  known.set(name, chain);
-  return chain;
-}
+const bridgedChains = perObject((_: Chain) => perText<Chain>());
 
-const bridgedWorks = new WeakMap<OutsideWork, Map<string, Chain>>();
+/** The chain of a work over some of its pockets, the same object for each stock. */
+export function bridgedIn({ chain }: OutsideWork, pockets: readonly Pocket[], isAcross: boolean): Chain {
+  const places = pockets.map(({ axis, first, last, level }) => [axis, first, last, level].join(" "));
+  const bridged = bridgedChains(chain)(places.join(), () => bridgedOver(chain, pockets));
+  return isAcross ? bridged : withoutFront(bridged);
+}
 
 /**
  * The chain as a tool turns it: without grooves across its way, those with nothing left in them, and those that it does
