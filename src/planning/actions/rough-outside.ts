@@ -5,13 +5,13 @@ import type { Ring } from "../../kernel/geometry/point.ts";
 import { withCycleValues } from "../../program/job/requested-job.ts";
 import { perObject } from "../per-object.ts";
 import type { Action, ActionSource, Chain, PlanRequest } from "../types.ts";
-import { actionOf, actionsOf, fitted, notDone, toolsOf, deepest } from "./candidates.ts";
+import { actionsOf, notDone, toolsOf } from "./candidates.ts";
 import { isToleranced } from "./finest.ts";
 import { finishings } from "./finish-outside.ts";
 import { contourJob } from "./contour-job.ts";
 import { outsideWork, workUpTo, type OutsideWork, type Piece } from "./outside-work.ts";
 import { allowanceAlong } from "./near-net.ts";
-import { bridgedIn, cutOf, turnedChain, turningCycles } from "./turned-contour.ts";
+import { bridgedIn, cutOf, turningCycles, turnings } from "./turned-contour.ts";
 
 /** Inserts that rough; the price of the weaker ones is for the search. */
 const TYPES: readonly Tool["TYPE"][] = ["ROUGH", "FINISH"];
@@ -61,6 +61,8 @@ interface Around {
 /** Whether the passes of a cycle follow the contour of a casting or a forging. */
 const followsBlank = (cycle: Cycle): boolean => useOf(cycle).preTurned === true;
 
+const NO_CHAIN: Chain = { segments: [], marks: [] };
+
 /** Tools of each way to rough. */
 const MOST = 2;
 
@@ -82,22 +84,19 @@ function roughings(work: OutsideWork, piece: Piece, { stock, tools, request }: A
     const outline = across ? whole : plain;
     const over = actionsOf({ ...candidate, job: jobOf(outline, 0) }, tools, MOST, request);
     if (!work.pockets.some(({ axis }) => (axis === "z") === across)) return over;
-    const into = tools.flatMap((tool) => {
-      const chain = turnedChain(
-        work,
-        tool,
-        (segments) => fitted({ cycle, cut, job: jobOf({ segments, marks: [] }, 1) }, tool, request)?.plan ?? null,
-        across,
-      );
-      if (chain.segments.length === outline.segments.length) return [];
-      const fit = fitted({ cycle, cut, job: jobOf(chain, 1) }, tool, request);
-      return fit ? { ...fit, goesInto: chain.segments.length } : [];
-    });
-    const made = deepest(into, MOST, request).map(({ tool, job, values }) =>
-      actionOf({ ...candidate, variant: "in" }, tool, job, values),
+    const into = turnings(
+      work,
+      {
+        candidate: { ...candidate, variant: "in" },
+        tools,
+        most: MOST,
+        cutChain: (chain) => (chain.segments.length === outline.segments.length ? NO_CHAIN : chain),
+        jobOf: (chain) => jobOf(chain, 1),
+      },
+      request,
     );
     // Going over its grooves first is no gain for a tool that goes into them.
-    const alone = over.filter(({ tool }) => !made.some((inside) => inside.tool.T === tool.T));
-    return [...(alone.length > 0 ? alone : over.slice(0, 1)), ...made];
+    const alone = over.filter(({ tool }) => !into.some((inside) => inside.tool.T === tool.T));
+    return [...(alone.length > 0 ? alone : over.slice(0, 1)), ...into];
   });
 }

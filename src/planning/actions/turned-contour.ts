@@ -1,18 +1,24 @@
 import type { Cycle } from "../../cycles/define.ts";
+import { worksAcross } from "../../cycles/use.ts";
 import type { ShapeRequest } from "../../cycles/shape-request.ts";
 import type { Plan } from "../../kernel/plan/plan.ts";
 import { part, type Segment } from "../../kernel/geometry/point.ts";
 import { CHORD, SAME } from "../../kernel/tolerance.ts";
 import { toDiameter, radius } from "../../kernel/units.ts";
 import { tipOffset } from "../../kernel/cutter/insert.ts";
+import type { SetJob } from "../../program/job/job.ts";
+import { withCycleValues } from "../../program/job/requested-job.ts";
 import { boxAroundContour } from "../../program/job/requested-shape.ts";
+import { fitOf, type ToolFit } from "../../program/tools/which-tool.ts";
 import { cyclesFor } from "../../report/which/ways.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
-import type { Chain, PlanRequest } from "../types.ts";
+import type { Action, Chain, PlanRequest } from "../types.ts";
+import { actionOf, deepest, fitted, isRefused, type Better, type Candidate, type Fitted } from "./candidates.ts";
+import { contourJob, planOf } from "./contour-job.ts";
 import { perObject, perText } from "../per-object.ts";
 import type { OutsideWork, Piece } from "./outside-work.ts";
 import { bridgedOver, isValley, type Pocket } from "./pockets.ts";
-import { workOf, type CutRequest } from "./values-of-job.ts";
+import { OPERATION, workOf, type CutRequest } from "./values-of-job.ts";
 
 /** A chain without the faces in front of it, which facing takes. */
 export const withoutFront = perObject((chain: Chain): Chain => {
@@ -96,26 +102,79 @@ export function bridgedIn({ chain }: OutsideWork, pockets: readonly Pocket[], is
   return isAcross ? bridged : withoutFront(bridged);
 }
 
+/** A tool with the path that it can follow along a contour. */
+interface Reach extends ToolFit {
+  readonly plan: Plan;
+}
+
+/** Finishing passes along sections that go into every hollow, by the cycle. */
+const passesOf = perObject((_: readonly Segment[]) => perText<SetJob>());
+
+/**
+ * How far a tool follows a contour with a cycle: that is the same in each stock and with all cutting values, so that it is
+ * asked for in front of the blank. Null where it makes no cut.
+ */
+function reachAlong(cycle: Cycle, { segments }: Chain, tool: Tool, request: PlanRequest): Reach | null {
+  const job = passesOf(segments)(String(cycle.number), () =>
+    withCycleValues(contourJob(cycle, { segments, way: "ahead", stock: request.blank }), [
+      ["Q215", OPERATION.finish],
+      ["Q487", 1],
+    ]),
+  );
+  const plan = planOf(cycle, job, tool, request.shop.memory);
+  if (!plan || isRefused(plan)) return null;
+  const fit = fitOf(tool, plan);
+  return fit.cuts ? { ...fit, plan } : null;
+}
+
 /**
  * The chain as a tool turns it: without grooves across its way, those with nothing left in them, and those that it does
  * not reach. A cycle along the axis goes into the cylinders, one across it into the faces.
  */
-export function turnedChain(
-  work: OutsideWork,
-  tool: Tool,
-  planWith: (segments: readonly Segment[]) => Plan | null,
-  isAcross = false,
-): Chain {
+function turnedChain(work: OutsideWork, cycle: Cycle, tool: Tool, request: PlanRequest): Chain {
   const { pockets, pieces } = work;
+  const isAcross = worksAcross(cycle);
   const own = pockets.filter(({ axis }) => (axis === "z") === isAcross);
   const done = own.filter(({ first, last }) => !pieces.some(({ borders: [a, b] }) => a < last && b > first));
   const closed = [...pockets.filter((pocket) => !own.includes(pocket)), ...done];
   const plain = bridgedIn(work, closed, isAcross);
   const open = own.filter((pocket) => !done.includes(pocket));
   if (open.length === 0) return plain;
-  const plan = planWith(plain.segments);
-  const skipped = plan ? unsuited(plan, tool, open) : open;
+  const reach = reachAlong(cycle, plain, tool, request);
+  const skipped = reach ? unsuited(reach.plan, tool, open) : open;
   return skipped.length === 0 ? plain : bridgedIn(work, [...closed, ...skipped], isAcross);
+}
+
+/** A way to turn the chain of a work with a cycle. */
+export interface TurnedWay {
+  readonly candidate: Omit<Candidate, "job">;
+  readonly tools: readonly Tool[];
+  /** Most tools. */
+  readonly most: number;
+  readonly better?: Better;
+  /** What of the chain as a tool turns it is cut; no element: nothing. */
+  readonly cutChain: (chain: Chain) => Chain;
+  readonly jobOf: (chain: Chain) => SetJob;
+  readonly isWanted?: (fit: Fitted) => boolean;
+}
+
+/** The actions of a way with the tools that go into most of the grooves. */
+export function turnings(
+  work: OutsideWork,
+  { candidate, tools, most, better, cutChain, jobOf, isWanted = () => true }: TurnedWay,
+  request: PlanRequest,
+): readonly Action[] {
+  const { cycle, cut } = candidate;
+  const fits = tools.flatMap((tool) => {
+    const chain = cutChain(turnedChain(work, cycle, tool, request));
+    const reach = chain.segments.length > 0 ? reachAlong(cycle, chain, tool, request) : null;
+    return reach ? { ...reach, chain, goesInto: chain.segments.length } : [];
+  });
+  const made = ({ tool, chain }: (typeof fits)[number]) => {
+    const fit = fitted({ cycle, job: jobOf(chain), cut }, tool, request);
+    return fit && isWanted(fit) ? actionOf(candidate, tool, fit.job, fit.values) : null;
+  };
+  return deepest(fits, most, request, made, better);
 }
 
 /** What the values of a cut of a section depend on. */

@@ -15,7 +15,7 @@ import type { HeldBar, HeldWorkpiece } from "../../report/advice/stability.ts";
 import type { CuttingValues, ValuesRequest, WantedRoughness, Work } from "../values/values-request.ts";
 
 /** Machining operation of a cycle: roughing and finishing, roughing, finishing to size. */
-const OPERATION = { both: 0, rough: 1, finish: 2 } as const;
+export const OPERATION = { both: 0, rough: 1, finish: 2 } as const;
 
 /** Grid of an infeed, mm. */
 const INFEED = 0.05;
