@@ -1,6 +1,6 @@
 import type { Cycle } from "../../cycles/define.ts";
 import type { Site } from "../../cycles/shape-request.ts";
-import { noseRadius } from "../../kernel/cutter/insert.ts";
+import { noseRadius, tipDirection } from "../../kernel/cutter/insert.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import type { Plan } from "../../kernel/plan/plan.ts";
 import type { Box } from "../../kernel/geometry/segments.ts";
@@ -10,6 +10,7 @@ import type { SetJob } from "../../program/job/job.ts";
 import { tipAtCall } from "../../program/job/requested-job.ts";
 import { checkTool } from "../../program/tools/check-tool.ts";
 import { fitOf, type ToolFit } from "../../program/tools/which-tool.ts";
+import { perObject } from "../per-object.ts";
 import type { Action, ActionKind, PlanRequest, PlanState } from "../types.ts";
 import { planOf } from "./contour-job.ts";
 import { withValues, type CutRequest } from "./values-of-job.ts";
@@ -27,8 +28,14 @@ export interface Candidate {
 }
 
 /** Tools that may be used, checked once for a table. */
-export const toolsOf = ({ shop, withoutTools }: PlanRequest): readonly Tool[] =>
-  shop.tools.filter((tool) => !withoutTools.includes(tool.T) && checkTool(tool).length === 0);
+export const toolsOf = perObject(({ shop, withoutTools }: PlanRequest): readonly Tool[] =>
+  shop.tools.filter((tool) => !withoutTools.includes(tool.T) && checkTool(tool).length === 0),
+);
+
+/** Those of them that do not point away from the axis: outside every cycle refuses the others. */
+export const outsideTools = perObject((request: PlanRequest): readonly Tool[] =>
+  toolsOf(request).filter(({ TO }) => tipDirection(TO).v <= 0),
+);
 
 /** A candidate with a tool: its job with all values, and how far the tool reaches. */
 export interface Fitted extends ToolFit {

@@ -4,7 +4,7 @@ import { part, type Ring } from "../../kernel/geometry/point.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
 import { withValue } from "../../program/job/requested-job.ts";
 import type { Action, ActionSource, PlanRequest } from "../types.ts";
-import { notDone, toolsOf } from "./candidates.ts";
+import { notDone, outsideTools } from "./candidates.ts";
 import { contourJob } from "./contour-job.ts";
 import { finestOf } from "./finest.ts";
 import { sectionWorks } from "./rest-rough.ts";
@@ -53,7 +53,7 @@ export function finishings(
   operation: "finish" | "both" = "finish",
 ): readonly Action[] {
   const inOneCall = operation === "both";
-  const tools = toolsOf(request).filter(({ TYPE }) => TYPE === "FINISH" || TYPE === "ROUGH");
+  const tools = outsideTools(request).filter(({ TYPE }) => TYPE === "FINISH" || TYPE === "ROUGH");
   const box = boxAround([part.flattenedChain(work.chain.segments, CHORD)]);
   const roughness = finestOf(work.chain);
   const hasHollow = work.pockets.some(({ axis }) => axis === "z");

@@ -186,13 +186,15 @@ function workIn(stock: readonly Ring[], request: PlanRequest, reached: PerText<R
     chain,
     pockets,
     pieces: piecesOf(inFrontOf(left, rearOfPart(request)), SLIVER, chain, [SLIVER, 0], request),
-    rough: piecesOf(difference(left, grown), THIN, chain, [over + SLIVER, IN_CORNER], request).map((piece) => ({
-      ...piece,
-      opensAhead: piece.opensAhead && standsOver(piece, chain),
-    })),
+    rough: piecesOf(difference(left, grown), THIN, chain, [over + SLIVER, IN_CORNER], request).map(inFront(chain)),
     over,
   };
 }
+
+/** Pieces of roughing as they are in front of a chain: most are the same objects in many stocks. */
+const inFront = perObject((chain: Chain) =>
+  perObject((piece: Piece): Piece => ({ ...piece, opensAhead: piece.opensAhead && standsOver(piece, chain) })),
+);
 
 /** Whether more than remains of a piece stands over all of the chain in front of it: else it lies in a valley. */
 function standsOver({ rings, box, borders: [first] }: Piece, { segments }: Chain): boolean {

@@ -6,7 +6,7 @@ import { boxAroundContour } from "../../program/job/requested-shape.ts";
 import { isUsualTool } from "../../program/tools/which-tool.ts";
 import { cyclesFor } from "../../report/which/ways.ts";
 import type { Action, ActionSource, PlanRequest } from "../types.ts";
-import { bestWays, notDone, toolsOf, type Candidate } from "./candidates.ts";
+import { bestWays, notDone, outsideTools, type Candidate } from "./candidates.ts";
 import { contourJob } from "./contour-job.ts";
 import { finestOf } from "./finest.ts";
 import { outsideWork, pocketOf, type Piece } from "./outside-work.ts";
@@ -79,6 +79,6 @@ function recesses(
     },
     box,
   }));
-  const tools = toolsOf(request).filter((tool) => candidates.some(({ cycle }) => isUsualTool(cycle.group, tool)));
+  const tools = outsideTools(request).filter((tool) => candidates.some(({ cycle }) => isUsualTool(cycle.group, tool)));
   return bestWays(candidates, tools, MOST, request);
 }

@@ -3,7 +3,7 @@ import type { Ring } from "../../kernel/geometry/point.ts";
 import { withValue } from "../../program/job/requested-job.ts";
 import { perObject } from "../per-object.ts";
 import type { Action, ActionKind, ActionSource, Chain, PlanRequest } from "../types.ts";
-import { bestWays, notDone, toolsOf, type Candidate } from "./candidates.ts";
+import { bestWays, notDone, outsideTools, type Candidate } from "./candidates.ts";
 import { contourJob, type Way } from "./contour-job.ts";
 import { isInGroove, outsideWork, type Piece } from "./outside-work.ts";
 import { bridgedOver, isValley, pocketsOf } from "./pockets.ts";
@@ -47,7 +47,7 @@ export function sectionWorks(
   { stock, request }: { readonly stock: readonly Ring[]; readonly request: PlanRequest },
 ): readonly Action[] {
   const { segments } = overGrooves(section);
-  const tools = toolsOf(request).filter(({ TYPE }) => TYPE === "ROUGH" || TYPE === "FINISH" || TYPE === "BUTTON");
+  const tools = outsideTools(request).filter(({ TYPE }) => TYPE === "ROUGH" || TYPE === "FINISH" || TYPE === "BUTTON");
   const roughness = finestOf(section);
   const candidates = turningCycles(segments, request)
     .filter((cycle) => !worksAcross(cycle))

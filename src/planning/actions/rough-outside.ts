@@ -5,7 +5,7 @@ import type { Ring } from "../../kernel/geometry/point.ts";
 import { withCycleValues } from "../../program/job/requested-job.ts";
 import { perObject } from "../per-object.ts";
 import type { Action, ActionSource, Chain, PlanRequest } from "../types.ts";
-import { actionsOf, notDone, toolsOf } from "./candidates.ts";
+import { actionsOf, notDone, outsideTools } from "./candidates.ts";
 import { isToleranced } from "./finest.ts";
 import { finishings } from "./finish-outside.ts";
 import { contourJob } from "./contour-job.ts";
@@ -20,7 +20,7 @@ const TYPES: readonly Tool["TYPE"][] = ["ROUGH", "FINISH"];
 const waysOf = perObject((request: PlanRequest) =>
   perObject((stock: readonly Ring[]) => {
     const work = outsideWork({ stock }, request);
-    const all = toolsOf(request);
+    const all = outsideTools(request);
     return TYPES.flatMap((type) => {
       const tools = all.filter(({ TYPE }) => TYPE === type);
       return openAhead(work).flatMap((piece) => roughings(workUpTo(work, piece), piece, { stock, tools, request }));
