@@ -60,7 +60,7 @@ export function finishings(
   return turningCycles(work.chain.segments, request)
     .filter((cycle) => hasHollow || !worksAcross(cycle))
     .flatMap((cycle) => {
-      const cut = cutOf(cycle, operation, { box, stock, ...(roughness !== undefined && { roughness }) });
+      const cut = cutOf(cycle.group, operation, { box, stock, ...(roughness !== undefined && { roughness }) });
       const place = { site: "outside", cycle, cut, box } as const;
       const actions = turnings(
         work,

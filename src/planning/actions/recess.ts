@@ -68,15 +68,16 @@ function recesses(
 ): readonly Action[] {
   const box = boxOf(part.flattenedChain(segments, CHORD));
   const roughness = finestOf({ marks });
+  const cut = {
+    ...cutOf("recessing", operation, { box, stock, ...(roughness !== undefined && { roughness }) }),
+    width: axis === "z" ? box.high - box.low : box.right - box.left,
+  };
   const candidates = cyclesOf(segments, axis, request).map((cycle): Candidate => ({
     kind: "recess",
     site: axis === "z" ? "face" : "outside",
     cycle,
     job: contourJob(cycle, { segments, way: "ahead", stock }),
-    cut: {
-      ...cutOf(cycle, operation, { box, stock, ...(roughness !== undefined && { roughness }) }),
-      width: axis === "z" ? box.high - box.low : box.right - box.left,
-    },
+    cut,
     box,
   }));
   const tools = outsideTools(request).filter((tool) => candidates.some(({ cycle }) => isUsualTool(cycle.group, tool)));

@@ -49,6 +49,11 @@ export function sectionWorks(
   const { segments } = overGrooves(section);
   const tools = outsideTools(request).filter(({ TYPE }) => TYPE === "ROUGH" || TYPE === "FINISH" || TYPE === "BUTTON");
   const roughness = finestOf(section);
+  const cut = cutOf("longitudinal", operation, {
+    box,
+    stock,
+    ...(roughness !== undefined && { roughness }),
+  });
   const candidates = turningCycles(segments, request)
     .filter((cycle) => !worksAcross(cycle))
     .flatMap((cycle) =>
@@ -57,7 +62,7 @@ export function sectionWorks(
         site: "outside",
         cycle,
         job: withValue(contourJob(cycle, { segments, way, stock }), "Q487", 1),
-        cut: cutOf(cycle, operation, { box, stock, ...(roughness !== undefined && { roughness }) }),
+        cut,
         box,
         variant: way,
       })),

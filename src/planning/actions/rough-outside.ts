@@ -74,7 +74,7 @@ function roughings(work: OutsideWork, piece: Piece, { stock, tools, request }: A
   const along = allowance > 0 ? turningCycles(plain.segments, request, allowance).filter(followsBlank) : [];
   return [...turningCycles(plain.segments, request), ...along].flatMap((cycle) => {
     const across = worksAcross(cycle);
-    const cut = cutOf(cycle, "rough", { box, stock });
+    const cut = cutOf(cycle.group, "rough", { box, stock });
     const candidate = { kind: "roughOutside", site: "outside", cycle, cut, box } as const;
     const jobOf = ({ segments }: Chain, plunging: number) =>
       withCycleValues(contourJob(cycle, { segments, way: "ahead", stock }), [

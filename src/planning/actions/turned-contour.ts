@@ -1,4 +1,4 @@
-import type { Cycle } from "../../cycles/define.ts";
+import type { Cycle, Group } from "../../cycles/define.ts";
 import { worksAcross } from "../../cycles/use.ts";
 import type { ShapeRequest } from "../../cycles/shape-request.ts";
 import type { Plan } from "../../kernel/plan/plan.ts";
@@ -179,12 +179,12 @@ export function turnings(
 
 /** What the values of a cut of a section depend on. */
 export const cutOf = (
-  cycle: Cycle,
+  group: Group,
   operation: CutRequest["operation"],
   { box, stock, roughness }: Pick<Piece, "box"> & Pick<CutRequest, "stock" | "roughness">,
 ): CutRequest => ({
   operation,
-  work: workOf(cycle.group, operation),
+  work: workOf(group, operation),
   smallest: toDiameter(radius(box.low)),
   largest: toDiameter(radius(box.high)),
   stock,
