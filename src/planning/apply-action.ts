@@ -75,6 +75,9 @@ export function leftBy(
 /** Greatest oversize that a finishing cut takes with the ground of an undercut, mm. */
 const thickestOf = ({ rules }: PlanRequest): number => perSide(diameter(rules.allowance.diameter)) + THICKEST;
 
+/** What every try begins with. */
+const EMPTY = parse(emptyProgram("PLAN", null));
+
 /** Runs one action on the stock of a state. `isMeasured`: with all that is found in its passes, for one that is shown. */
 export function runAction(
   action: Action,
@@ -82,7 +85,7 @@ export function runAction(
   request: PlanRequest,
   isMeasured = false,
 ) {
-  const made = runOn(stock, withAction(parse(emptyProgram("PLAN", null)), action, request), request.shop);
+  const made = runOn(stock, withAction(EMPTY, action, request), request.shop);
   const input = { ...made, clamping: request.clamping, held: request.blank };
   return { made, simulation: isMeasured ? simulate(input) : simulateCuts(input, thickestOf(request)) };
 }

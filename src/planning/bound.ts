@@ -7,6 +7,7 @@ import type { Ring } from "../kernel/geometry/point.ts";
 import type { Plan } from "../kernel/plan/plan.ts";
 import { CHORD } from "../kernel/tolerance.ts";
 import { tipAtCall } from "../program/job/requested-job.ts";
+import { merged } from "../sim/cutting.ts";
 import { sweptBy } from "../sim/sweep.ts";
 import { secondsOfPlan } from "./actions/candidates.ts";
 import { planOf } from "./actions/contour-job.ts";
@@ -22,15 +23,24 @@ export interface Bound {
   readonly volume: number;
 }
 
+/** Areas that plans sweep: the same plan is asked for with each stock. */
+const areas = new WeakMap<Plan, readonly Ring[]>();
+
 /** Area that the feed moves of a plan sweep. */
-function sweptArea({ moves, tool: adapted }: Plan, { job, tool }: Action): readonly Ring[] {
+function sweptArea(plan: Plan, { job, tool }: Action): readonly Ring[] {
+  const known = areas.get(plan);
+  if (known) return known;
+  const { moves, tool: adapted } = plan;
   const insert = insertOutline(adapted ?? tool, CHORD);
   let from = tipAtCall(job);
-  return moves.flatMap((move) => {
+  const rings = moves.flatMap((move) => {
     const step = { from, move, tool: adapted ?? tool, block: 0, operation: null, seconds: 0 };
     from = move.to;
     return move.kind === "rapid" ? [] : sweptBy(insert, step).rings;
   });
+  const area = merged(rings);
+  areas.set(plan, area);
+  return area;
 }
 
 /** The bound of an action on the material that is open: what lies in its place, of a finishing cut what it sweeps. */

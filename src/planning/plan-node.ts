@@ -5,6 +5,7 @@ import { SLIVER } from "../kernel/tolerance.ts";
 import { diameter, perSide } from "../kernel/units.ts";
 import { withHandValues } from "./hand-values.ts";
 import { LEAST_REGION } from "./open-regions.ts";
+import { perObject } from "./per-object.ts";
 import { isInPlace } from "./places.ts";
 import { ofPieces, turnedVolume } from "./stock-key.ts";
 import type { Trade } from "./trade-rules.ts";
@@ -64,7 +65,7 @@ function proposedBy(source: ActionSource, state: PlanState, s: Searching): reado
   const { request, hand } = s;
   const own = state.done.filter(({ action }) => action.kind === source.kind || action.inOneCall);
   const done = own.map(({ action }) => action.key).toSorted();
-  const question = `${s.sources.indexOf(source)} ${done.join()}\n${s.tries.keyOf(state.stock)}`;
+  const question = `${s.sources.indexOf(source)} ${s.tries.keyOf(state.stock)} ${done.join()}`;
   const known = s.known.get(question);
   if (known) return known;
   const made = source
@@ -88,14 +89,18 @@ function proposedBy(source: ActionSource, state: PlanState, s: Searching): reado
  * kind. Without those that rough and finish in one call: whether one tool does both is known at the end of a search.
  */
 export const actionsIn = (state: PlanState, s: Searching, kind?: ActionKind): readonly Action[] =>
-  allActionsIn(state, s, kind).filter((a) => !a.inOneCall || s.hand.has(a.key));
+  s.hand.size === 0
+    ? openIn(state, s, (source) => !source.inOneCall && source.kind === (kind ?? source.kind))
+    : allActionsIn(state, s).filter((a) => !a.inOneCall || s.hand.has(a.key));
 
 /** The same with all of them. */
-export function allActionsIn(state: PlanState, s: Searching, kind?: ActionKind): readonly Action[] {
+export const allActionsIn = (state: PlanState, s: Searching, kind?: ActionKind): readonly Action[] =>
+  openIn(state, s, (source) => s.hand.size > 0 || source.kind === (kind ?? source.kind));
+
+function openIn(state: PlanState, s: Searching, asks: (source: ActionSource) => boolean): readonly Action[] {
   if (state.done.some(({ action }) => action.kind === "partOff")) return [];
   const { sources, hand } = s;
-  const asked = kind && hand.size === 0 ? sources.filter((source) => source.kind === kind) : sources;
-  const all = asked.flatMap((source) => proposedBy(source, state, s));
+  const all = sources.filter(asks).flatMap((source) => proposedBy(source, state, s));
   const here = all.filter((a) => hand.has(a.key));
   return here.length === 0 ? all : all.filter((a) => here.includes(a) || !here.some((l) => areRivals(l, a)));
 }
@@ -114,24 +119,26 @@ export const priceOf = ({ tool }: Action, done: readonly Action[], { rules, usua
 /** The actions that led to a state. */
 export const doneIn = ({ done }: PlanState): readonly Action[] => done.map(({ action }) => action);
 
-/** Finished parts with their oversize, made once. */
-const grown = new WeakMap<PlanRequest, readonly Ring[]>();
+/** What of a stock is outside the finished part. */
+type Left = Pick<PlanNode, "left" | "volume" | "skin" | "open">;
 
-function withOversize(request: PlanRequest): readonly Ring[] {
+/** Many orders of the same steps end at one stock: what is left does not depend on the way to it. */
+const leftOf = perObject((request: PlanRequest) => {
   const { part, rules } = request;
-  const oversize = Math.max(perSide(diameter(rules.allowance.diameter)), rules.allowance.z);
-  const made = grown.get(request) ?? offset(part.rings, oversize);
-  grown.set(request, made);
-  return made;
-}
+  const grown = offset(part.rings, Math.max(perSide(diameter(rules.allowance.diameter)), rules.allowance.z));
+  return perObject((stock: readonly Ring[]): Left => {
+    const all = difference(stock, part.rings);
+    const open = ofPieces(all, 0, "open", (piece) => opened(piece, SLIVER), request);
+    const volume = turnedVolume(open);
+    const skin = volume - turnedVolume(difference(open, grown));
+    return { open, left: areaOf(open), volume, skin };
+  });
+});
 
-function withLeft(state: Omit<PlanNode, "left" | "volume" | "skin" | "open">, request: PlanRequest): PlanNode {
-  const all = difference(state.stock, request.part.rings);
-  const open = ofPieces(all, 0, "open", (piece) => opened(piece, SLIVER), request);
-  const volume = turnedVolume(open);
-  const skin = volume - turnedVolume(difference(open, withOversize(request)));
-  return { ...state, open, left: areaOf(open), volume, skin };
-}
+const withLeft = (state: Omit<PlanNode, keyof Left>, request: PlanRequest): PlanNode => ({
+  ...state,
+  ...leftOf(request)(state.stock),
+});
 
 /** The state before the first action. */
 export const firstNode = ({ request }: Searching): PlanNode =>

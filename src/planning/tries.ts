@@ -39,6 +39,8 @@ export class Tries {
   private readonly results = new Map<string, TriedAction>();
   private readonly known = new Map<string, Known>();
   private readonly bounds = new Map<string, Bound>();
+  /** Short names of long texts, and of what the texts are made from. */
+  private readonly short = new Map<string, string>();
   private readonly names = new WeakMap<Action, string>();
   private readonly places = new WeakMap<PlanState["stock"], WeakMap<Action, string>>();
   private readonly stocks = new WeakMap<PlanState["stock"], string>();
@@ -53,7 +55,7 @@ export class Tries {
 
   /** The result of an action on the stock of a state. */
   of(action: Action, { stock }: Pick<PlanState, "stock">): TriedAction {
-    const question = `${this.nameOf(action)}\n${this.keyOf(stock)}`;
+    const question = `${this.nameOf(action)} ${this.keyOf(stock)}`;
     const known = this.results.get(question);
     if (known) return known.action === action ? known : { ...known, action };
     const place = this.placeOf(action, stock);
@@ -98,19 +100,25 @@ export class Tries {
     return rate > 0 ? Math.max(0, volume) / rate : 0;
   }
 
-  /** A stock as a text. */
+  /** The same name for the same stock. */
   keyOf(stock: PlanState["stock"]): string {
-    const key = this.stocks.get(stock) ?? stockKey(stock);
+    const key = this.stocks.get(stock) ?? this.shortOf(stockKey(stock));
     this.stocks.set(stock, key);
     return key;
   }
 
-  /** An action with all its values as a text. The blank of its job only says how far it keeps away. */
+  private shortOf(text: string): string {
+    const name = this.short.get(text) ?? String(this.short.size);
+    this.short.set(text, name);
+    return name;
+  }
+
+  /** A name of an action with all its values. The blank of its job only says how far it keeps away. */
   private nameOf(action: Action): string {
     const known = this.names.get(action);
     if (known !== undefined) return known;
     const { drafts, cycle, start, contour, spindle, tool } = action.job;
-    const name = JSON.stringify([action.key, drafts[cycle], start, contour, spindle, tool, action.cut]);
+    const name = this.shortOf(JSON.stringify([action.key, drafts[cycle], start, contour, spindle, tool, action.cut]));
     this.names.set(action, name);
     return name;
   }
@@ -118,7 +126,7 @@ export class Tries {
   private placeOf(action: Action, stock: PlanState["stock"]): string {
     const inStock = this.places.get(stock) ?? new WeakMap<Action, string>();
     this.places.set(stock, inStock);
-    const place = inStock.get(action) ?? `${this.nameOf(action)}\n${localKey(stock, action)}`;
+    const place = inStock.get(action) ?? `${this.nameOf(action)} ${this.shortOf(localKey(stock, action))}`;
     inStock.set(action, place);
     return place;
   }

@@ -177,5 +177,7 @@ export interface PlanState {
 /** A kind of action: which operations could be next in a state. Cheap, no simulation; deterministic order. */
 export interface ActionSource {
   readonly kind: ActionKind;
+  /** Its actions rough and finish in one call. */
+  readonly inOneCall?: true;
   actions(state: PlanState, request: PlanRequest): readonly Action[];
 }

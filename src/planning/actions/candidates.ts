@@ -1,6 +1,6 @@
 import type { Cycle } from "../../cycles/define.ts";
 import type { Site } from "../../cycles/shape-request.ts";
-import { noseRadius } from "../../kernel/cutter/insert.ts";
+import { noseRadius, tipDirection } from "../../kernel/cutter/insert.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import type { Plan } from "../../kernel/plan/plan.ts";
 import type { Box } from "../../kernel/geometry/segments.ts";
@@ -10,6 +10,7 @@ import type { SetJob } from "../../program/job/job.ts";
 import { tipAtCall } from "../../program/job/requested-job.ts";
 import { checkTool } from "../../program/tools/check-tool.ts";
 import { fitOf, type ToolFit } from "../../program/tools/which-tool.ts";
+import { perObject } from "../per-object.ts";
 import type { Action, ActionKind, PlanRequest, PlanState } from "../types.ts";
 import { planOf } from "./contour-job.ts";
 import { withValues, type CutRequest } from "./values-of-job.ts";
@@ -27,18 +28,24 @@ export interface Candidate {
 }
 
 /** Tools that may be used, checked once for a table. */
-export const toolsOf = ({ shop, withoutTools }: PlanRequest): readonly Tool[] =>
-  shop.tools.filter((tool) => !withoutTools.includes(tool.T) && checkTool(tool).length === 0);
+export const toolsOf = perObject(({ shop, withoutTools }: PlanRequest): readonly Tool[] =>
+  shop.tools.filter((tool) => !withoutTools.includes(tool.T) && checkTool(tool).length === 0),
+);
+
+/** Those of them that do not point away from the axis: outside every cycle refuses the others. */
+export const outsideTools = perObject((request: PlanRequest): readonly Tool[] =>
+  toolsOf(request).filter(({ TO }) => tipDirection(TO).v <= 0),
+);
 
 /** A candidate with a tool: its job with all values, and how far the tool reaches. */
-interface Fitted extends ToolFit {
+export interface Fitted extends ToolFit {
   readonly plan: Plan;
   readonly job: SetJob;
   readonly values: Action["values"];
 }
 
 /** Issues with which no setter would run an operation: errors, and a recessing blade that has to cut sideways. */
-const isRefused = ({ issues }: Plan): boolean =>
+export const isRefused = ({ issues }: Plan): boolean =>
   issues.some(({ severity, code }) => severity === "error" || code === "toolCannotCutSideways");
 
 /** The job of a candidate with a tool; null where its values or its contour make no cut, or the tool breaks. */
@@ -69,21 +76,43 @@ export function ranked<T extends ToolFit>(fits: readonly T[], better: Better): r
   );
 }
 
+/** What `make` makes of the first fits that it makes something of, at most `most`. */
+function firstMade<T, M>(fits: readonly T[], most: number, make: (fit: T) => M | null) {
+  const all: { readonly fit: T; readonly made: M }[] = [];
+  for (const fit of fits) {
+    if (all.length >= most) break;
+    const made = make(fit);
+    if (made) all.push({ fit, made });
+  }
+  return all;
+}
+
 /**
- * At most `most` of the operator's own tools, those first whose contour has the most elements: it goes into more of the
- * grooves. Behind them the usual tools that the table lacks, where they go deeper or none of these makes its contour.
+ * What `make` makes of at most `most` of the operator's own tools, those first whose contour has the most elements: it
+ * goes into more of the grooves. Behind them the usual tools that the table lacks, where they go deeper or none of these
+ * makes its contour.
  */
-export function deepest<T extends ToolFit & { readonly goesInto: number }>(
+export function deepest<T extends ToolFit & { readonly goesInto: number }, M>(
   fits: readonly T[],
   most: number,
   { usualTools = [] }: PlanRequest,
+  make: (fit: T) => M | null,
   better: Better = () => 0,
-): readonly T[] {
+): readonly M[] {
   const all = ranked(fits, better).toSorted((a, b) => b.goesInto - a.goesInto);
-  const own = all.filter(({ tool }) => !usualTools.includes(tool.T)).slice(0, most);
-  const made = Math.max(0, ...own.map(({ makesContour, goesInto }) => (makesContour ? goesInto : 0)));
-  const usual = all.filter(({ tool, goesInto }) => usualTools.includes(tool.T) && goesInto > made);
-  return [...own, ...usual.slice(0, most)];
+  const isUsual = ({ tool }: T) => usualTools.includes(tool.T);
+  const own = firstMade(
+    all.filter((fit) => !isUsual(fit)),
+    most,
+    make,
+  );
+  const reached = Math.max(0, ...own.map(({ fit: { makesContour, goesInto } }) => (makesContour ? goesInto : 0)));
+  const usual = firstMade(
+    all.filter((fit) => isUsual(fit) && fit.goesInto > reached),
+    most,
+    make,
+  );
+  return [...own, ...usual].map(({ made }) => made);
 }
 
 /**

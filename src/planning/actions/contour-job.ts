@@ -12,8 +12,9 @@ import { readRows } from "../../program/job/contour-rows.ts";
 import type { SetJob } from "../../program/job/job.ts";
 import { readDraft } from "../../program/job/read-draft.ts";
 import { jobFor, tipAtCall } from "../../program/job/requested-job.ts";
-import { boxAroundContour } from "../../program/job/requested-shape.ts";
+import { boxAroundContour, cylinderAround } from "../../program/job/requested-shape.ts";
 import { positionAsTyped } from "../../program/values/typed-value.ts";
+import { perObject, perText } from "../per-object.ts";
 import { highest } from "./outside-work.ts";
 
 /** Clearance of a start point in front of the stock, and above it where the tool goes down into a valley, mm. */
@@ -30,22 +31,27 @@ export interface ContourWork {
   readonly stock: readonly Ring[];
 }
 
-/** Jobs of sections, by the stock, the cycle and the way: every tool asks for them. */
-const jobs = new WeakMap<readonly Segment[], WeakMap<readonly Ring[], Map<string, SetJob>>>();
+/** Jobs of sections, by the cycle and the way, in each stock: every tool asks for them. */
+const jobsOf = perObject((_: readonly Segment[]) => perText<(stock: readonly Ring[]) => SetJob>());
 
 /** The job of a cycle that takes a contour of a subprogram: the section, and a start clear of the stock. */
-export function contourJob(cycle: Cycle, work: ContourWork): SetJob {
-  const ofSection = jobs.get(work.segments) ?? new WeakMap<readonly Ring[], Map<string, SetJob>>();
-  jobs.set(work.segments, ofSection);
-  const inStock = ofSection.get(work.stock) ?? new Map<string, SetJob>();
-  ofSection.set(work.stock, inStock);
-  const name = `${cycle.number} ${work.way}`;
-  const job = inStock.get(name) ?? madeJob(cycle, work);
-  inStock.set(name, job);
-  return job;
+export function contourJob(cycle: Cycle, { segments, way, stock }: ContourWork): SetJob {
+  const inStock = () => {
+    const job = sectionJob(cycle, segments, way);
+    return perObject((stock: readonly Ring[]): SetJob => {
+      const { z, r } = startOf(cycle, { segments, way, stock });
+      return {
+        ...job,
+        blank: cylinderAround(stock),
+        start: { x: positionAsTyped(roundedUp(toDiameter(radius(r)))), z: positionAsTyped(rounded(z)) },
+      };
+    });
+  };
+  return jobsOf(segments)(`${cycle.number} ${way}`, inStock)(stock);
 }
 
-function madeJob(cycle: Cycle, { segments, way, stock }: ContourWork): SetJob {
+/** What is the same of such a job in all stocks. */
+function sectionJob(cycle: Cycle, segments: readonly Segment[], way: Way): SetJob {
   const { from, to } = boxAroundContour(segments, "outside");
   const isBack = way === "back";
   const wanted: ShapeRequest = {
@@ -58,15 +64,7 @@ function madeJob(cycle: Cycle, { segments, way, stock }: ContourWork): SetJob {
     contour: segments,
     allowance: 0,
   };
-  const job = jobFor(cycle, wanted, stock);
-  const start = startOf(cycle, { segments, way, stock });
-  return {
-    ...job,
-    start: {
-      x: positionAsTyped(roundedUp(toDiameter(radius(start.r)))),
-      z: positionAsTyped(rounded(start.z)),
-    },
-  };
+  return jobFor(cycle, wanted, null);
 }
 
 /** Where the tip waits, clear of the stock on the open side of the section. */
@@ -91,15 +89,7 @@ function startOf(cycle: Cycle, { segments, way, stock }: ContourWork): { readonl
 }
 
 /** The contour of the rows of a job, read once for all tools. */
-const contours = new WeakMap<SetJob["contour"], readonly Segment[]>();
-
-function contourOf({ contour: rows }: SetJob): readonly Segment[] {
-  const known = contours.get(rows);
-  if (known) return known;
-  const { segments } = readRows(rows).contour;
-  contours.set(rows, segments);
-  return segments;
-}
+const contourOf = perObject((rows: SetJob["contour"]): readonly Segment[] => readRows(rows).contour.segments);
 
 /** The plan of a job with a tool; null where its values or its contour make none. Cached where there is a memory. */
 export function planOf(cycle: Cycle, job: SetJob, tool: Tool, memory?: AnswerCache): Plan | null {
@@ -116,6 +106,6 @@ function madePlan(cycle: Cycle, job: SetJob, tool: Tool): Plan | null {
   const { values } = readDraft(cycle, job.drafts[cycle.number] ?? {});
   if (!values) return null;
   const start = tipAtCall(job);
-  const contour = cycle.contour === "free" ? contourOf(job) : null;
+  const contour = cycle.contour === "free" ? contourOf(job.contour) : null;
   return cycle.plan(values, { start, tool, feedUnit: "mm/rev", autoFeed: null, stock: null }, { contour, start });
 }

@@ -10,7 +10,7 @@ import { positionAsTyped } from "../../program/values/typed-value.ts";
 import { isUsualTool } from "../../program/tools/which-tool.ts";
 import { cyclesFor } from "../../report/which/ways.ts";
 import type { ActionSource, PlannedPart, PlanRequest } from "../types.ts";
-import { actionsOf, notDone, toolsOf } from "./candidates.ts";
+import { actionsOf, notDone, outsideTools } from "./candidates.ts";
 import { FAR } from "./bore.ts";
 import { finestOf } from "./finest.ts";
 import { highest } from "./outside-work.ts";
@@ -79,11 +79,11 @@ export const face: ActionSource = {
       ...(roughness !== undefined && { roughness }),
     } as const;
     // A tool that goes on with roughing saves a change.
-    const goesOn = new Set(roughOutside.actions(state, request).flatMap((a) => (a.inOneCall ? [] : [a.tool.T])));
+    const goesOn = new Set(roughOutside.actions(state, request).map(({ tool }) => tool.T));
     const actions = cyclesFor(wanted)
       .filter((c) => worksAcross(c) && useOf(c).shapes.includes("step") && !request.withoutCycles.includes(c.number))
       .flatMap((cycle) => {
-        const tools = toolsOf(request).filter((tool) => isUsualTool(cycle.group, tool));
+        const tools = outsideTools(request).filter((tool) => isUsualTool(cycle.group, tool));
         const begun = jobFor(cycle, wanted, stock);
         const job = { ...begun, start: { ...begun.start, z: positionAsTyped(rounded(Math.max(front, end + AHEAD))) } };
         const candidate = { kind: "face", site: "face", cycle, job, cut, box } as const;

@@ -3,13 +3,13 @@ import { boxAround } from "../../kernel/area/box.ts";
 import { part, type Ring } from "../../kernel/geometry/point.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
 import { withValue } from "../../program/job/requested-job.ts";
-import type { Action, ActionSource, Chain, PlanRequest } from "../types.ts";
-import { actionOf, fitted, notDone, toolsOf, deepest } from "./candidates.ts";
+import type { Action, ActionSource, PlanRequest } from "../types.ts";
+import { notDone, outsideTools } from "./candidates.ts";
 import { contourJob } from "./contour-job.ts";
 import { finestOf } from "./finest.ts";
 import { sectionWorks } from "./rest-rough.ts";
 import { isInGroove, outsideWork, workUpTo, type OutsideWork, type Piece } from "./outside-work.ts";
-import { cutOf, turnedChain, turningCycles, typesFirst, withoutFront } from "./turned-contour.ts";
+import { cutOf, turningCycles, turnings, typesFirst, withoutFront } from "./turned-contour.ts";
 
 /** Tools to finish with. */
 const MOST = 3;
@@ -53,33 +53,30 @@ export function finishings(
   operation: "finish" | "both" = "finish",
 ): readonly Action[] {
   const inOneCall = operation === "both";
-  const tools = toolsOf(request).filter(({ TYPE }) => TYPE === "FINISH" || TYPE === "ROUGH");
+  const tools = outsideTools(request).filter(({ TYPE }) => TYPE === "FINISH" || TYPE === "ROUGH");
   const box = boxAround([part.flattenedChain(work.chain.segments, CHORD)]);
   const roughness = finestOf(work.chain);
   const hasHollow = work.pockets.some(({ axis }) => axis === "z");
   return turningCycles(work.chain.segments, request)
     .filter((cycle) => hasHollow || !worksAcross(cycle))
     .flatMap((cycle) => {
-      const cut = cutOf(cycle, operation, { box, stock, ...(roughness !== undefined && { roughness }) });
-      const candidate = inOneCall
-        ? ({ kind: "roughOutside", site: "outside", cycle, box, variant: "finish" } as const)
-        : ({ kind: "finishOutside", site: "outside", cycle, box } as const);
-      const jobOf = ({ segments }: Chain) => withValue(contourJob(cycle, { segments, way: "ahead", stock }), "Q487", 1);
-      const fits = tools.flatMap((tool) => {
-        const chain = withoutFront(
-          turnedChain(
-            work,
-            tool,
-            (segments) => fitted({ cycle, cut, job: jobOf({ segments, marks: [] }) }, tool, request)?.plan ?? null,
-            worksAcross(cycle),
-          ),
-        );
-        const fit = chain.segments.length > 0 && fitted({ cycle, cut, job: jobOf(chain) }, tool, request);
-        return fit && (fit.makesContour || !inOneCall) ? { ...fit, goesInto: chain.segments.length } : [];
-      });
-      return deepest(fits, MOST, request, better).map(({ tool, job, values }) => ({
-        ...actionOf(candidate, tool, job, values),
-        ...(inOneCall && ({ inOneCall } as const)),
-      }));
+      const cut = cutOf(cycle.group, operation, { box, stock, ...(roughness !== undefined && { roughness }) });
+      const place = { site: "outside", cycle, cut, box } as const;
+      const actions = turnings(
+        work,
+        {
+          candidate: inOneCall
+            ? { kind: "roughOutside", variant: "finish", ...place }
+            : { kind: "finishOutside", ...place },
+          tools,
+          most: MOST,
+          better,
+          cutChain: withoutFront,
+          jobOf: ({ segments }) => withValue(contourJob(cycle, { segments, way: "ahead", stock }), "Q487", 1),
+          isWanted: ({ makesContour }) => makesContour || !inOneCall,
+        },
+        request,
+      );
+      return inOneCall ? actions.map((action) => ({ ...action, inOneCall })) : actions;
     });
 }

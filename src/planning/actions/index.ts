@@ -8,8 +8,8 @@ import { partOff } from "./part-off.ts";
 import { recess } from "./recess.ts";
 import { recessInside } from "./recess-inside.ts";
 import { restRough } from "./rest-rough.ts";
-import { roughInside } from "./rough-inside.ts";
-import { roughOutside } from "./rough-outside.ts";
+import { roughInside, turnInside } from "./rough-inside.ts";
+import { roughOutside, turnOutside } from "./rough-outside.ts";
 import { thread } from "./thread.ts";
 import { threadInside } from "./thread-inside.ts";
 import { undercut } from "./undercut.ts";
@@ -20,7 +20,9 @@ export const actionSources: readonly ActionSource[] = [
   centre,
   drill,
   roughOutside,
+  turnOutside,
   roughInside,
+  turnInside,
   restRough,
   recess,
   recessInside,

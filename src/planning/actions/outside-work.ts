@@ -6,6 +6,7 @@ import { CHORD, SAME, SLIVER } from "../../kernel/tolerance.ts";
 import { perSide, diameter } from "../../kernel/units.ts";
 import { regionsOf } from "../../sim/region.ts";
 import { LEAST_REGION, type OpenRegion } from "../open-regions.ts";
+import { perObject, perText, type PerText } from "../per-object.ts";
 import { isValley, pocketsOf, type Pocket } from "./pockets.ts";
 import { ofPieces } from "../stock-key.ts";
 import type { Chain, ElementMark, PlannedPart, PlanRequest, PlanState } from "../types.ts";
@@ -145,64 +146,55 @@ interface Reached {
   readonly pockets: readonly Pocket[];
 }
 
-/** What the sources of a request ask for again and again. */
-interface KnownWork {
-  readonly works: WeakMap<readonly Ring[], OutsideWork>;
-  readonly reached: Map<string, Reached>;
-}
-
-const known = new WeakMap<PlanRequest, KnownWork>();
+const worksOf = perObject((request: PlanRequest) => {
+  const reached = perText<Reached>();
+  return perObject((stock: readonly Ring[]) => workIn(stock, request, reached));
+});
 
 /** What is left to turn outside in a state. */
-export function outsideWork({ stock }: Pick<PlanState, "stock">, request: PlanRequest): OutsideWork {
-  const all = known.get(request) ?? { works: new WeakMap(), reached: new Map() };
-  known.set(request, all);
-  const work = all.works.get(stock) ?? workIn(stock, request, all);
-  all.works.set(stock, work);
-  return work;
-}
+export const outsideWork = ({ stock }: Pick<PlanState, "stock">, request: PlanRequest): OutsideWork =>
+  worksOf(request)(stock);
 
 /** Oversize for finishing, mm. */
 const oversizeOf = ({ rules: { allowance } }: PlanRequest): number =>
   Math.max(perSide(diameter(allowance.diameter)), allowance.z);
 
-function reachedTo(rear: number, stock: readonly Ring[], request: PlanRequest, { reached }: KnownWork): Reached {
+function reachedTo(rear: number, stock: readonly Ring[], request: PlanRequest, reached: PerText<Reached>): Reached {
   const front = upTo(request.part, rear);
   const end = front.segments.at(-1)?.to;
   const shoulder = highest(stock, rear - SAME, rear);
   // A face up to the surface of the stock ends there: its hollow may be deeper.
   const goesOn = end !== undefined && highest(stock, rear - SAME, end.z) > end.r + SAME;
-  const question = [rear, shoulder, goesOn].join(" ");
-  const before = reached.get(question);
-  if (before) return before;
-  const chain = goesOn ? continued(front, rear, shoulder) : front;
-  const solid = [solidOf(chain, rear)];
-  const made: Reached = {
-    chain,
-    solid,
-    grown: offset(solid, oversizeOf(request)),
-    pockets: [...pocketsOf(chain, "r"), ...pocketsOf(chain, "z")],
-  };
-  reached.set(question, made);
-  return made;
+  return reached([rear, shoulder, goesOn].join(" "), () => {
+    const chain = goesOn ? continued(front, rear, shoulder) : front;
+    const solid = [solidOf(chain, rear)];
+    return {
+      chain,
+      solid,
+      grown: offset(solid, oversizeOf(request)),
+      pockets: [...pocketsOf(chain, "r"), ...pocketsOf(chain, "z")],
+    };
+  });
 }
 
-function workIn(stock: readonly Ring[], request: PlanRequest, all: KnownWork): OutsideWork {
+function workIn(stock: readonly Ring[], request: PlanRequest, reached: PerText<Reached>): OutsideWork {
   const rear = rearOf(request, stock);
-  const { chain, solid, grown, pockets } = reachedTo(rear, stock, request, all);
+  const { chain, solid, grown, pockets } = reachedTo(rear, stock, request, reached);
   const left = inFrontOf(difference(stock, solid), rear);
   const over = oversizeOf(request);
   return {
     chain,
     pockets,
     pieces: piecesOf(inFrontOf(left, rearOfPart(request)), SLIVER, chain, [SLIVER, 0], request),
-    rough: piecesOf(difference(left, grown), THIN, chain, [over + SLIVER, IN_CORNER], request).map((piece) => ({
-      ...piece,
-      opensAhead: piece.opensAhead && standsOver(piece, chain),
-    })),
+    rough: piecesOf(difference(left, grown), THIN, chain, [over + SLIVER, IN_CORNER], request).map(inFront(chain)),
     over,
   };
 }
+
+/** Pieces of roughing as they are in front of a chain: most are the same objects in many stocks. */
+const inFront = perObject((chain: Chain) =>
+  perObject((piece: Piece): Piece => ({ ...piece, opensAhead: piece.opensAhead && standsOver(piece, chain) })),
+);
 
 /** Whether more than remains of a piece stands over all of the chain in front of it: else it lies in a valley. */
 function standsOver({ rings, box, borders: [first] }: Piece, { segments }: Chain): boolean {
@@ -309,6 +301,16 @@ function sectionAt(
 const meets = (a: Box, b: Box, by: number): boolean =>
   a.left <= b.right + by && b.left <= a.right + by && a.low <= b.high + by && b.low <= a.high + by;
 
+/** Chains up to an element, which a cut of it ends: the same object for each stock. */
+const beginnings = perObject(({ segments, marks }: Chain) => {
+  const known = perText<Chain>();
+  return (last: number, cut: Segment | undefined): Chain =>
+    known(JSON.stringify([last, cut]), () => ({
+      segments: [...segments.slice(0, last), ...(cut ? [cut] : [])],
+      marks: marks.slice(0, last + 1),
+    }));
+});
+
 /** The chain from its front to the end of the section of a piece, and of its hollow, with what lies along it. */
 export function workUpTo(
   { chain, pieces, rough, pockets, over }: OutsideWork,
@@ -318,10 +320,7 @@ export function workUpTo(
   const last = hollow?.last ?? end;
   const cut = hollow ? chain.segments[last] : section.segments.at(-1);
   return {
-    chain: {
-      segments: [...chain.segments.slice(0, last), ...(cut ? [cut] : [])],
-      marks: chain.marks.slice(0, last + 1),
-    },
+    chain: beginnings(chain)(last, cut),
     pieces,
     rough,
     pockets: pockets.filter((pocket) => pocket.last <= last),

@@ -1,6 +1,7 @@
 import { at, part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { CHORD, SAME } from "../../kernel/tolerance.ts";
 import { radians } from "../../kernel/units.ts";
+import { perObject } from "../per-object.ts";
 import type { Chain, ElementMark } from "../types.ts";
 
 /** A part of the chain below the level of its surroundings: a groove or a valley, radial or in a face. */
@@ -82,7 +83,7 @@ const [DESCENT, LEAST_REACHED] = [Math.tan(radians(180 - 93 - 35)), 0.9];
  * Whether a turning tool that comes from the front reaches nearly all of a pocket. Others are grooves: a turning tool
  * leaves the wall in front, which a blade cuts from the mouth down anyway.
  */
-export function isValley({ segments, axis, level }: Pocket): boolean {
+export const isValley = perObject(({ segments, axis, level }: Pocket): boolean => {
   const across = axis === "r" ? "z" : "r";
   const points = part.flattenedChain(segments, CHORD);
   let [reach, reached, all] = [level, 0, 0];
@@ -98,7 +99,7 @@ export function isValley({ segments, axis, level }: Pocket): boolean {
     }
   });
   return reached >= LEAST_REACHED * all;
-}
+});
 
 /** The piece of a wall below a level, from its end `keep` on. */
 function below(s: Segment, axis: Pocket["axis"], level: number, keep: "from" | "to"): Segment {

@@ -6,7 +6,7 @@ import { boxAroundContour } from "../../program/job/requested-shape.ts";
 import { isUsualTool } from "../../program/tools/which-tool.ts";
 import { cyclesFor } from "../../report/which/ways.ts";
 import type { Action, ActionSource, PlanRequest } from "../types.ts";
-import { bestWays, notDone, toolsOf, type Candidate } from "./candidates.ts";
+import { bestWays, notDone, outsideTools, type Candidate } from "./candidates.ts";
 import { contourJob } from "./contour-job.ts";
 import { finestOf } from "./finest.ts";
 import { outsideWork, pocketOf, type Piece } from "./outside-work.ts";
@@ -68,17 +68,18 @@ function recesses(
 ): readonly Action[] {
   const box = boxOf(part.flattenedChain(segments, CHORD));
   const roughness = finestOf({ marks });
+  const cut = {
+    ...cutOf("recessing", operation, { box, stock, ...(roughness !== undefined && { roughness }) }),
+    width: axis === "z" ? box.high - box.low : box.right - box.left,
+  };
   const candidates = cyclesOf(segments, axis, request).map((cycle): Candidate => ({
     kind: "recess",
     site: axis === "z" ? "face" : "outside",
     cycle,
     job: contourJob(cycle, { segments, way: "ahead", stock }),
-    cut: {
-      ...cutOf(cycle, operation, { box, stock, ...(roughness !== undefined && { roughness }) }),
-      width: axis === "z" ? box.high - box.low : box.right - box.left,
-    },
+    cut,
     box,
   }));
-  const tools = toolsOf(request).filter((tool) => candidates.some(({ cycle }) => isUsualTool(cycle.group, tool)));
+  const tools = outsideTools(request).filter((tool) => candidates.some(({ cycle }) => isUsualTool(cycle.group, tool)));
   return bestWays(candidates, tools, MOST, request);
 }

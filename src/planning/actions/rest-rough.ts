@@ -1,8 +1,9 @@
 import { worksAcross } from "../../cycles/use.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
 import { withValue } from "../../program/job/requested-job.ts";
-import type { Action, ActionKind, ActionSource, PlanRequest } from "../types.ts";
-import { bestWays, notDone, toolsOf, type Candidate } from "./candidates.ts";
+import { perObject } from "../per-object.ts";
+import type { Action, ActionKind, ActionSource, Chain, PlanRequest } from "../types.ts";
+import { bestWays, notDone, outsideTools, type Candidate } from "./candidates.ts";
 import { contourJob, type Way } from "./contour-job.ts";
 import { isInGroove, outsideWork, type Piece } from "./outside-work.ts";
 import { bridgedOver, isValley, pocketsOf } from "./pockets.ts";
@@ -30,6 +31,14 @@ export const restRough: ActionSource = {
   },
 };
 
+/** A section over its grooves, the same object for each stock. */
+const overGrooves = perObject((section: Chain) =>
+  bridgedOver(
+    section,
+    pocketsOf(section, "r").filter((pocket) => !isValley(pocket)),
+  ),
+);
+
 /** Turns the section of a piece over its grooves, from its front and from its rear. */
 export function sectionWorks(
   { section, box }: Piece,
@@ -37,12 +46,14 @@ export function sectionWorks(
   operation: "rough" | "finish",
   { stock, request }: { readonly stock: readonly Ring[]; readonly request: PlanRequest },
 ): readonly Action[] {
-  const { segments } = bridgedOver(
-    section,
-    pocketsOf(section, "r").filter((pocket) => !isValley(pocket)),
-  );
-  const tools = toolsOf(request).filter(({ TYPE }) => TYPE === "ROUGH" || TYPE === "FINISH" || TYPE === "BUTTON");
+  const { segments } = overGrooves(section);
+  const tools = outsideTools(request).filter(({ TYPE }) => TYPE === "ROUGH" || TYPE === "FINISH" || TYPE === "BUTTON");
   const roughness = finestOf(section);
+  const cut = cutOf("longitudinal", operation, {
+    box,
+    stock,
+    ...(roughness !== undefined && { roughness }),
+  });
   const candidates = turningCycles(segments, request)
     .filter((cycle) => !worksAcross(cycle))
     .flatMap((cycle) =>
@@ -51,7 +62,7 @@ export function sectionWorks(
         site: "outside",
         cycle,
         job: withValue(contourJob(cycle, { segments, way, stock }), "Q487", 1),
-        cut: cutOf(cycle, operation, { box, stock, ...(roughness !== undefined && { roughness }) }),
+        cut,
         box,
         variant: way,
       })),

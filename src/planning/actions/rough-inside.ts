@@ -5,7 +5,7 @@ import { radiusOf } from "../../kernel/units.ts";
 import { isUsualTool } from "../../program/tools/which-tool.ts";
 import { cyclesFor } from "../../report/which/ways.ts";
 import type { OpenRegion } from "../open-regions.ts";
-import type { Action, ActionSource, PlanRequest } from "../types.ts";
+import type { Action, ActionSource, PlanRequest, PlanState } from "../types.ts";
 import { insideRegions } from "./bore.ts";
 import { barActions, barsOf, freeInside, plungings, ROUGH_BEYOND, sectionInBore } from "./bore-turning.ts";
 import { finestOf, isToleranced } from "./finest.ts";
@@ -45,8 +45,7 @@ function roughing(region: OpenRegion, stock: readonly Ring[], request: PlanReque
     });
 }
 
-/** The same to its finished size in one call, where nothing of it is toleranced. */
-function inOneCall(region: OpenRegion, stock: readonly Ring[], request: PlanRequest): readonly Action[] {
+function turning(region: OpenRegion, stock: readonly Ring[], request: PlanRequest): readonly Action[] {
   const section = sectionInBore(stock, request.part, region);
   if (!section || isToleranced(section)) return [];
   const { segments, way } = section;
@@ -69,14 +68,26 @@ function inOneCall(region: OpenRegion, stock: readonly Ring[], request: PlanRequ
     });
 }
 
+const thickRegions = ({ stock }: PlanState, { part, rules }: PlanRequest): readonly OpenRegion[] =>
+  insideRegions(stock, part, THICK * radiusOf(rules.allowance.diameter)).slice(0, MOST_REGIONS);
+
 /** Bores roughly, where the stock has a bore that a bar enters. */
 export const roughInside: ActionSource = {
   kind: "roughInside",
   actions: (state, request) =>
     notDone(
-      insideRegions(state.stock, request.part, THICK * radiusOf(request.rules.allowance.diameter))
-        .slice(0, MOST_REGIONS)
-        .flatMap((region) => [...roughing(region, state.stock, request), ...inOneCall(region, state.stock, request)]),
+      thickRegions(state, request).flatMap((region) => roughing(region, state.stock, request)),
+      state,
+    ),
+};
+
+/** The same to its finished size in one call, where nothing of it is toleranced. */
+export const turnInside: ActionSource = {
+  kind: "roughInside",
+  inOneCall: true,
+  actions: (state, request) =>
+    notDone(
+      thickRegions(state, request).flatMap((region) => turning(region, state.stock, request)),
       state,
     ),
 };

@@ -1,23 +1,32 @@
-import type { Cycle } from "../../cycles/define.ts";
+import type { Cycle, Group } from "../../cycles/define.ts";
+import { worksAcross } from "../../cycles/use.ts";
 import type { ShapeRequest } from "../../cycles/shape-request.ts";
 import type { Plan } from "../../kernel/plan/plan.ts";
 import { part, type Segment } from "../../kernel/geometry/point.ts";
 import { CHORD, SAME } from "../../kernel/tolerance.ts";
 import { toDiameter, radius } from "../../kernel/units.ts";
 import { tipOffset } from "../../kernel/cutter/insert.ts";
+import type { SetJob } from "../../program/job/job.ts";
+import { withCycleValues } from "../../program/job/requested-job.ts";
 import { boxAroundContour } from "../../program/job/requested-shape.ts";
+import { fitOf, type ToolFit } from "../../program/tools/which-tool.ts";
 import { cyclesFor } from "../../report/which/ways.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
-import type { Chain, PlanRequest } from "../types.ts";
+import type { Action, Chain, PlanRequest } from "../types.ts";
+import { actionOf, deepest, fitted, isRefused, type Better, type Candidate, type Fitted } from "./candidates.ts";
+import { contourJob, planOf } from "./contour-job.ts";
+import { perObject, perText } from "../per-object.ts";
 import type { OutsideWork, Piece } from "./outside-work.ts";
 import { bridgedOver, isValley, type Pocket } from "./pockets.ts";
-import { workOf, type CutRequest } from "./values-of-job.ts";
+import { OPERATION, workOf, type CutRequest } from "./values-of-job.ts";
 
 /** A chain without the faces in front of it, which facing takes. */
-export function withoutFront({ segments, marks }: Chain): Chain {
+export const withoutFront = perObject((chain: Chain): Chain => {
+  const { segments, marks } = chain;
   const first = segments.findIndex((s) => Math.abs(s.to.z - s.from.z) > SAME);
+  if (first === 0) return chain;
   return first < 0 ? { segments: [], marks: [] } : { segments: segments.slice(first), marks: marks.slice(first) };
-}
+});
 
 /** Turning cycles for a section of the contour that are not excluded. `allowance`: of stock along the contour, mm. */
 export function turningCycles(
@@ -84,50 +93,98 @@ const suits = (plan: Plan, tool: Tool, pocket: Pocket): boolean =>
 const unsuited = (plan: Plan, tool: Tool, pockets: readonly Pocket[]): readonly Pocket[] =>
   pockets.flatMap((pocket) => (suits(plan, tool, pocket) ? unsuited(plan, tool, pocket.inner) : [pocket]));
 
-/** The chain of a work over some of its pockets, the same object each time. */
-function bridgedIn(work: OutsideWork, pockets: readonly Pocket[], isAcross: boolean): Chain {
-  const known = bridgedWorks.get(work) ?? new Map<string, Chain>();
-  bridgedWorks.set(work, known);
+const bridgedChains = perObject((_: Chain) => perText<Chain>());
+
+/** The chain of a work over some of its pockets, the same object for each stock. */
+export function bridgedIn({ chain }: OutsideWork, pockets: readonly Pocket[], isAcross: boolean): Chain {
   const places = pockets.map(({ axis, first, last, level }) => [axis, first, last, level].join(" "));
-  const name = [isAcross, ...places].join();
-  const bridged = () => bridgedOver(work.chain, pockets);
-  const chain = known.get(name) ?? (isAcross ? bridged() : withoutFront(bridged()));
-  known.set(name, chain);
-  return chain;
+  const bridged = bridgedChains(chain)(places.join(), () => bridgedOver(chain, pockets));
+  return isAcross ? bridged : withoutFront(bridged);
 }
 
-const bridgedWorks = new WeakMap<OutsideWork, Map<string, Chain>>();
+/** A tool with the path that it can follow along a contour. */
+interface Reach extends ToolFit {
+  readonly plan: Plan;
+}
+
+/** Finishing passes along sections that go into every hollow, by the cycle. */
+const passesOf = perObject((_: readonly Segment[]) => perText<SetJob>());
+
+/**
+ * How far a tool follows a contour with a cycle: that is the same in each stock and with all cutting values, so that it is
+ * asked for in front of the blank. Null where it makes no cut.
+ */
+function reachAlong(cycle: Cycle, { segments }: Chain, tool: Tool, request: PlanRequest): Reach | null {
+  const job = passesOf(segments)(String(cycle.number), () =>
+    withCycleValues(contourJob(cycle, { segments, way: "ahead", stock: request.blank }), [
+      ["Q215", OPERATION.finish],
+      ["Q487", 1],
+    ]),
+  );
+  const plan = planOf(cycle, job, tool, request.shop.memory);
+  if (!plan || isRefused(plan)) return null;
+  const fit = fitOf(tool, plan);
+  return fit.cuts ? { ...fit, plan } : null;
+}
 
 /**
  * The chain as a tool turns it: without grooves across its way, those with nothing left in them, and those that it does
  * not reach. A cycle along the axis goes into the cylinders, one across it into the faces.
  */
-export function turnedChain(
-  work: OutsideWork,
-  tool: Tool,
-  planWith: (segments: readonly Segment[]) => Plan | null,
-  isAcross = false,
-): Chain {
+function turnedChain(work: OutsideWork, cycle: Cycle, tool: Tool, request: PlanRequest): Chain {
   const { pockets, pieces } = work;
+  const isAcross = worksAcross(cycle);
   const own = pockets.filter(({ axis }) => (axis === "z") === isAcross);
   const done = own.filter(({ first, last }) => !pieces.some(({ borders: [a, b] }) => a < last && b > first));
   const closed = [...pockets.filter((pocket) => !own.includes(pocket)), ...done];
   const plain = bridgedIn(work, closed, isAcross);
   const open = own.filter((pocket) => !done.includes(pocket));
   if (open.length === 0) return plain;
-  const plan = planWith(plain.segments);
-  const skipped = plan ? unsuited(plan, tool, open) : open;
+  const reach = reachAlong(cycle, plain, tool, request);
+  const skipped = reach ? unsuited(reach.plan, tool, open) : open;
   return skipped.length === 0 ? plain : bridgedIn(work, [...closed, ...skipped], isAcross);
+}
+
+/** A way to turn the chain of a work with a cycle. */
+export interface TurnedWay {
+  readonly candidate: Omit<Candidate, "job">;
+  readonly tools: readonly Tool[];
+  /** Most tools. */
+  readonly most: number;
+  readonly better?: Better;
+  /** What of the chain as a tool turns it is cut; no element: nothing. */
+  readonly cutChain: (chain: Chain) => Chain;
+  readonly jobOf: (chain: Chain) => SetJob;
+  readonly isWanted?: (fit: Fitted) => boolean;
+}
+
+/** The actions of a way with the tools that go into most of the grooves. */
+export function turnings(
+  work: OutsideWork,
+  { candidate, tools, most, better, cutChain, jobOf, isWanted = () => true }: TurnedWay,
+  request: PlanRequest,
+): readonly Action[] {
+  const { cycle, cut } = candidate;
+  const fits = tools.flatMap((tool) => {
+    const chain = cutChain(turnedChain(work, cycle, tool, request));
+    const reach = chain.segments.length > 0 ? reachAlong(cycle, chain, tool, request) : null;
+    return reach ? { ...reach, chain, goesInto: chain.segments.length } : [];
+  });
+  const made = ({ tool, chain }: (typeof fits)[number]) => {
+    const fit = fitted({ cycle, job: jobOf(chain), cut }, tool, request);
+    return fit && isWanted(fit) ? actionOf(candidate, tool, fit.job, fit.values) : null;
+  };
+  return deepest(fits, most, request, made, better);
 }
 
 /** What the values of a cut of a section depend on. */
 export const cutOf = (
-  cycle: Cycle,
+  group: Group,
   operation: CutRequest["operation"],
   { box, stock, roughness }: Pick<Piece, "box"> & Pick<CutRequest, "stock" | "roughness">,
 ): CutRequest => ({
   operation,
-  work: workOf(cycle.group, operation),
+  work: workOf(group, operation),
   smallest: toDiameter(radius(box.low)),
   largest: toDiameter(radius(box.high)),
   stock,

@@ -7,15 +7,16 @@ import type { Tool } from "../../kernel/plan/tool.ts";
 import { usualTable } from "../../program/tools/cutting-table.ts";
 import type { SetJob } from "../../program/job/job.ts";
 import { withCycleValues } from "../../program/job/requested-job.ts";
+import { perObject } from "../per-object.ts";
 import type { PlanRequest, ReasonedValue } from "../types.ts";
-import { withCuttingValues } from "../values/cycle-values.ts";
+import { withCuttingValues, type ValuesOfCycle } from "../values/cycle-values.ts";
 import { cuttingValues } from "../values/cutting-values.ts";
 import { heldWorkpiece } from "../../report/advice/held-workpiece.ts";
-import type { HeldBar, HeldWorkpiece } from "../../report/advice/stability.ts";
+import type { HeldBar } from "../../report/advice/stability.ts";
 import type { CuttingValues, ValuesRequest, WantedRoughness, Work } from "../values/values-request.ts";
 
 /** Machining operation of a cycle: roughing and finishing, roughing, finishing to size. */
-const OPERATION = { both: 0, rough: 1, finish: 2 } as const;
+export const OPERATION = { both: 0, rough: 1, finish: 2 } as const;
 
 /** Grid of an infeed, mm. */
 const INFEED = 0.05;
@@ -47,18 +48,9 @@ export const workOf = (group: Group, operation: keyof typeof OPERATION): Work =>
 };
 
 /** The stiffness of a stock in its clamping is the same for every tool. */
-const held = new WeakMap<
-  readonly Ring[],
-  Pick<PlanRequest, "clamping"> & { readonly workpiece: HeldWorkpiece | null }
->();
-
-function workpieceOf(stock: readonly Ring[], { clamping }: PlanRequest): HeldWorkpiece | null {
-  const known = held.get(stock);
-  if (known?.clamping === clamping) return known.workpiece;
-  const workpiece = heldWorkpiece(stock, clamping);
-  held.set(stock, { clamping, workpiece });
-  return workpiece;
-}
+const workpieceIn = perObject(({ clamping }: PlanRequest) =>
+  perObject((stock: readonly Ring[]) => heldWorkpiece(stock, clamping)),
+);
 
 /** Cutting values of a tool in the stock and the shop of a request, by their formulas. */
 export function valuesOf(tool: Tool, cut: CutRequest, request: PlanRequest): CuttingValues {
@@ -72,7 +64,7 @@ export function valuesOf(tool: Tool, cut: CutRequest, request: PlanRequest): Cut
     material,
     smallest: cut.smallest,
     largest: cut.largest,
-    workpiece: workpieceOf(cut.stock, request),
+    workpiece: workpieceIn(request)(cut.stock),
     bar: cut.bar ?? null,
     machine: shop.machine?.spindle ?? null,
     power,
@@ -83,6 +75,19 @@ export function valuesOf(tool: Tool, cut: CutRequest, request: PlanRequest): Cut
   return cuttingValues(asked);
 }
 
+/** The values of both works of a cut: several cycles can make it. */
+const valuesIn = perObject((request: PlanRequest) =>
+  perObject((cut: CutRequest) =>
+    perObject((tool: Tool): ValuesOfCycle => {
+      const turns = cut.work === "rough" || cut.work === "face" || cut.work === "recess";
+      return {
+        main: valuesOf(tool, cut, request),
+        ...(cut.operation === "both" && turns && { finish: valuesOf(tool, { ...cut, work: "finish" }, request) }),
+      };
+    }),
+  ),
+);
+
 /** Sets tool, operation, oversize and cutting values of a job of a cycle, with the reasons for them. */
 export function withValues(
   job: SetJob,
@@ -91,10 +96,9 @@ export function withValues(
   cut: CutRequest,
   request: PlanRequest,
 ): { readonly job: SetJob; readonly values: readonly ReasonedValue[] } {
-  const main = valuesOf(tool, cut, request);
-  const turns = cut.work === "rough" || cut.work === "face" || cut.work === "recess";
-  const finish = cut.operation === "both" && turns ? valuesOf(tool, { ...cut, work: "finish" }, request) : null;
-  const made = withCuttingValues({ ...job, tool: tool.T }, cycle, { main, ...(finish && { finish }) });
+  const own = valuesIn(request)(cut)(tool);
+  const { main } = own;
+  const made = withCuttingValues({ ...job, tool: tool.T }, cycle, own);
   const { allowance } = request.rules;
   const leaves = cut.operation !== "finish";
   const isFilled = cut.width !== undefined && cut.width - cuttingWidth(tool) < allowance.z + allowance.z;

@@ -19,8 +19,16 @@ export interface DraftReading<P extends Params = Params> {
   readonly issues: readonly Issue[];
 }
 
+const prompts = new WeakMap<Param, Field>();
+
 /** The prompt of a parameter. */
-export const promptField = (q: string, param: Param): Field => ({ ...param, id: q });
+export function promptField(q: string, param: Param): Field {
+  const known = prompts.get(param);
+  if (known?.id === q) return known;
+  const field: Field = { ...param, id: q };
+  prompts.set(param, field);
+  return field;
+}
 
 /** How a draft in inches counts its feeds. */
 export interface DraftInches {
