@@ -1,6 +1,5 @@
 import { areaOf } from "../../src/kernel/area/area.ts";
 import type { Tool } from "../../src/kernel/plan/tool.ts";
-import { SAME } from "../../src/kernel/tolerance.ts";
 import { radiusOf } from "../../src/kernel/units.ts";
 import { outlinesOf } from "../../src/sim/outlines.ts";
 import { boxAround, inBox } from "../../src/kernel/area/box.ts";
@@ -127,10 +126,11 @@ export function unprepared({ steps, setup: { part, blank }, judged }: WorkingPla
 }
 
 /**
- * Of the bottom that a drill would make, all tools of the table together reach no more than this share. Finishing ends in
- * front of the cone that a drill has left: how far a bar gets along it is not known before a tool is chosen.
+ * Of a region in a bore, all tools of the table together reach no more than this share. Outside they reach no work in one:
+ * in a bore an insert reaches the mouth from in front of the face, and a bar some of the cone that a drill has left, where
+ * no contour can end.
  */
-const MOST_OF_CONE = 0.5;
+const MOST_IN_BORE = 0.5;
 
 /**
  * Whether a bar goes as deep into a bore as a region lies: it needs its least bore and a holder for all of the depth,
@@ -160,7 +160,7 @@ export function leftThoughReached(request: PlanRequest): readonly string[] {
         return rings.length > 0 ? [{ tool, rings }] : [];
       });
     const area = areaOf(union(all.flatMap(({ rings }) => rings)));
-    if (area < (region.box.low < SAME ? MOST_OF_CONE * region.area : LEAST_REGION)) return [];
+    if (area < (site === "inside" ? MOST_IN_BORE * region.area : LEAST_REGION)) return [];
     const names = all.map(({ tool }) => `T${tool.T}`).join(", ");
     return [`${site} ${region.area.toFixed(2)} mm² left, ${area.toFixed(2)} reached by the shape of ${names}`];
   });
