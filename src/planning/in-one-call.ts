@@ -1,4 +1,4 @@
-import { allActionsIn, compareEnds, nodesOf, type PlanNode, type Searching } from "./plan-node.ts";
+import { allActionsIn, nodesOf, type PlanNode, type Searching } from "./plan-node.ts";
 import { followed } from "./search.ts";
 import { wholeProgram } from "./whole-program.ts";
 
@@ -23,7 +23,7 @@ export function* inOneCall(end: PlanNode, kept: number, s: Searching): Generator
     for (const both of allActionsIn(start, s, rough.kind)) {
       if (!both.inOneCall || both.tool.T !== rough.tool.T || both.cycle !== rough.cycle) continue;
       const other = yield* followed(start, [both, ...later], s);
-      if (other.seconds < best.seconds && compareEnds(other, best) < 0 && isProved(other, s)) best = other;
+      if (other.seconds < best.seconds && s.ends.isBetter(other, best) && isProved(other, s)) best = other;
     }
   }
   return best;

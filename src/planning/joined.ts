@@ -1,4 +1,4 @@
-import { compareEnds, firstNode, nodesOf, type PlanNode, type Searching } from "./plan-node.ts";
+import { firstNode, nodesOf, type PlanNode, type Searching } from "./plan-node.ts";
 import { followed } from "./search.ts";
 import type { Action } from "./types.ts";
 
@@ -28,7 +28,7 @@ export function* joined(end: PlanNode, kept: number, s: Searching): Generator<Pl
     for (const to of placesFor(actions, i).filter((k) => k >= kept)) {
       const from = Math.min(i, to);
       const other = yield* followed(nodes[from]?.before ?? firstNode(s), moved(actions, i, to).slice(from), s);
-      if (compareEnds(other, best) < 0) best = other;
+      if (s.ends.isBetter(other, best)) best = other;
     }
   }
   return best;

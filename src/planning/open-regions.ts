@@ -17,6 +17,10 @@ export interface OpenRegion {
   readonly area: number;
 }
 
+/** Area of the connected pieces that are work, mm². */
+export const workIn = (open: readonly Ring[]): number =>
+  regionsOf(open, LEAST_REGION).reduce((sum, { area }) => sum + area, 0);
+
 /** Material that is not part of the finished part, in connected pieces, the largest first. */
 export function openRegions(stock: readonly Ring[], { rings }: PlannedPart): readonly OpenRegion[] {
   return regionsOf(opened(difference(stock, rings), SLIVER), LEAST_REGION)

@@ -1,4 +1,4 @@
-import { compareEnds, doneIn, firstNode, isCorner, nodesOf, type PlanNode, type Searching } from "./plan-node.ts";
+import { doneIn, firstNode, isCorner, nodesOf, type PlanNode, type Searching } from "./plan-node.ts";
 import { followed } from "./search.ts";
 
 /**
@@ -16,7 +16,7 @@ export function* ordered(end: PlanNode, kept: number, s: Searching): Generator<P
     if (to < 0) continue;
     const others = nodes.slice(to).flatMap(({ tried }) => (tried && tried !== late ? [tried.action] : []));
     const earlier = yield* followed(nodes[to - 1] ?? firstNode(s), [late.action, ...others], s);
-    if (compareEnds(earlier, best) < 0) best = earlier;
+    if (s.ends.isBetter(earlier, best)) best = earlier;
   }
   return best;
 }

@@ -1,10 +1,9 @@
-import { areaOf } from "../kernel/area/area.ts";
 import { difference, offset, opened } from "../kernel/area/clip.ts";
 import type { Ring } from "../kernel/geometry/point.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
 import { diameter, perSide } from "../kernel/units.ts";
 import { withHandValues } from "./hand-values.ts";
-import { LEAST_REGION } from "./open-regions.ts";
+import { LEAST_REGION, workIn } from "./open-regions.ts";
 import { perObject } from "./per-object.ts";
 import { isInPlace } from "./places.ts";
 import { ofPieces, turnedVolume } from "./stock-key.ts";
@@ -20,7 +19,7 @@ export interface PlanNode extends PlanState {
   /** Cost so far, s: time, tool changes, rules; and the time alone. */
   readonly cost: number;
   readonly seconds: number;
-  /** Material outside the finished part: mm² of the half plane, and mm³. */
+  /** Pieces of material outside the finished part that are work, mm² of the half plane; all such material, mm³. */
   readonly left: number;
   readonly volume: number;
   /** The share of the volume within the oversize for finishing, mm³. */
@@ -38,6 +37,9 @@ export interface Searching {
   readonly hand: ReadonlyMap<string, HandValues>;
   /** Bound of tries. */
   readonly most: number;
+  readonly ends: Ends;
+  /** Operations that are not proposed, by their key: the whole program of a plan showed that they are at fault. */
+  readonly without: ReadonlySet<string>;
   /** What the sources propose in states, by the stock and what was done. */
   readonly known: Map<string, readonly Action[]>;
 }
@@ -71,7 +73,8 @@ function proposedBy(source: ActionSource, state: PlanState, s: Searching): reado
   const made = source
     .actions({ ...state, done: own }, request)
     .filter(
-      ({ cycle, tool, threads }) =>
+      ({ cycle, key, tool, threads }) =>
+        !s.without.has(key) &&
         (cycle === null || !request.withoutCycles.includes(cycle)) &&
         !request.withoutTools.includes(tool.T) &&
         (threads.length === 0 || threads.some((t) => !state.threads.has(t))),
@@ -131,7 +134,7 @@ const leftOf = perObject((request: PlanRequest) => {
     const open = ofPieces(all, 0, "open", (piece) => opened(piece, SLIVER), request);
     const volume = turnedVolume(open);
     const skin = volume - turnedVolume(difference(open, grown));
-    return { open, left: areaOf(open), volume, skin };
+    return { open, left: workIn(open), volume, skin };
   });
 });
 
@@ -184,14 +187,31 @@ export function nodesOf(end: PlanNode): readonly PlanNode[] {
   return nodes;
 }
 
-/** Differences of two ends of a search in the order in which they count; negative: the first is better. */
-export function compareEnds(a: PlanNode, b: PlanNode): number {
-  const parted = (n: PlanNode) => Number(n.done.some(({ action }) => action.kind === "partOff"));
-  const left = a.left - b.left;
+/** Whether the part is off its bar. */
+export const isParted = ({ done }: PlanNode): boolean => done.some(({ action }) => action.kind === "partOff");
+
+/**
+ * Differences of two states in the order in which they count; negative: the first is better. `least`: what leaves less
+ * than a region more than this leaves as much, mm².
+ */
+export function compareStates(a: PlanNode, b: PlanNode, least = Math.min(a.left, b.left)): number {
+  const over = ({ left }: PlanNode) => (left < least + LEAST_REGION ? 0 : left - least);
   return (
-    parted(b) - parted(a) ||
-    b.threads.size - a.threads.size ||
-    (Math.abs(left) < LEAST_REGION ? 0 : left) ||
-    a.cost - b.cost
+    Number(isParted(b)) - Number(isParted(a)) || b.threads.size - a.threads.size || over(a) - over(b) || a.cost - b.cost
   );
+}
+
+/**
+ * The ends of one search. How much is left is compared with the least of them all: compared in pairs, each could leave a
+ * little more than the one before it until the last leaves much more than the first.
+ */
+export class Ends {
+  private readonly least = new Map<string, number>();
+
+  /** Whether the first of two ends is better. */
+  isBetter(a: PlanNode, b: PlanNode): boolean {
+    const made = (n: PlanNode) => `${isParted(n)} ${n.threads.size}`;
+    for (const n of [a, b]) this.least.set(made(n), Math.min(n.left, this.least.get(made(n)) ?? Infinity));
+    return compareStates(a, b, this.least.get(made(a))) < 0;
+  }
 }

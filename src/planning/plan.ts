@@ -1,34 +1,48 @@
 import { AnswerCache } from "../kernel/answer-cache.ts";
 import { parse } from "../nc/parse.ts";
+import type { Block } from "../nc/program.ts";
 import { actionSources } from "./actions/index.ts";
 import { explained } from "./explain.ts";
 import { inOneCall } from "./in-one-call.ts";
 import { ordered } from "./ordered.ts";
-import {
-  allActionsIn,
-  compareEnds,
-  firstNode,
-  nodeBehind,
-  nodesOf,
-  type PlanNode,
-  type Searching,
-} from "./plan-node.ts";
+import { allActionsIn, doneIn, Ends, firstNode, nodeBehind, type PlanNode, type Searching } from "./plan-node.ts";
 import { residueOf } from "./residue.ts";
 import { retooled } from "./retooled.ts";
 import { beam, pruned } from "./search.ts";
+import { inSequence, SEQUENCES } from "./sequences.ts";
 import { secondClamping, withRear } from "./second-clamping.ts";
 import { Trade } from "./trade-rules.ts";
 import { Tries } from "./tries.ts";
-import type { ActionSource, PlanRequest } from "./types.ts";
-import { wholeProgram } from "./whole-program.ts";
+import type { Action, ActionSource, PlanRequest } from "./types.ts";
+import { wholeProgram, type WholeProgram } from "./whole-program.ts";
 import type { ClampingChanges, PlanChanges, PlanProgress, WorkingPlan } from "./working-plan.ts";
 
 /** Widths of the beam, one pass each: the first gives a plan at once, the others use its tries. */
 const WIDTHS = [1, 3] as const;
 /** Most tries of a search. */
 const MOST = 1500;
+/** Most operations that are left out because the whole program shows that they are at fault. */
+const MOST_WITHOUT = 3;
 /** Plans of cycles that a search remembers, bytes. */
 const MEMORY = 50_000_000;
+
+/** What a search is made again with whose plan did not hold as a whole. */
+interface Again {
+  /** Each on its whole stock. */
+  readonly tries: Tries;
+  /** Operations that are at fault, by their key. */
+  readonly without: readonly string[];
+}
+
+/** The operation at fault in a whole program: each begins with its tool call. Undefined where it is none of them. */
+function faultyIn({ text, judged }: WholeProgram, actions: readonly Action[]): Action | undefined {
+  const block = judged.reasons[0]?.block ?? null;
+  if (block === null) return undefined;
+  const isCall = ({ statement }: Block) => statement.kind === "toolCall";
+  const { blocks } = parse(text);
+  const later = blocks.slice(block + 1).filter(isCall).length;
+  return actions[actions.length - 1 - later];
+}
 
 /** The state behind the steps that an operator keeps or has chosen, as far as they are possible and work. */
 function* replayed({ keep = [], instead }: ClampingChanges, s: Searching): Generator<PlanNode, PlanNode> {
@@ -59,24 +73,26 @@ function* improved(end: PlanNode, kept: number, s: Searching): Generator<PlanNod
 /**
  * Searches the working plan with the least time that leaves nothing a tool of the shop could take. Yields before every
  * try with the best plan so far; to cancel, stop asking. Pure and deterministic: the same request gives the same plan.
- * `former`: tries of a search whose plan did not hold as a whole.
+ * `again`: where the plan of a former search did not hold as a whole.
  */
 export function* planning(
   asked: PlanRequest,
   changes: PlanChanges = {},
   sources: readonly ActionSource[] = actionSources,
-  former: Tries | null = null,
+  again: Again | null = null,
 ): Generator<PlanProgress, WorkingPlan> {
   const { instead, hand = {}, second: changesOfSecond = {} } = changes;
   const request: PlanRequest = { ...asked, shop: { ...asked.shop, memory: new AnswerCache(MEMORY) } };
   const s: Searching = {
     request,
     sources,
-    tries: new Tries(request, former),
+    tries: again?.tries ?? new Tries(request),
     trade: new Trade(request),
     known: new Map(),
+    ends: new Ends(),
     hand: new Map(Object.entries(hand)),
-    most: MOST + (former?.count ?? 0),
+    without: new Set(again?.without),
+    most: MOST + (again?.tries.count ?? 0),
   };
   const byHand = new Set([...s.hand.keys(), ...(instead ? [instead.actionKey] : [])]);
   const from = yield* reported(replayed(changes, s), s, () => null);
@@ -85,16 +101,24 @@ export function* planning(
     const found = yield* reported(beam(from, width, s), s, () => best);
     const shown: PlanNode = best ?? found;
     const end = yield* reported(improved(found, from.done.length, s), s, () => shown);
-    if (!best || compareEnds(end, best) < 0) best = end;
+    if (!best || s.ends.isBetter(end, best)) best = end;
+  }
+  for (const kinds of SEQUENCES) {
+    const found = yield* reported(inSequence(kinds, from, best ?? from, s), s, () => best);
+    if (!best || !s.ends.isBetter(found, best)) continue;
+    const shown: PlanNode = best;
+    best = yield* reported(improved(found, from.done.length, s), s, () => shown);
   }
   const end = yield* reported(inOneCall(best ?? from, from.done.length, s), s, () => best);
-  const whole = wholeProgram(
-    nodesOf(end).flatMap(({ tried }) => tried?.action ?? []),
-    request,
-  );
-  // Stock far from the place of an action made a difference after all.
-  if (end.done.length > 0 && whole.judged.verdict !== "proved" && !former)
-    return yield* planning(asked, changes, sources, s.tries);
+  const whole = wholeProgram(doneIn(end), request);
+  if (end.done.length > 0 && whole.judged.verdict !== "proved") {
+    // Stock far from the place of an action made a difference after all.
+    if (!again) return yield* planning(asked, changes, sources, { tries: new Tries(request, s.tries), without: [] });
+    // A try knows only the contour of its own operation: what others keep is seen in the whole program.
+    const faulty = faultyIn(whole, doneIn(end));
+    if (faulty && !byHand.has(faulty.key) && again.without.length < MOST_WITHOUT)
+      return yield* planning(asked, changes, sources, { tries: s.tries, without: [...again.without, faulty.key] });
+  }
   const steps = yield* reported(explained(end, byHand, s), s, () => end);
   const found = yield* reported(residueOf(end, whole.stock, s), s, () => end);
   // What is left may be for the other end; a second clamping has no third.

@@ -3,7 +3,7 @@ import { LEAST_REGION } from "./open-regions.ts";
 import {
   actionsIn,
   changeBefore,
-  compareEnds,
+  compareStates,
   doneIn,
   nodeBehind,
   nodesOf,
@@ -36,7 +36,7 @@ function* withTool(
       const tried = s.tries.of(action, node);
       if (!tried.works) continue;
       const behind = nodeBehind(node, tried, s);
-      if (!best || compareEnds(behind, best) < 0) best = behind;
+      if (!best || compareStates(behind, best) < 0) best = behind;
     }
     if (!best) return null;
     node = best;
@@ -81,7 +81,7 @@ export function* retooled(end: PlanNode, kept: number, s: Searching): Generator<
       if (!node || !canGain(node, before, actions.slice(to), s)) continue;
       const then = yield* followed(node, actions.slice(to), s);
       const other = yield* joined(then, kept, s);
-      if (compareEnds(other, best) < 0) best = other;
+      if (s.ends.isBetter(other, best)) best = other;
     }
   }
   return best;

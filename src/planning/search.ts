@@ -4,7 +4,6 @@ import {
   allActionsIn,
   areRivals,
   changeBefore,
-  compareEnds,
   doneIn,
   isCorner,
   nodeBehind,
@@ -220,7 +219,7 @@ export function* beam(from: PlanNode, width: number, s: Searching): Generator<Pl
   while (nodes.length > 0) {
     const next: readonly PlanNode[] = yield* nextLevel(new Level(nodes, s), width, s);
     const ended = next.length === 0 ? nodes : nodes.filter((node) => node.left < LEAST_REGION);
-    for (const node of ended) if (!best || compareEnds(node, best) < 0) best = node;
+    for (const node of ended) if (!best || s.ends.isBetter(node, best)) best = node;
     nodes = next;
   }
   return best ?? from;
@@ -239,7 +238,7 @@ export function* pruned(end: PlanNode, s: Searching): Generator<PlanNode, PlanNo
     const start = nodes[i]?.before;
     if (!action || !start || !later.some((a) => areRivals(a, action))) continue;
     const without = yield* followed(start, later, s);
-    if (compareEnds(without, best) < 0) best = without;
+    if (s.ends.isBetter(without, best)) best = without;
   }
   return best;
 }

@@ -13,11 +13,12 @@ import { LEAST_REGION, type OpenRegion } from "../../src/planning/open-regions.t
 import type { FinishedPart } from "../../src/planning/part/finished-part.ts";
 import { plannedPart } from "../../src/planning/part/planned-part.ts";
 import { planning } from "../../src/planning/plan.ts";
-import { actionsIn, firstNode, nodeBehind, type PlanNode, type Searching } from "../../src/planning/plan-node.ts";
+import { actionsIn, Ends, firstNode, nodeBehind, type PlanNode, type Searching } from "../../src/planning/plan-node.ts";
+import { SEQUENCES } from "../../src/planning/sequences.ts";
 import { USUAL_RULES } from "../../src/planning/shop-rules.ts";
 import { Trade } from "../../src/planning/trade-rules.ts";
 import { Tries } from "../../src/planning/tries.ts";
-import { ACTION_KINDS, type Action, type ActionKind, type PlanRequest } from "../../src/planning/types.ts";
+import type { Action, ActionKind, PlanRequest } from "../../src/planning/types.ts";
 import type { PlanChanges, WorkingPlan } from "../../src/planning/working-plan.ts";
 import { builtInTools } from "../../src/program/iso-codes/usual-tools.ts";
 import { touched, turningTools } from "./reach-bound.ts";
@@ -49,8 +50,8 @@ export function withOwnTools(request: PlanRequest): PlanRequest {
 }
 
 /** A search to its end. */
-export function planOf(request: PlanRequest, changes: PlanChanges = {}): WorkingPlan {
-  const search = planning(request, changes);
+export function planOf(request: PlanRequest, changes: PlanChanges = {}, sources = actionSources): WorkingPlan {
+  const search = planning(request, changes, sources);
   for (;;) {
     const next = search.next();
     if (next.done) return next.value;
@@ -67,26 +68,9 @@ export const searching = (request: PlanRequest): Searching => ({
   hand: new Map(),
   most: Infinity,
   known: new Map(),
+  ends: new Ends(),
+  without: new Set(),
 });
-
-/** A fixed table of sequences: kinds in their usual order, and grooves and undercuts behind finishing. */
-export const SEQUENCES: readonly (readonly ActionKind[])[] = [
-  ACTION_KINDS,
-  [
-    "face",
-    "centre",
-    "drill",
-    "roughOutside",
-    "restRough",
-    "roughInside",
-    "finishOutside",
-    "finishInside",
-    "recess",
-    "undercut",
-    "thread",
-    "partOff",
-  ],
-];
 
 /** The plan of a sequence: of each kind the first way that works, as often as one does. */
 export function fixedSequence(kinds: readonly ActionKind[], request: PlanRequest, s: Searching): PlanNode {
@@ -141,8 +125,12 @@ export function unprepared({ steps, setup: { part, blank }, judged }: WorkingPla
   ];
 }
 
-/** Of a region that is left for want of a tool, all tools of the table together reach no more than this share. */
-const MOST_REACHED = 0.5;
+/**
+ * Of a region in a bore, all tools of the table together reach no more than this share. Outside they reach no work in one:
+ * in a bore an insert reaches the mouth from in front of the face, and a bar some of the cone that a drill has left, where
+ * no contour can end.
+ */
+const MOST_IN_BORE = 0.5;
 
 /**
  * Whether a bar goes as deep into a bore as a region lies: it needs its least bore and a holder for all of the depth,
@@ -155,7 +143,7 @@ function isBarFor({ box }: OpenRegion, { part: { rings } }: PlanRequest): (tool:
     boxAround(outlinesOf()(tool).holder).right >= depth && (tool.DMIN === undefined || radiusOf(tool.DMIN) <= least);
 }
 
-/** Regions that a plan leaves as if a tool were missing, though those of the table reach most of them by their shape. */
+/** Regions that a plan leaves as if a tool were missing, though those of the table reach work in them by their shape. */
 export function leftThoughReached(request: PlanRequest): readonly string[] {
   const plan = planOf(request);
   const { stock } = endOf(plan, searching(request));
@@ -172,28 +160,37 @@ export function leftThoughReached(request: PlanRequest): readonly string[] {
         return rings.length > 0 ? [{ tool, rings }] : [];
       });
     const area = areaOf(union(all.flatMap(({ rings }) => rings)));
-    if (area < MOST_REACHED * region.area) return [];
+    if (area < (site === "inside" ? MOST_IN_BORE * region.area : LEAST_REGION)) return [];
     const names = all.map(({ tool }) => `T${tool.T}`).join(", ");
     return [`${site} ${region.area.toFixed(2)} mm² left, ${area.toFixed(2)} reached by the shape of ${names}`];
   });
 }
 
-/** Whether an end makes no less than another one in less time: by its own count, not by that of the search. */
-const isBetterEnd = (a: PlanNode, b: PlanNode): boolean =>
-  a.threads.size >= b.threads.size &&
-  (a.left < b.left - LEAST_REGION || (a.left < b.left + LEAST_REGION && a.cost < b.cost - SAME_COST));
 /** s. */
 const SAME_COST = 0.01;
+
+/**
+ * Other ends that make no less than one and leave less, or take less time: by their own count, not by that of the search.
+ * All that leave no more than a region above the least of them leave as much.
+ */
+function betterThan(end: PlanNode, others: readonly PlanNode[]): readonly PlanNode[] {
+  const able = others.filter(({ threads }) => threads.size >= end.threads.size);
+  const least = Math.min(end.left, ...able.map(({ left }) => left)) + LEAST_REGION;
+  return able.filter(({ left, cost }) => left < least && (end.left >= least || cost < end.cost - SAME_COST));
+}
 
 /** What a plan breaks of what every plan keeps; empty where it breaks nothing. */
 export function brokenByPart(request: PlanRequest): readonly string[] {
   const plan = planOf(request);
   const s = searching(request);
   const end = endOf(plan, s);
-  const fixed = SEQUENCES.map((kinds) => fixedSequence(kinds, request, s)).filter((other) => isBetterEnd(other, end));
+  const fixed = betterThan(
+    end,
+    SEQUENCES.map((kinds) => fixedSequence(kinds, request, s)),
+  );
   const open = actionsIn(end, s).filter((a) => {
     const tried = s.tries.of(a, end);
-    return tried.works && areaBeyond(end.open, tried.stock) > LEAST_REGION;
+    return tried.works && nodeBehind(end, tried, s).left < end.left - LEAST_REGION;
   });
   const again = planOf(request);
   const kept = planOf(request, { keep: keysOf(plan) });

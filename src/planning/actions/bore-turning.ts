@@ -123,18 +123,29 @@ function coneFront(
 }
 
 /**
- * Off the wall at 45° where a cut ends in front of stock that is left: there the nose radius would stand in it. Only where
- * the part gets no narrower behind.
+ * Off the wall where a cut ends in front of stock that is left: there the nose radius would stand in it, and take some of
+ * what lies behind its contour. At 45°, only where the part gets no narrower behind; across where the cone that a drill
+ * has left begins.
  */
-function runOut(contour: readonly Segment[], stock: readonly Ring[], inside: readonly Segment[]): readonly Segment[] {
+function runOut(
+  contour: readonly Segment[],
+  stock: readonly Ring[],
+  inside: readonly Segment[],
+  cone: number,
+): readonly Segment[] {
   const last = contour.at(-1)?.to;
   if (!last || last.r < BESIDE) return [];
   const hole = clearRadius(stock, last.z - BESIDE, last.z);
+  if (hole >= last.r) return [];
   const height = last.r - hole + BESIDE;
   const end = last.z - height;
-  const isFree = hole === Infinity || hole >= last.r || solidFrom(stock, hole - BESIDE) > end;
+  if (solidFrom(stock, hole - BESIDE) > end) {
+    if (last.z > cone + SAME) return [];
+    const free = clearRadius(stock, last.z - ON_CONE, last.z);
+    return free < last.r ? [geometry.line(last, geometry.point(last.z, free - ON_CONE))] : [];
+  }
   const points = geometry.flattenedChain(inside, CHORD);
-  if (isFree || points.some(({ z, r }) => z > end && z < last.z && r < last.r - (last.z - z) - SAME)) return [];
+  if (points.some(({ z, r }) => z > end && z < last.z && r < last.r - (last.z - z) - SAME)) return [];
   return [geometry.line(last, geometry.point(end, last.r - height))];
 }
 
@@ -174,7 +185,9 @@ export function sectionInBore(
   const left = bottom === -Infinity ? Math.min(box.left, whole.at(-1)?.to.z ?? box.left) : box.left;
   const rearmost = Math.max(left, boxAround(stock).left);
   const narrow = bottom === -Infinity ? { z: rearmost, r: clearRadius(stock, left, front) } : { z: bottom, r: 0 };
-  const cone = isDeep ? -Infinity : coneFront(stock, narrow, clear);
+  const drilled = coneFront(stock, narrow, clear);
+  const endsInCone = box.left < drilled && drilled < box.right - AHEAD;
+  const cone = isDeep && !endsInCone ? -Infinity : drilled;
   const along = clearRadius(stock, Math.max(left, cone), front);
   // Behind the part it goes no farther than the bore does.
   const end = part.inside.segments.at(-1)?.to.z ?? 0;
@@ -184,8 +197,8 @@ export function sectionInBore(
   // program counts it as the part of the contours outside.
   const limit = oversize > 0 && rear === cone && cone < end ? -Infinity : rear;
   const cut = upToZ(isDeep && isWall ? beside : whole, limit);
-  const segments = oversize > 0 ? cut : [...cut, ...runOut(cut, stock, part.inside.segments)];
-  const low = Math.min(along, isDeep ? box.low : Infinity) - BESIDE;
+  const segments = oversize > 0 ? cut : [...cut, ...runOut(cut, stock, part.inside.segments, cone)];
+  const low = Math.min(along, isDeep && !endsInCone ? box.low : Infinity) - BESIDE;
   return segments.length > 0 ? { segments, marks, way: { z, clear, low }, isDeep } : null;
 }
 
