@@ -7,9 +7,10 @@ import type { Action, ActionSource, Chain, PlanRequest } from "../types.ts";
 import { actionOf, fitted, notDone, toolsOf, deepest } from "./candidates.ts";
 import { contourJob } from "./contour-job.ts";
 import { finestOf } from "./finest.ts";
+import { withoutFront } from "./front.ts";
 import { sectionWorks } from "./rest-rough.ts";
 import { isInGroove, outsideWork, workUpTo, type OutsideWork, type Piece } from "./outside-work.ts";
-import { cutOf, turnedChain, turningCycles, typesFirst, withoutFront } from "./turned-contour.ts";
+import { cutOf, turnedChain, turningCycles, typesFirst } from "./turned-contour.ts";
 
 /** Tools to finish with. */
 const MOST = 3;

@@ -8,10 +8,11 @@ import { actionOf, actionsOf, fitted, notDone, toolsOf, deepest } from "./candid
 import { isToleranced } from "./finest.ts";
 import { finishings } from "./finish-outside.ts";
 import { contourJob } from "./contour-job.ts";
+import { withoutEdge, withoutFront } from "./front.ts";
 import { outsideWork, workUpTo, type OutsideWork, type Piece } from "./outside-work.ts";
 import { bridgedOver } from "./pockets.ts";
 import { allowanceAlong } from "./near-net.ts";
-import { cutOf, turnedChain, turningCycles, withoutFront } from "./turned-contour.ts";
+import { cutOf, turnedChain, turningCycles } from "./turned-contour.ts";
 
 /** Inserts that rough; the price of the weaker ones is for the search. */
 const TYPES: readonly Tool["TYPE"][] = ["ROUGH", "FINISH"];
@@ -67,7 +68,15 @@ function roughings(work: OutsideWork, piece: Piece, { stock, tools, request }: A
         ...(followsBlank(cycle) ? [["Q485", allowance] as const] : []),
       ]);
     const outline = across ? whole : plain;
-    const over = actionsOf({ ...candidate, job: jobOf(outline, 0) }, tools, MOST, request);
+    /** A job over a chain, and the same without the edge in front of it. */
+    const jobsOf = (chain: Chain, plunging: number) => {
+      const segments = across || followsBlank(cycle) ? null : withoutEdge(chain.segments);
+      return {
+        job: jobOf(chain, plunging),
+        ...(segments && { other: jobOf({ segments, marks: [] }, plunging) }),
+      };
+    };
+    const over = actionsOf({ ...candidate, ...jobsOf(outline, 0) }, tools, MOST, request);
     if (!work.pockets.some(({ axis }) => (axis === "z") === across)) return over;
     const into = tools.flatMap((tool) => {
       const chain = turnedChain(
@@ -77,7 +86,7 @@ function roughings(work: OutsideWork, piece: Piece, { stock, tools, request }: A
         across,
       );
       if (chain.segments.length === outline.segments.length) return [];
-      const fit = fitted({ cycle, cut, job: jobOf(chain, 1) }, tool, request);
+      const fit = fitted({ cycle, cut, ...jobsOf(chain, 1) }, tool, request);
       return fit ? { ...fit, goesInto: chain.segments.length } : [];
     });
     const made = deepest(into, MOST, request).map(({ tool, job, values }) =>

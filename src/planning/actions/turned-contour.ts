@@ -10,14 +10,9 @@ import { cyclesFor } from "../../report/which/ways.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import type { Chain, PlanRequest } from "../types.ts";
 import type { OutsideWork, Piece } from "./outside-work.ts";
+import { withoutFront } from "./front.ts";
 import { bridgedOver, isValley, type Pocket } from "./pockets.ts";
 import { workOf, type CutRequest } from "./values-of-job.ts";
-
-/** A chain without the faces in front of it, which facing takes. */
-export function withoutFront({ segments, marks }: Chain): Chain {
-  const first = segments.findIndex((s) => Math.abs(s.to.z - s.from.z) > SAME);
-  return first < 0 ? { segments: [], marks: [] } : { segments: segments.slice(first), marks: marks.slice(first) };
-}
 
 /** Turning cycles for a section of the contour that are not excluded. `allowance`: of stock along the contour, mm. */
 export function turningCycles(
