@@ -34,9 +34,9 @@ function isToleranced(action: Action, { part }: PlanRequest): boolean {
   );
 }
 
-/** Whether an action goes behind the rear face of a part that is parted off there. */
-const isAtParting = ({ place }: Action, { part: { rings }, partsOff }: PlanRequest): boolean =>
-  partsOff && place.rear < boxAround(rings).left - SAME;
+/** Whether an action is a groove behind the rear face of a part that is parted off there. */
+const isAtParting = ({ kind, place }: Action, { part: { rings }, partsOff }: PlanRequest): boolean =>
+  kind === "recess" && partsOff && place.rear < boxAround(rings).left - SAME;
 
 /** A price that no time of cutting outweighs, s. */
 const NEVER = 100_000;
