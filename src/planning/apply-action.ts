@@ -19,8 +19,8 @@ const LEAST_CUT = 0.05;
 /** Less is no damage, mm²: chords of arcs. */
 export const LEAST_GOUGE = 0.01;
 
-/** Material beyond its oversize that a finishing cut takes at most, mm: the ground of an undercut. */
-const THICKEST = 1.5;
+/** Material beyond its oversize that a finishing cut takes at most, mm: the ground of an undercut, an edge. */
+export const THICKEST = 1.5;
 
 /** What a setter should see, and what says nothing about the stock: an operation without a cycle. */
 const NO_FAULT: ReadonlySet<VerdictReason["kind"]> = new Set([

@@ -11,7 +11,8 @@ import {
   type PlanNode,
   type Searching,
 } from "./plan-node.ts";
-import { followed, isSameWork } from "./search.ts";
+import { isSameWork } from "./places.ts";
+import { followed } from "./search.ts";
 import type { Action } from "./types.ts";
 
 /** Steps one after the other with one tool: the indices of the first and of the one behind the last. */

@@ -12,7 +12,7 @@ import {
   type PlanNode,
   type Searching,
 } from "./plan-node.ts";
-import { isInPlace } from "./places.ts";
+import { isInPlace, isSameWork } from "./places.ts";
 import { finishes, type Expected } from "./tries.ts";
 import { ROUGHING, type Action } from "./types.ts";
 
@@ -242,9 +242,6 @@ export function* pruned(end: PlanNode, s: Searching): Generator<PlanNode, PlanNo
   }
   return best;
 }
-
-/** Whether two actions do the same in the same place, with whatever tool. */
-export const isSameWork = (a: Action, b: Action): boolean => a.kind === b.kind && a.site === b.site && isInPlace(a, b);
 
 /** Whether an action does with the same tool and cycle more or less of another. */
 const isLike = (a: Action, b: Action): boolean =>

@@ -1,4 +1,6 @@
-import { isInPlace } from "./places.ts";
+import { boxAround } from "../kernel/area/box.ts";
+import { SAME } from "../kernel/tolerance.ts";
+import { isInPlace, isSameWork } from "./places.ts";
 import { FINISHING, type Action, type ActionKind, type PlanRequest, type ShopRules } from "./types.ts";
 import type { TradeRule } from "./working-plan.ts";
 
@@ -9,7 +11,7 @@ interface Rule {
   readonly first: (action: Action, request: PlanRequest) => boolean;
   readonly then: (action: Action, request: PlanRequest) => boolean;
   /** Pairs that the rule does not order: one needs the other, or they are apart. */
-  readonly except?: (first: Action, then: Action) => boolean;
+  readonly except?: (first: Action, then: Action, request: PlanRequest) => boolean;
   /** s. */
   readonly cost: (rules: ShopRules) => number;
 }
@@ -18,10 +20,6 @@ const isOf =
   (...kinds: readonly ActionKind[]) =>
   ({ kind }: Action) =>
     kinds.includes(kind);
-
-/** Whether one of two actions takes what the other one would. */
-const isSameWork = (a: Action, b: Action): boolean =>
-  a.key === b.key || (a.kind === b.kind && a.site === b.site && isInPlace(a, b));
 
 const CHIPS = ["roughOutside", "roughInside", "restRough"] as const;
 const finishes = ({ kind, inOneCall }: Action) => inOneCall ?? FINISHING.has(kind);
@@ -35,6 +33,10 @@ function isToleranced(action: Action, { part }: PlanRequest): boolean {
     ({ from, to }, i) => marks[i]?.tolerance !== undefined && (from.z + to.z) / 2 < front && (from.z + to.z) / 2 > rear,
   );
 }
+
+/** Whether an action is a groove behind the rear face of a part that is parted off there. */
+const isAtParting = ({ kind, place }: Action, { part: { rings }, partsOff }: PlanRequest): boolean =>
+  kind === "recess" && partsOff && place.rear < boxAround(rings).left - SAME;
 
 /** A price that no time of cutting outweighs, s. */
 const NEVER = 100_000;
@@ -79,8 +81,9 @@ const TRADE_RULES: readonly Rule[] = [
     first: (action, request) =>
       isOf("finishOutside", "finishInside", "recess", "undercut", "thread")(action) && !isToleranced(action, request),
     then: isToleranced,
-    // The crest of a thread is finished with the surfaces beside it.
-    except: (first, then) => first.kind === "thread" && first.site === then.site && isInPlace(first, then),
+    // The crest of a thread is finished with the surfaces beside it; a groove behind the part weakens what holds it.
+    except: (first, then, request) =>
+      (first.kind === "thread" && first.site === then.site && isInPlace(first, then)) || isAtParting(first, request),
     cost: (r) => r.tolerancedLast,
   },
   { rule: null, first: ({ kind }) => kind !== "partOff", then: isOf("partOff"), cost: () => NEVER },
@@ -129,7 +132,7 @@ export class Trade {
     return bits === 0
       ? 0
       : TRADE_RULES.reduce(
-          (all, { except }, i) => (bits & (1 << i) && except?.(first, then) ? all & ~(1 << i) : all),
+          (all, { except }, i) => (bits & (1 << i) && except?.(first, then, this.request) ? all & ~(1 << i) : all),
           bits,
         );
   }

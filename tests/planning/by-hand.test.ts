@@ -32,30 +32,18 @@ test.each(PROGRAMMED_BY_HAND.filter(({ name }) => QUICKLY_PLANNED.includes(name)
   },
 );
 
-/**
- * Plans with the cutting values of the program by hand, and the share of its time that they may take. In the bush the
- * passes by hand end on the oversize of the wall by luck of the sizes; those of the plan need one more along it.
- */
-const ALIKE = [
-  ["l22-pin", 1.05],
-  ["l13-seal-groove", 1.05],
-  ["l17-bush", 1.09],
-] as const;
+/** Parts that are planned with the cutting values of the program by hand, too. */
+const ALIKE = ["l22-pin", "l13-seal-groove", "l17-bush"];
 
-test.each(ALIKE)(
-  "with the cutting values of the program by hand the plan of %s takes at most %f of its time",
-  (name, most) => {
-    const made = PROGRAMMED_BY_HAND.find((each) => each.name === name);
-    const request = made && requestOf(partByHand(made));
-    if (!request) throw new Error(name);
-    const plan = planOf(request);
-    const values = valuesByHand(made);
-    const hand = Object.fromEntries(
-      plan.steps.map(({ tried: { action } }) => [action.key, values[action.tool.T] ?? {}]),
-    );
-    expect(plan.tools.map((T) => Object.keys(values[T] ?? {}).length > 2)).toEqual(plan.tools.map(() => true));
-    const alike = planOf(request, { keep: keysOf(plan), hand });
-    expect([alike.isComplete, keysOf(alike)]).toEqual([true, keysOf(plan)]);
-    expect(alike.programSeconds).toBeLessThan(made.seconds * most);
-  },
-);
+test.each(ALIKE)("with the cutting values of the program by hand the plan of %s is at most 5 %% slower", (name) => {
+  const made = PROGRAMMED_BY_HAND.find((each) => each.name === name);
+  const request = made && requestOf(partByHand(made));
+  if (!request) throw new Error(name);
+  const plan = planOf(request);
+  const values = valuesByHand(made);
+  const hand = Object.fromEntries(plan.steps.map(({ tried: { action } }) => [action.key, values[action.tool.T] ?? {}]));
+  expect(plan.tools.map((T) => Object.keys(values[T] ?? {}).length > 2)).toEqual(plan.tools.map(() => true));
+  const alike = planOf(request, { keep: keysOf(plan), hand });
+  expect([alike.isComplete, keysOf(alike)]).toEqual([true, keysOf(plan)]);
+  expect(alike.programSeconds).toBeLessThan(made.seconds * 1.05);
+});

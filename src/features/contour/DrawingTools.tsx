@@ -1,6 +1,7 @@
 import { useId } from "react";
 import { Toolbar } from "react-aria-components/Toolbar";
-import { ZoomKeys } from "../../app/pictures/lathe/ViewBar.tsx";
+import { Menu } from "../../app/base/Menu.tsx";
+import { ZOOM, ZoomKeys } from "../../app/pictures/lathe/ViewBar.tsx";
 import { texts } from "../../app/base/settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { formatNumber } from "../../i18n/number.ts";
@@ -14,6 +15,8 @@ const modes = {
   round: "M5 20V13a8 8 0 0 1 8-8h7",
   chamfer: "M5 20V12l7-7h8",
 } as const;
+/** Three dots: what a narrow bar has no room for. */
+const MORE = "M4 12h2M11 12h2M18 12h2";
 interface Props {
   readonly mode: DrawingMode;
   readonly step: GridStep;
@@ -33,6 +36,7 @@ const Shape = ({ d }: { readonly d: string }) => (
 /** The drawing tools: pointer mode, grid and zoom. */
 export function DrawingTools({ mode, step, language, onMode, onStep, onZoom, onFit }: Props) {
   const t = texts(language).contour;
+  const { zoomIn, zoomOut, fit } = texts(language).lathe;
   const id = useId();
   return (
     <Toolbar aria-label={t.drawTools} className="contour-tools contour-draw-tools">
@@ -68,6 +72,24 @@ export function DrawingTools({ mode, step, language, onMode, onStep, onZoom, onF
         ))}
       </select>
       <ZoomKeys viewport={{ zoom: onZoom, fit: onFit }} />
+      <span className="contour-more">
+        <Menu
+          name={t.viewAndGrid}
+          label={<Shape d={MORE} />}
+          className="button icon"
+          groups={[
+            [
+              { name: fit, go: onFit },
+              { name: zoomIn, go: () => onZoom(ZOOM) },
+              { name: zoomOut, go: () => onZoom(1 / ZOOM) },
+            ],
+            GRID_STEPS.map((s) => ({
+              name: `${t.grid} ${formatNumber(language, s)}${s === step ? " ✓" : ""}`,
+              go: () => onStep(s),
+            })),
+          ]}
+        />
+      </span>
     </Toolbar>
   );
 }

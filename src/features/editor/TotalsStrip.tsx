@@ -77,7 +77,7 @@ export function TotalsStrip() {
         cells.passes,
         cells.time,
         cells.residual,
-        { name: t.blocks, value: number(shown?.run.program.blocks, 0) },
+        { name: t.blocks, value: number(shown?.run.program.blocks, 0), isLeast: true },
       ]}
     />
   );

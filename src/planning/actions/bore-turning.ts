@@ -322,6 +322,8 @@ export function plungings(segments: readonly Segment[]): readonly (boolean | und
 export interface BoreWork {
   readonly kind: ActionKind;
   readonly wanted: ShapeRequest;
+  /** Another shape for the same: each tool has the one whose path takes less time. */
+  readonly other?: ShapeRequest;
   readonly region: Pick<OpenRegion, "box" | "rings">;
   readonly way: BoreWay;
   readonly cut: Omit<CutRequest, "stock" | "bar" | "smallest" | "largest">;
@@ -336,7 +338,7 @@ export interface BoreWork {
  * only with those that make the whole contour.
  */
 export function barActions(
-  { kind, wanted, region, way, cut, plunges, most }: BoreWork,
+  { kind, wanted, other, region, way, cut, plunges, most }: BoreWork,
   cycle: Cycle,
   tools: readonly Tool[],
   stock: readonly Ring[],
@@ -350,10 +352,13 @@ export function barActions(
   const fitOfBar = (tool: Tool) => {
     const r = startFor(tool, way);
     if (r === null) return null;
-    const own = jobInside(cycle, wanted, stock, { z: way.z, r });
-    const job = plunges === undefined || !cycle.params[PLUNGING] ? own : withValue(own, PLUNGING, plunges ? 1 : 0);
+    const jobOf = (shape: ShapeRequest): SetJob => {
+      const own = jobInside(cycle, shape, stock, { z: way.z, r });
+      return plunges === undefined || !cycle.params[PLUNGING] ? own : withValue(own, PLUNGING, plunges ? 1 : 0);
+    };
     const asked = { ...cut, stock, smallest, largest, bar: heldBar(tool, depth) };
-    const fit = fitted({ cycle, job, cut: asked }, tool, request);
+    const jobs = { job: jobOf(wanted), ...(other && { other: jobOf(other) }) };
+    const fit = fitted({ cycle, ...jobs, cut: asked }, tool, request);
     if (inOneCall && !fit?.makesContour) return null;
     return fit && cutsInto(fit.plan, tool, region) && staysClear(fit.plan, tool, stock) ? fit : null;
   };

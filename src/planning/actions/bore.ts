@@ -5,6 +5,7 @@ import { CHORD, SLIVER } from "../../kernel/tolerance.ts";
 import { regionsOf } from "../../sim/region.ts";
 import { LEAST_REGION, type OpenRegion } from "../open-regions.ts";
 import type { PlannedPart } from "../types.ts";
+import { withoutEdge } from "./front.ts";
 
 /** Farther than any part, mm. */
 export const FAR = 10_000;
@@ -23,6 +24,15 @@ export function insideRegions(stock: readonly Ring[], part: PlannedPart, thick =
   return regionsOf(opened(intersection(stock, [inside]), Math.max(thick, SLIVER)), LEAST_REGION)
     .map(({ outline, holes, area }) => ({ rings: [outline, ...holes], box: boxAround([outline]), area }))
     .toSorted((a, b) => b.area - a.area);
+}
+
+/** The same, more than the edge at the front of the bore: finishing takes that. */
+export function thickRegions(stock: readonly Ring[], part: PlannedPart, thick: number): readonly OpenRegion[] {
+  const all = insideRegions(stock, part, thick);
+  const segments = withoutEdge(part.inside.segments, "inside");
+  if (!segments) return all;
+  const plain = { ...part, inside: { ...part.inside, segments } };
+  return all.filter(({ rings }) => insideRegions(rings, plain, thick).length > 0);
 }
 
 /** Radius within which a stock has no material between two Z; Infinity where there is none at all. */

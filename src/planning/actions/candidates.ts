@@ -21,6 +21,8 @@ export interface Candidate {
   readonly site: Site;
   readonly cycle: Cycle;
   readonly job: SetJob;
+  /** Another job for the same: each tool has the one whose path takes less time. */
+  readonly other?: SetJob;
   readonly cut: CutRequest;
   readonly box: Box;
   /** Tells candidates of one cycle in one place apart. */
@@ -48,8 +50,19 @@ export interface Fitted extends ToolFit {
 export const isRefused = ({ issues }: Plan): boolean =>
   issues.some(({ severity, code }) => severity === "error" || code === "toolCannotCutSideways");
 
-/** The job of a candidate with a tool; null where its values or its contour make no cut, or the tool breaks. */
+/** The quickest job of a candidate with a tool; null where its values or its contour make no cut, or the tool breaks. */
 export function fitted(
+  { cycle, job, other, cut }: Pick<Candidate, "cycle" | "job" | "other" | "cut">,
+  tool: Tool,
+  request: PlanRequest,
+): Fitted | null {
+  const fit = fittedJob({ cycle, job, cut }, tool, request);
+  const second = other ? fittedJob({ cycle, job: other, cut }, tool, request) : null;
+  if (!fit || !second) return fit ?? second;
+  return secondsOfPlan(second, request) < secondsOfPlan(fit, request) ? second : fit;
+}
+
+function fittedJob(
   { cycle, job, cut }: Pick<Candidate, "cycle" | "job" | "cut">,
   tool: Tool,
   request: PlanRequest,

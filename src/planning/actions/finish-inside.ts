@@ -9,7 +9,7 @@ import { cyclesFor } from "../../report/which/ways.ts";
 import { regionsOf } from "../../sim/region.ts";
 import { LEAST_REGION } from "../open-regions.ts";
 import type { ActionSource } from "../types.ts";
-import { insideRegions } from "./bore.ts";
+import { insideRegions, thickRegions } from "./bore.ts";
 import { barActions, barsOf, freeInside, plungings, sectionInBore } from "./bore-turning.ts";
 import { notDone } from "./candidates.ts";
 import { finestOf } from "./finest.ts";
@@ -27,7 +27,7 @@ export const finishInside: ActionSource = {
     const { part, rules, withoutCycles } = request;
     const { stock } = state;
     const least = THIN * radiusOf(rules.allowance.diameter);
-    const thick = insideRegions(stock, part, least);
+    const thick = thickRegions(stock, part, least);
     // What is thicker is for a groove's own tool, for roughing, or for the second clamping.
     const heavy = offset(
       thick.flatMap(({ rings }) => rings),

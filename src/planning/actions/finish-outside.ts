@@ -7,9 +7,10 @@ import type { Action, ActionSource, PlanRequest } from "../types.ts";
 import { notDone, outsideTools } from "./candidates.ts";
 import { contourJob } from "./contour-job.ts";
 import { finestOf } from "./finest.ts";
+import { withoutFront } from "./front.ts";
 import { sectionWorks } from "./rest-rough.ts";
 import { isInGroove, outsideWork, workUpTo, type OutsideWork, type Piece } from "./outside-work.ts";
-import { cutOf, turningCycles, turnings, typesFirst, withoutFront } from "./turned-contour.ts";
+import { cutOf, turningCycles, turnings, typesFirst } from "./turned-contour.ts";
 
 /** Tools to finish with. */
 const MOST = 3;
@@ -72,7 +73,9 @@ export function finishings(
           most: MOST,
           better,
           cutChain: withoutFront,
-          jobOf: ({ segments }) => withValue(contourJob(cycle, { segments, way: "ahead", stock }), "Q487", 1),
+          jobsOf: ({ segments }) => ({
+            job: withValue(contourJob(cycle, { segments, way: "ahead", stock }), "Q487", 1),
+          }),
           isWanted: ({ makesContour }) => makesContour || !inOneCall,
         },
         request,

@@ -7,6 +7,7 @@ import { perSide, diameter } from "../../kernel/units.ts";
 import { regionsOf } from "../../sim/region.ts";
 import { LEAST_REGION, type OpenRegion } from "../open-regions.ts";
 import { perObject, perText, type PerText } from "../per-object.ts";
+import { withoutEdge, withoutFront } from "./front.ts";
 import { isValley, pocketsOf, type Pocket } from "./pockets.ts";
 import { ofPieces } from "../stock-key.ts";
 import type { Chain, ElementMark, PlannedPart, PlanRequest, PlanState } from "../types.ts";
@@ -46,7 +47,7 @@ export function solidOf({ segments }: Chain, rear = Infinity): Ring {
   const [first, last] = [points[0], points.at(-1)];
   if (!first || !last) return [];
   const end = Math.min(last.z, rear);
-  return [at(end, 0), at(first.z, 0), ...points, at(end, last.r)].reverse();
+  return [at(end, 0), at(first.z, 0), ...points, at(end, last.r)];
 }
 
 /** Z of the rearmost cut outside: behind the rear face of the part, in front of jaws and stated limits. */
@@ -138,7 +139,10 @@ export interface OutsideWork {
   readonly over: number;
 }
 
-/** What all stocks with the same rearmost cut have in common: the chain, its solid, and that with the oversize. */
+/**
+ * What all stocks with the same rearmost cut have in common: the chain, its solid, and what roughing leaves: that with
+ * the oversize and the edge at its front.
+ */
 interface Reached {
   readonly chain: Chain;
   readonly solid: readonly Ring[];
@@ -168,10 +172,11 @@ function reachedTo(rear: number, stock: readonly Ring[], request: PlanRequest, r
   return reached([rear, shoulder, goesOn].join(" "), () => {
     const chain = goesOn ? continued(front, rear, shoulder) : front;
     const solid = [solidOf(chain, rear)];
+    const plain = withoutEdge(withoutFront(chain).segments);
     return {
       chain,
       solid,
-      grown: offset(solid, oversizeOf(request)),
+      grown: offset(plain ? [solidOf({ ...chain, segments: plain }, rear)] : solid, oversizeOf(request)),
       pockets: [...pocketsOf(chain, "r"), ...pocketsOf(chain, "z")],
     };
   });

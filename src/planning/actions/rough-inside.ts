@@ -6,10 +6,11 @@ import { isUsualTool } from "../../program/tools/which-tool.ts";
 import { cyclesFor } from "../../report/which/ways.ts";
 import type { OpenRegion } from "../open-regions.ts";
 import type { Action, ActionSource, PlanRequest, PlanState } from "../types.ts";
-import { insideRegions } from "./bore.ts";
+import { thickRegions } from "./bore.ts";
 import { barActions, barsOf, freeInside, plungings, ROUGH_BEYOND, sectionInBore } from "./bore-turning.ts";
 import { finestOf, isToleranced } from "./finest.ts";
 import { notDone } from "./candidates.ts";
+import { withoutEdge } from "./front.ts";
 
 /** Thinner material is left to finishing, in oversizes. */
 export const THICK = 1.6;
@@ -24,6 +25,7 @@ function roughing(region: OpenRegion, stock: readonly Ring[], request: PlanReque
   if (!section) return [];
   const { segments, way, isDeep } = section;
   const wanted = freeInside(segments);
+  const plain = withoutEdge(segments, "inside");
   // The cone that a drill has left on a flat bottom is faced from the axis on.
   const hasFloor = (segments.at(-1)?.to.r ?? 1) < SAME;
   const cut = { operation: "rough", work: "rough" } as const;
@@ -34,7 +36,10 @@ function roughing(region: OpenRegion, stock: readonly Ring[], request: PlanReque
       const tools = barsOf(request, (t) => isUsualTool(cycle.group, t));
       const [strong, slim] = [tools.filter((t) => !isSlim(t)), tools.filter(isSlim)];
       return plungings(segments).flatMap((plunges) => {
-        const into = plunges === undefined ? {} : { plunges };
+        const into = {
+          ...(plunges !== undefined && { plunges }),
+          ...(plain && cycle.group === "longitudinal" && { other: freeInside(plain) }),
+        };
         const work = { kind: "roughInside", wanted, region, way, cut, most: MOST_TOOLS, ...into } as const;
         return [
           ...barActions(work, cycle, strong, stock, request),
@@ -68,15 +73,15 @@ function turning(region: OpenRegion, stock: readonly Ring[], request: PlanReques
     });
 }
 
-const thickRegions = ({ stock }: PlanState, { part, rules }: PlanRequest): readonly OpenRegion[] =>
-  insideRegions(stock, part, THICK * radiusOf(rules.allowance.diameter)).slice(0, MOST_REGIONS);
+const roughRegions = ({ stock }: PlanState, { part, rules }: PlanRequest): readonly OpenRegion[] =>
+  thickRegions(stock, part, THICK * radiusOf(rules.allowance.diameter)).slice(0, MOST_REGIONS);
 
 /** Bores roughly, where the stock has a bore that a bar enters. */
 export const roughInside: ActionSource = {
   kind: "roughInside",
   actions: (state, request) =>
     notDone(
-      thickRegions(state, request).flatMap((region) => roughing(region, state.stock, request)),
+      roughRegions(state, request).flatMap((region) => roughing(region, state.stock, request)),
       state,
     ),
 };
@@ -87,7 +92,7 @@ export const turnInside: ActionSource = {
   inOneCall: true,
   actions: (state, request) =>
     notDone(
-      thickRegions(state, request).flatMap((region) => turning(region, state.stock, request)),
+      roughRegions(state, request).flatMap((region) => turning(region, state.stock, request)),
       state,
     ),
 };

@@ -9,6 +9,7 @@ import { actionsOf, notDone, outsideTools } from "./candidates.ts";
 import { isToleranced } from "./finest.ts";
 import { finishings } from "./finish-outside.ts";
 import { contourJob } from "./contour-job.ts";
+import { withoutEdge } from "./front.ts";
 import { outsideWork, workUpTo, type OutsideWork, type Piece } from "./outside-work.ts";
 import { allowanceAlong } from "./near-net.ts";
 import { bridgedIn, cutOf, turningCycles, turnings } from "./turned-contour.ts";
@@ -82,7 +83,15 @@ function roughings(work: OutsideWork, piece: Piece, { stock, tools, request }: A
         ...(followsBlank(cycle) ? [["Q485", allowance] as const] : []),
       ]);
     const outline = across ? whole : plain;
-    const over = actionsOf({ ...candidate, job: jobOf(outline, 0) }, tools, MOST, request);
+    /** A job over a chain, and the same without the edge in front of it. */
+    const jobsOf = (chain: Chain, plunging: number) => {
+      const segments = across || followsBlank(cycle) ? null : withoutEdge(chain.segments);
+      return {
+        job: jobOf(chain, plunging),
+        ...(segments && { other: jobOf({ segments, marks: [] }, plunging) }),
+      };
+    };
+    const over = actionsOf({ ...candidate, ...jobsOf(outline, 0) }, tools, MOST, request);
     if (!work.pockets.some(({ axis }) => (axis === "z") === across)) return over;
     const into = turnings(
       work,
@@ -91,7 +100,7 @@ function roughings(work: OutsideWork, piece: Piece, { stock, tools, request }: A
         tools,
         most: MOST,
         cutChain: (chain) => (chain.segments.length === outline.segments.length ? NO_CHAIN : chain),
-        jobOf: (chain) => jobOf(chain, 1),
+        jobsOf: (chain) => jobsOf(chain, 1),
       },
       request,
     );

@@ -17,16 +17,9 @@ import { actionOf, deepest, fitted, isRefused, type Better, type Candidate, type
 import { contourJob, planOf } from "./contour-job.ts";
 import { perObject, perText } from "../per-object.ts";
 import type { OutsideWork, Piece } from "./outside-work.ts";
+import { withoutFront } from "./front.ts";
 import { bridgedOver, isValley, type Pocket } from "./pockets.ts";
 import { OPERATION, workOf, type CutRequest } from "./values-of-job.ts";
-
-/** A chain without the faces in front of it, which facing takes. */
-export const withoutFront = perObject((chain: Chain): Chain => {
-  const { segments, marks } = chain;
-  const first = segments.findIndex((s) => Math.abs(s.to.z - s.from.z) > SAME);
-  if (first === 0) return chain;
-  return first < 0 ? { segments: [], marks: [] } : { segments: segments.slice(first), marks: marks.slice(first) };
-});
 
 /** Turning cycles for a section of the contour that are not excluded. `allowance`: of stock along the contour, mm. */
 export function turningCycles(
@@ -147,21 +140,21 @@ function turnedChain(work: OutsideWork, cycle: Cycle, tool: Tool, request: PlanR
 
 /** A way to turn the chain of a work with a cycle. */
 export interface TurnedWay {
-  readonly candidate: Omit<Candidate, "job">;
+  readonly candidate: Omit<Candidate, "job" | "other">;
   readonly tools: readonly Tool[];
   /** Most tools. */
   readonly most: number;
   readonly better?: Better;
   /** What of the chain as a tool turns it is cut; no element: nothing. */
   readonly cutChain: (chain: Chain) => Chain;
-  readonly jobOf: (chain: Chain) => SetJob;
+  readonly jobsOf: (chain: Chain) => Pick<Candidate, "job" | "other">;
   readonly isWanted?: (fit: Fitted) => boolean;
 }
 
 /** The actions of a way with the tools that go into most of the grooves. */
 export function turnings(
   work: OutsideWork,
-  { candidate, tools, most, better, cutChain, jobOf, isWanted = () => true }: TurnedWay,
+  { candidate, tools, most, better, cutChain, jobsOf, isWanted = () => true }: TurnedWay,
   request: PlanRequest,
 ): readonly Action[] {
   const { cycle, cut } = candidate;
@@ -171,7 +164,7 @@ export function turnings(
     return reach ? { ...reach, chain, goesInto: chain.segments.length } : [];
   });
   const made = ({ tool, chain }: (typeof fits)[number]) => {
-    const fit = fitted({ cycle, job: jobOf(chain), cut }, tool, request);
+    const fit = fitted({ cycle, cut, ...jobsOf(chain) }, tool, request);
     return fit && isWanted(fit) ? actionOf(candidate, tool, fit.job, fit.values) : null;
   };
   return deepest(fits, most, request, made, better);

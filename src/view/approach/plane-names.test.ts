@@ -15,9 +15,10 @@ const speech = { number: String, point: text, contour: text };
 const namesOf = (isNamed: (block: number) => boolean, zoom: number, taken?: readonly LabelBox[]) => {
   const size = { width: 620, height: 480 },
     fit = fitted(bounds, size, { left: 60, right: 20, top: 24, bottom: 40 }, true);
-  const shown = approaches.map(({ points, departing, request: { element }, block }) => ({
+  const shown = approaches.map(({ points, departing, request: { element, toolRadius }, block }) => ({
     points,
     departing,
+    toolRadius,
     contact: departing ? element.to : element.from,
     isNamed: isNamed(block),
   }));
@@ -49,6 +50,26 @@ test("only the chosen approach has names; PA is where the block says, apart from
   expect(pa?.marks.map((m) => m.kind === "text" && m.text)).toEqual(["PA", "X5.000 Y5.000"]);
   expect(names.find(({ at }) => at.x === -5 && at.y === 5)).toMatchObject({ names: [], marks: [], onContour: false });
   expect(names.flatMap((each) => each.names).sort()).toEqual(["PA", "PH", "PS"]);
+});
+
+test("no name touches the tool where it waits", () => {
+  const [approach] = approaches;
+  const names = namesOf((block) => block === approach?.block, 1);
+  const { scale } = fitted(bounds, { width: 620, height: 480 }, { left: 60, right: 20, top: 24, bottom: 40 }, true);
+  const { place } = names.find((each) => each.names.includes("PS"))!;
+  const r = (approach?.request.toolRadius ?? 0) * scale;
+  expect(r).toBeGreaterThan(20);
+  const boxes = names.flatMap(({ marks }) =>
+    marks.flatMap((m) => (m.kind === "text" ? [textBox(m.place, m.text, 0, m.size)] : [])),
+  );
+  expect(boxes.length).toBeGreaterThan(0);
+  for (const { x, y, width, height } of boxes) {
+    const near = Math.hypot(
+      place.x - Math.max(x, Math.min(place.x, x + width)),
+      place.y - Math.max(y, Math.min(place.y, y + height)),
+    );
+    expect(near).toBeGreaterThan(r);
+  }
 });
 
 test("a name gives way to the mark of a finding", () => {

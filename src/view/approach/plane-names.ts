@@ -4,6 +4,7 @@ import type { Camera, Place, Size } from "../camera.ts";
 import { arrange } from "../dimensions/arrange.ts";
 import type { LabelBox } from "../dimensions/labels.ts";
 import type { Mark } from "../help/marks.ts";
+import { onScreen } from "./frame.ts";
 import { contactLines, pointItem, shownPoints, type PointsOf, type ShownPoint } from "./points.ts";
 import type { ApproachWords } from "./words.ts";
 
@@ -21,8 +22,8 @@ export interface NamedPlace extends ShownPoint {
   readonly marks: readonly Mark[];
 }
 
-/** Distance of the places along a line that texts should rather not cover, pixels. */
-const APART = 6;
+/** Distance of the places along a line that texts should rather not cover, pixels; most of them round a tool. */
+const [APART, MOST_ROUND] = [6, 200];
 
 /** Places along the straight ways between the points of approaches, and from the contour to the tool centre. */
 function alongWays(approaches: readonly PointsOf[], camera: Camera): readonly Place[] {
@@ -39,12 +40,33 @@ function alongWays(approaches: readonly PointsOf[], camera: Camera): readonly Pl
   });
 }
 
+/** An approach with the radius of its tool. */
+export interface NamedApproach extends PointsOf {
+  readonly isNamed: boolean;
+  /** mm; none is drawn where it is left out. */
+  readonly toolRadius?: number;
+}
+
+/** Places round the tool where it waits before an approach, or ends after a departure: it is drawn there at rest. */
+const roundTools = (approaches: readonly NamedApproach[], camera: Camera): readonly Place[] =>
+  approaches.flatMap(({ points, departing, toolRadius = 0 }) => {
+    const at = points[departing ? "PN" : "PS"],
+      r = toolRadius * camera.scale;
+    if (!at || r < APART) return [];
+    const middle = onScreen(camera, at);
+    const count = Math.min(MOST_ROUND, Math.ceil((2 * Math.PI * r) / APART));
+    return Array.from({ length: count }, (_, i) => {
+      const angle = (2 * Math.PI * i) / count;
+      return { x: middle.x + r * Math.cos(angle), y: middle.y + r * Math.sin(angle) };
+    });
+  });
+
 /**
  * The points of approaches, each place once. Those of named approaches have texts that cover neither each other nor a
  * point, nor the `taken` areas of other marks.
  */
 export function planeNames(
-  approaches: readonly (PointsOf & { readonly isNamed: boolean })[],
+  approaches: readonly NamedApproach[],
   camera: Camera,
   size: Size,
   speech: ApproachWords,
@@ -75,10 +97,11 @@ export function planeNames(
       .map((p) => [p, { ...pointItem(p, speech, middle, false, few), most: FAR }]),
   );
   const placed = new Map(
-    arrange([...items.values()], { ...size, avoid: alongWays(approaches, camera), kept }).map(({ item, marks }) => [
-      item,
-      marks,
-    ]),
+    arrange([...items.values()], {
+      ...size,
+      avoid: [...alongWays(approaches, camera), ...roundTools(own, camera)],
+      kept,
+    }).map(({ item, marks }) => [item, marks]),
   );
   return points.map((point) => {
     const item = items.get(point);

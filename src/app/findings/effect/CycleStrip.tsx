@@ -25,6 +25,7 @@ export function CycleStrip({ read }: { readonly read: JobReading }) {
                 value: number(chip, areaDecimals(chip ?? 0)),
                 unit: "mm²",
                 compared: "chip",
+                isLeast: true,
               } as const,
             ]
           : []),

@@ -23,9 +23,9 @@ interface EffectCell {
   readonly unit?: string;
   /** The number that is compared with the state before. */
   readonly compared?: ComparedNumber;
+  /** The first to go where there is no room for all numbers. */
+  readonly isLeast?: boolean;
 }
-
-const CLASSES: Readonly<Partial<Record<ComparedNumber, string>>> = { residual: " stays", chip: " chip-size" };
 
 /** The present result, and its numbers that every work shows. */
 export function useEffectCells() {
@@ -75,8 +75,8 @@ export function EffectStrip({
   return (
     <section className="effect" aria-label={name} aria-busy={checking.now} data-checking={checking.seen}>
       <dl className={dimmed ? "dimmed" : ""}>
-        {cells.map(({ name: cell, value, unit = "", compared }, i) => (
-          <div key={i} className={`effect-cell${(compared && CLASSES[compared]) ?? ""}`}>
+        {cells.map(({ name: cell, value, unit = "", compared, isLeast }, i) => (
+          <div key={i} className={`effect-cell${compared === "residual" ? " stays" : ""}${isLeast ? " least" : ""}`}>
             <dt>{cell}</dt>
             <dd {...(compared && changed(compared))}>
               <span className="number">{value}</span>

@@ -35,9 +35,10 @@ const Names = memo(function Names({
 });
 
 /** The shown points of an approach; its contact is the programmed point of the contour. */
-const pointsOf = ({ points, departing, request: { element } }: ApproachRun) => ({
+const pointsOf = ({ points, departing, plane, request: { element, toolRadius } }: ApproachRun) => ({
   points,
   departing,
+  ...(plane === "XY" && { toolRadius }),
   contact: departing ? element.to : element.from,
 });
 

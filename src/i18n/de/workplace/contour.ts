@@ -50,6 +50,7 @@ export const contour = {
   chamfer: (element) => `Ecke nach Element ${element} fasen`,
   undercut: (element) => `Freistich in die Ecke nach Element ${element}`,
   drawTools: "Zeichenwerkzeuge",
+  viewAndGrid: "Ansicht und Raster",
   views: { label: "Bild", draw: "Kontur", lathe: "Drehen" },
   modeShort: { move: "Schieben", draw: "Zeichnen", round: "Runden", chamfer: "Fasen" },
   canvas: "Konturzeichnung",

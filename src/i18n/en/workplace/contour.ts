@@ -50,6 +50,7 @@ export const contour = {
   chamfer: (element: number) => `Chamfer the corner after element ${element}`,
   undercut: (element: number) => `Undercut in the corner after element ${element}`,
   drawTools: "Drawing tools",
+  viewAndGrid: "View and grid",
   views: { label: "Picture", draw: "Contour", lathe: "Lathe" },
   modeShort: { move: "Move", draw: "Draw", round: "Round", chamfer: "Chamfer" },
   canvas: "Contour drawing",

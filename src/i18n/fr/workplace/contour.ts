@@ -50,6 +50,7 @@ export const contour = {
   chamfer: (element) => `Chanfreiner l’angle après l’élément ${element}`,
   undercut: (element) => `Dégagement dans l’angle après l’élément ${element}`,
   drawTools: "Outils de dessin",
+  viewAndGrid: "Vue et grille",
   views: { label: "Image", draw: "Contour", lathe: "Tour" },
   modeShort: { move: "Déplacer", draw: "Dessiner", round: "Arrondir", chamfer: "Chanfreiner" },
   canvas: "Dessin du contour",

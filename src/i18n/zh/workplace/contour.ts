@@ -49,6 +49,7 @@ export const contour = {
   chamfer: (element) => `将元素 ${element} 后的角倒角`,
   undercut: (element) => `在元素 ${element} 后的角处加退刀槽`,
   drawTools: "绘图工具",
+  viewAndGrid: "视图和栅格",
   views: { label: "图形", draw: "轮廓", lathe: "车削" },
   modeShort: { move: "移动", draw: "绘制", round: "倒圆", chamfer: "倒角" },
   canvas: "轮廓图",
