@@ -98,6 +98,7 @@ export const ACTION_KINDS = [
   "recess",
   "finishOutside",
   "finishInside",
+  "ream",
   "undercut",
   "thread",
   "partOff",
@@ -105,7 +106,7 @@ export const ACTION_KINDS = [
 export type ActionKind = (typeof ACTION_KINDS)[number];
 
 /** Kinds that finish a surface. */
-export const FINISHING: ReadonlySet<ActionKind> = new Set(["finishOutside", "finishInside", "thread"]);
+export const FINISHING: ReadonlySet<ActionKind> = new Set(["finishOutside", "finishInside", "ream", "thread"]);
 
 /** Kinds that take material for other kinds to finish. */
 export const ROUGHING: ReadonlySet<ActionKind> = new Set([

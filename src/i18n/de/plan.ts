@@ -166,6 +166,7 @@ export const plan = {
     recess: "Einstechen",
     finishOutside: "Außen schlichten",
     finishInside: "Innen schlichten",
+    ream: "Reiben",
     undercut: "Freistich",
     thread: "Gewinde",
     partOff: "Abstechen",

@@ -166,6 +166,7 @@ export const plan = {
     recess: "Recess",
     finishOutside: "Finish outside",
     finishInside: "Finish bore",
+    ream: "Ream",
     undercut: "Undercut",
     thread: "Thread",
     partOff: "Part off",

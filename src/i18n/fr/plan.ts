@@ -166,6 +166,7 @@ export const plan = {
     recess: "Gorge",
     finishOutside: "Finition extérieure",
     finishInside: "Finition intérieure",
+    ream: "Alésage à l’alésoir",
     undercut: "Dégagement",
     thread: "Filetage",
     partOff: "Tronçonnage",

@@ -163,6 +163,7 @@ export const plan = {
     recess: "切槽",
     finishOutside: "外圆精车",
     finishInside: "内孔精车",
+    ream: "铰孔",
     undercut: "退刀槽",
     thread: "螺纹",
     partOff: "切断",
