@@ -29,6 +29,8 @@ const DRILLED = 6.3;
 const LEAST_LENGTH = 0.5;
 /** Least material that a drill takes, mm² of the half plane. */
 const LEAST = 2;
+/** Of usual drills that differ by less than this depth, mm, and hardly in diameter, the largest is proposed. */
+const LIKE_DEPTH = 1;
 /** Most drills that are proposed. */
 const MOST = 4;
 const NO_MARK: ElementMark = { row: "" };
@@ -152,6 +154,11 @@ export function drillsFor(stock: readonly Ring[], request: PlanRequest): readonl
       return taken < LEAST ? [] : [{ tool, z, taken }];
     })
     .toSorted((a, b) => b.taken - a.taken)
+    .filter(({ tool, z }, i, all) => {
+      const isLike = (other: (typeof all)[number]) =>
+        Math.abs((other.tool.R ?? 0) - (tool.R ?? 0)) < SMALLER && Math.abs(other.z - z) < LIKE_DEPTH;
+      return !request.usualTools?.includes(tool.T) || !all.slice(0, i).some(isLike);
+    })
     .slice(0, MOST)
     .flatMap(({ tool, z }) => drillAction(tool, z, stock, request) ?? []);
 }
