@@ -10,6 +10,7 @@ import { at } from "../../kernel/geometry/point.ts";
 import { length, radius, rounded, toDiameter } from "../../kernel/units.ts";
 import { drillOf } from "../../program/tools/drill-of.ts";
 import type { PlanRequest, ReasonedValue } from "../types.ts";
+import { clearRadius } from "./bore.ts";
 import { pecks } from "../values/axis-values.ts";
 import { withCuttingValues } from "../values/cycle-values.ts";
 import { valuesOf } from "./values-of-job.ts";
@@ -57,8 +58,10 @@ export function onAxis(
   }
   const across = toDiameter(radius(tool.R ?? 0));
   const largest = work === "centre" ? (tool.centre?.hole.d2 ?? across) : across;
+  const hole = clearRadius(stock, front - depth, front);
+  const pilot = Number.isFinite(hole) ? toDiameter(radius(hole)) : 0;
   const valued = work === "peck" ? "drill" : work;
-  const main = valuesOf(tool, { operation: "both", work: valued, smallest: 0, largest, stock, depth }, request);
+  const main = valuesOf(tool, { operation: "both", work: valued, smallest: pilot, largest, stock, depth }, request);
   const { job, values } = withCuttingValues(base, { params: {} }, { main });
   const { first, less, least } = pecks(tool);
   const own = {

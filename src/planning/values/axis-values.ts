@@ -40,9 +40,12 @@ export function threading(request: ValuesRequest): CuttingValues {
   };
 }
 
-/** Drills and centre drills of high-speed steel, on the axis. */
+/** A wider hole is no pilot: what it leaves is a share of the diameter. */
+const MOST_PILOT = 0.9;
+
+/** Drills and centre drills of high-speed steel, on the axis; `smallest`: the diameter of the hole that is there. */
 export function drilling(request: ValuesRequest): CuttingValues {
-  const { tool, material, depth = 0, work, largest } = request;
+  const { tool, material, depth = 0, work, smallest, largest } = request;
   const d = Math.max(work === "centre" ? largest : toDiameter(radius(tool.R ?? 0)), 0.5);
   const across = work === "centre" ? (tool.centre?.hole.d1 ?? d) : d;
   const data = HSS_DRILL[material.group] ?? HSS_DRILL.S ?? { speed: 1, feed: 0.01 };
@@ -53,8 +56,9 @@ export function drilling(request: ValuesRequest): CuttingValues {
   const c = data.feed * finer;
   const power = powerFor(request, turning.spindle);
   const cut = Math.max((Math.PI * d * turning.speed.value) / 1000, 1);
-  // Both edges cut half of the diameter, at half of the speed on average.
-  const strong = feedForForce((240_000 * power) / cut, material, d);
+  // Both edges cut half of the diameter, at half of the speed on average; a pilot hole leaves its share undone.
+  const share = 1 - Math.min(smallest / d, MOST_PILOT) ** 2;
+  const strong = feedForForce((240_000 * power) / (cut * share), material, d);
   const feed = leastOf(
     reasoned(c * across, "feedOfDrill", "material", { c, d: across }),
     reasoned(MOST_DRILL_FEED, "feedOfMaterial", "material", { f: MOST_DRILL_FEED }),

@@ -164,6 +164,19 @@ describe("values and what limits them", () => {
     // 0.6 · 24 → 14: 1000 · 14 / (π · 10) = 445.6
     ["a deep hole", { work: "drill", tool: drill(10), depth: 63 }, "speed", "440 rpmOfSpeed material"],
     ["is drilled in steps", { work: "drill", tool: drill(10), depth: 63 }, "step", "10 stepOfDiameter depth"],
+    // 240 000 · 0.8 / (23.69 · 26) = 311.7 = 2220 · f^0.86; a pilot of ⌀13 leaves three quarters of it to cut.
+    [
+      "a large drill on a weak machine",
+      { work: "drill", tool: drill(26), depth: 40, smallest: 0, power: 0.8 },
+      "feed",
+      "0.1 feedOfPower power",
+    ],
+    [
+      "the same behind a pilot",
+      { work: "drill", tool: drill(26), depth: 40, smallest: 13, power: 0.8 },
+      "feed",
+      "0.14 feedOfPower power",
+    ],
     // Half of the speed of the drill: 1000 · 12 / (π · 10) = 382
     ["a reamer", { work: "ream", tool: drill(10), depth: 20 }, "speed", "380 rpmOfSpeed material"],
     ["its own feed", { work: "ream", tool: drill(10), depth: 20 }, "feed", "0.2 feedOfReamer material"],
