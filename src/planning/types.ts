@@ -148,6 +148,8 @@ export interface Action {
   readonly threads: readonly string[];
   /** It roughs and finishes in one call. */
   readonly inOneCall?: true;
+  /** The reamer for which it drills under size. */
+  readonly reamer?: number;
   readonly values: readonly ReasonedValue[];
   /** What was planned for the values that an operator has set; absent where none is. */
   readonly planned?: HandValues;

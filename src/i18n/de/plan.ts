@@ -180,6 +180,7 @@ export const plan = {
     takesMore: (area, other) => `zerspant ${area} mehr als ${other}`,
     ownTool: (other) => `in der Tabelle vorhanden; ${other} müsste ergänzt werden`,
     samePath: "ein anderer Weg desselben Zyklus mit demselben Werkzeug",
+    undersize: (reamer: string) => `Untermaß für ${reamer}`,
     inOneCall: "Schruppen und Schlichten in einem Aufruf",
     sameTool: "kein Werkzeugwechsel",
     rest: (step) => `entfernt das Restmaterial von Bearbeitung ${step}`,

@@ -180,6 +180,7 @@ export const plan = {
     takesMore: (area: string, other: string) => `removes ${area} more than ${other}`,
     ownTool: (other: string) => `a tool that is in the table; ${other} would have to be added`,
     samePath: "another path of the same cycle and tool",
+    undersize: (reamer: string) => `drilled under size for ${reamer}`,
     inOneCall: "roughs and finishes in one call",
     sameTool: "no tool change",
     rest: (step: number) => `removes what operation ${step} left`,

@@ -180,6 +180,7 @@ export const plan = {
     takesMore: (area, other) => `enlève ${area} de plus que ${other}`,
     ownTool: (other) => `déjà dans la table ; ${other} serait à ajouter`,
     samePath: "un autre parcours du même cycle avec le même outil",
+    undersize: (reamer: string) => `percé sous-cote pour ${reamer}`,
     inOneCall: "ébauche et finition en un seul appel",
     sameTool: "sans changement d’outil",
     rest: (step) => `enlève le reste de l’opération ${step}`,

@@ -177,6 +177,7 @@ export const plan = {
     takesMore: (area, other) => `比${other}多切除 ${area}`,
     ownTool: (other) => `刀具表中已有；${other}需另行添加`,
     samePath: "同一循环和刀具的其他路径",
+    undersize: (reamer: string) => `为 ${reamer} 预留铰削余量`,
     inOneCall: "一次调用完成粗、精加工",
     sameTool: "无需换刀",
     rest: (step) => `去除工序 ${step} 的残余材料`,

@@ -78,27 +78,6 @@ function bodyOf(tool: Tool, z: number, front: number): Ring {
   return [at(z, 0), at(front, 0), at(front, r), at(z + pointLength(tool), r)];
 }
 
-function drillAction(tool: Tool, z: number, stock: readonly Ring[], request: PlanRequest): Action | null {
-  const front = frontOf(stock);
-  const depth = rounded(front - z);
-  const made = (work: AxisWork) => {
-    const cut = onAxis(work, tool, depth, stock, request);
-    return cut && { ...cut, key: `${work} T${tool.T} Z${rounded(z)}` };
-  };
-  // Without a cycle whose pecks get shorter they are all as short as the last one.
-  const cut = (isDeepHole(tool, depth) ? made("peck") : null) ?? made("drill");
-  return (
-    cut && {
-      ...cut,
-      kind: "drill",
-      site: "inside",
-      tool,
-      place: { front, rear: front - depth, high: tool.R ?? 0, low: 0 },
-      threads: [],
-    }
-  );
-}
-
 /** A faced blank with the bore of its part, the oversize for finishing on some of its cylinders, and open behind it. */
 function boredFor(cylinders: readonly Segment[], { part, blank, rules }: PlanRequest): readonly Ring[] {
   const box = (left: number, right: number, low: number, high: number): Ring => [
@@ -135,6 +114,29 @@ function reamersFor(request: PlanRequest): readonly Tool[] {
   const made = worth.get(request) ?? reamersOf(request).filter((reamer) => isWorthReaming(reamer, request));
   worth.set(request, made);
   return made;
+}
+
+function drillAction(tool: Tool, z: number, stock: readonly Ring[], request: PlanRequest): Action | null {
+  const front = frontOf(stock);
+  const depth = rounded(front - z);
+  const made = (work: AxisWork) => {
+    const cut = onAxis(work, tool, depth, stock, request);
+    return cut && { ...cut, key: `${work} T${tool.T} Z${rounded(z)}` };
+  };
+  // Without a cycle whose pecks get shorter they are all as short as the last one.
+  const reamer = reamersFor(request).find((each) => drillsBefore(each, tool));
+  const cut = (isDeepHole(tool, depth) ? made("peck") : null) ?? made("drill");
+  return (
+    cut && {
+      ...cut,
+      kind: "drill",
+      site: "inside",
+      tool,
+      place: { front, rear: front - depth, high: tool.R ?? 0, low: 0 },
+      threads: [],
+      ...(reamer && { reamer: reamer.T }),
+    }
+  );
 }
 
 /** Drills that fit inside the part, each to its deepest place, those that take most first. */

@@ -13,7 +13,6 @@ import { cuttingForce, cuttingPower, leadOf } from "../../report/advice/formulas
 import { rzByRule } from "../../sim/load/cusp.ts";
 import { barDiameter, cuttingValues } from "./cutting-values.ts";
 import { withCuttingValues } from "./cycle-values.ts";
-import { isDeepHole, pecks } from "./axis-values.ts";
 import { VALUE_FORMULAS, type ReasonedNumber } from "./formulas.ts";
 import { heldWorkpiece } from "../../report/advice/held-workpiece.ts";
 import { rzOf } from "./turning-values.ts";
@@ -164,23 +163,6 @@ describe("values and what limits them", () => {
     // 0.6 · 24 → 14: 1000 · 14 / (π · 10) = 445.6
     ["a deep hole", { work: "drill", tool: drill(10), depth: 63 }, "speed", "440 rpmOfSpeed material"],
     ["is drilled in steps", { work: "drill", tool: drill(10), depth: 63 }, "step", "10 stepOfDiameter depth"],
-    // 240 000 · 0.8 / (23.69 · 26) = 311.7 = 2220 · f^0.86; a pilot of ⌀13 leaves three quarters of it to cut.
-    [
-      "a large drill on a weak machine",
-      { work: "drill", tool: drill(26), depth: 40, smallest: 0, power: 0.8 },
-      "feed",
-      "0.1 feedOfPower power",
-    ],
-    [
-      "the same behind a pilot",
-      { work: "drill", tool: drill(26), depth: 40, smallest: 13, power: 0.8 },
-      "feed",
-      "0.14 feedOfPower power",
-    ],
-    // Half of the speed of the drill: 1000 · 12 / (π · 10) = 382
-    ["a reamer", { work: "ream", tool: drill(10), depth: 20 }, "speed", "380 rpmOfSpeed material"],
-    ["its own feed", { work: "ream", tool: drill(10), depth: 20 }, "feed", "0.2 feedOfReamer material"],
-    ["a large reamer", { work: "ream", tool: drill(26), depth: 20 }, "feed", "0.4 feedOfMaterial material"],
     ["a large drill", { work: "drill", tool: drill(26), depth: 40 }, "feed", "0.3 feedOfMaterial material"],
     ["a slow machine", { machine: { most: 1800 } }, "limit", "1800 limitOfMachine machine"],
     ["an unknown machine", {}, "limit", "2500 limitAssumed machine"],
@@ -383,14 +365,4 @@ test("a thread turns at a constant speed and takes only its first pass", () => {
   const { job, values } = withCuttingValues(exampleJob(cycle), cycle, { main });
   expect(job.spindle).toMatchObject({ mode: "constant", speed: "1310" });
   expect(values.map(({ q, value }) => `${q} ${value}`)).toEqual(["Q463 0.34", "speed 1310"]);
-});
-
-test.each([
-  [10, 31, true, "20, 5 less, 10 at least"],
-  [10, 29, false, "20, 5 less, 10 at least"],
-  [5.8, 20, true, "11.6, 2.9 less, 5.8 at least"],
-] as const)("a drill of ⌀%f clears its chips %f deep: %s, by %s", (across, depth, isDeep, wanted) => {
-  const { first, less, least } = pecks(drill(across));
-  expect(isDeepHole(drill(across), depth)).toBe(isDeep);
-  expect(`${first.value}, ${less.value} less, ${least.value} at least`).toBe(wanted);
 });
