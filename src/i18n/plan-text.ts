@@ -37,6 +37,8 @@ export function planReasonText(w: PlanWriter, reason: StepReason, own: Action): 
       return because.takesMore(writer(w.language).area(reason.area), way(reason.cycle, reason.tool));
     case "ownTool":
       return because.ownTool(way(reason.cycle, reason.tool));
+    case "undersize":
+      return because.undersize(`T${reason.tool}`);
     case "inOneCall":
       return because.inOneCall;
     case "sameTool":

@@ -101,6 +101,7 @@ function reasonsOf(
   return [
     ...(isByHand ? [{ kind: "byHand" as const }] : []),
     ...way,
+    ...(action.reamer === undefined ? [] : [{ kind: "undersize" as const, tool: action.reamer }]),
     ...(action.inOneCall ? [{ kind: "inOneCall" as const }] : []),
     ...(last?.tool.T === action.tool.T ? [{ kind: "sameTool" as const, tool: action.tool.T }] : []),
     ...(action.kind === "restRough" && rest >= 0 ? [{ kind: "rest" as const, step: rest }] : []),

@@ -50,6 +50,7 @@ const FAMILY: Readonly<Partial<Record<Action["kind"], string>>> = {
   roughInside: "rough",
   restRough: "rough",
   recess: "rough",
+  ream: "finishInside",
 };
 
 /** Whether two actions are ways to make the same thing. */

@@ -65,13 +65,13 @@ const TRADE_RULES: readonly Rule[] = [
   {
     rule: "outsideBeforeInside",
     first: isOf("finishOutside"),
-    then: isOf("finishInside"),
+    then: isOf("finishInside", "ream"),
     cost: (r) => r.insideBeforeOutside,
   },
   { rule: null, first: isOf("centre"), then: isOf("drill"), cost: (r) => r.finishBeforeRough },
   {
     rule: "undercutBeforeThread",
-    first: isOf("recess", "undercut", "finishOutside", "finishInside"),
+    first: isOf("recess", "undercut", "finishOutside", "finishInside", "ream"),
     then: isOf("thread"),
     except: (first, then) => first.site !== then.site,
     cost: (r) => r.finishBeforeRough,
@@ -79,7 +79,8 @@ const TRADE_RULES: readonly Rule[] = [
   {
     rule: "tolerancedLast",
     first: (action, request) =>
-      isOf("finishOutside", "finishInside", "recess", "undercut", "thread")(action) && !isToleranced(action, request),
+      isOf("finishOutside", "finishInside", "ream", "recess", "undercut", "thread")(action) &&
+      !isToleranced(action, request),
     then: isToleranced,
     // The crest of a thread is finished with the surfaces beside it; a groove behind the part weakens what holds it.
     except: (first, then, request) =>

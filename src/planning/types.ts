@@ -98,6 +98,7 @@ export const ACTION_KINDS = [
   "recess",
   "finishOutside",
   "finishInside",
+  "ream",
   "undercut",
   "thread",
   "partOff",
@@ -105,7 +106,7 @@ export const ACTION_KINDS = [
 export type ActionKind = (typeof ACTION_KINDS)[number];
 
 /** Kinds that finish a surface. */
-export const FINISHING: ReadonlySet<ActionKind> = new Set(["finishOutside", "finishInside", "thread"]);
+export const FINISHING: ReadonlySet<ActionKind> = new Set(["finishOutside", "finishInside", "ream", "thread"]);
 
 /** Kinds that take material for other kinds to finish. */
 export const ROUGHING: ReadonlySet<ActionKind> = new Set([
@@ -147,6 +148,8 @@ export interface Action {
   readonly threads: readonly string[];
   /** It roughs and finishes in one call. */
   readonly inOneCall?: true;
+  /** The reamer for which it drills under size. */
+  readonly reamer?: number;
   readonly values: readonly ReasonedValue[];
   /** What was planned for the values that an operator has set; absent where none is. */
   readonly planned?: HandValues;

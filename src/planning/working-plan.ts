@@ -29,6 +29,8 @@ export type StepReason =
   | { readonly kind: "ownTool"; readonly cycle: number | null; readonly tool: number }
   /** Roughs and finishes in one call. */
   | { readonly kind: "inOneCall" }
+  /** Drilled under size for a reamer. */
+  | { readonly kind: "undersize"; readonly tool: number }
   /** The tool is in the spindle already. */
   | { readonly kind: "sameTool"; readonly tool: number }
   /** A rule of the trade put it before or behind others. */

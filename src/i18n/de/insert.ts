@@ -37,6 +37,8 @@ export const insert: InsertTexts = {
       partOffChamfered: "Abstechen mit Fase hinten",
       centre: "Zentrierbohrung nach Norm",
       drill: "Bohren in der Drehmitte",
+      peck: "Tief bohren in der Drehmitte",
+      ream: "Reiben in der Drehmitte",
       tap: "Gewindebohren in der Drehmitte",
     },
     threads: "Gewinde",

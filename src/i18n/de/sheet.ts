@@ -101,6 +101,7 @@ export const sheet: SheetTexts = {
     DRILL: "Bohrer",
     CENTER: "Zentrierbohrer",
     TAP: "Gewindebohrer",
+    REAM: "Reibahle",
     mill: "Fräser",
   },
 

@@ -38,6 +38,8 @@ export const insert = {
       partOffChamfered: "Part off with back chamfer",
       centre: "Centre hole by name",
       drill: "Drill on the axis",
+      peck: "Drill a deep hole on the axis",
+      ream: "Ream on the axis",
       tap: "Tap on the axis",
     },
     threads: "Threads",

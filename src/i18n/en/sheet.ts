@@ -104,6 +104,7 @@ export const sheet = {
     DRILL: "drill",
     CENTER: "centre drill",
     TAP: "tap",
+    REAM: "reamer",
     mill: "mill",
   },
 

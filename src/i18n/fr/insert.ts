@@ -37,6 +37,8 @@ export const insert: InsertTexts = {
       partOffChamfered: "Tronçonner avec chanfrein arrière",
       centre: "Trou de centre normalisé",
       drill: "Percer dans l’axe",
+      peck: "Percer un trou profond dans l’axe",
+      ream: "Aléser à l’alésoir dans l’axe",
       tap: "Tarauder dans l’axe",
     },
     threads: "Filetages",

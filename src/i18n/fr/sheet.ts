@@ -102,6 +102,7 @@ export const sheet = typeset<SheetTexts>({
     DRILL: "foret",
     CENTER: "foret à centrer",
     TAP: "taraud",
+    REAM: "alésoir",
     mill: "fraise",
   },
 

@@ -37,6 +37,8 @@ export const insert: InsertTexts = {
       partOffChamfered: "带后倒角切断",
       centre: "按标准的中心孔",
       drill: "轴线钻孔",
+      peck: "轴线钻深孔",
+      ream: "轴线铰孔",
       tap: "轴线攻丝",
     },
     threads: "螺纹",

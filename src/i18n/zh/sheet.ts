@@ -101,6 +101,7 @@ export const sheet: SheetTexts = {
     DRILL: "钻头",
     CENTER: "中心钻",
     TAP: "丝锥",
+    REAM: "铰刀",
     mill: "铣刀",
   },
 

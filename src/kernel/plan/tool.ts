@@ -3,7 +3,7 @@ import type { Degrees, Length } from "../units.ts";
 export const TOOL_TYPES = ["ROUGH", "FINISH", "RECESS", "RECTURN", "BUTTON", "THREAD"] as const;
 export type ToolType = (typeof TOOL_TYPES)[number];
 /** Tools on the axis that cut a bore of their own shape; they are stored in the table of milling tools. */
-export const DRILL_TYPES = ["DRILL", "CENTER", "TAP"] as const;
+export const DRILL_TYPES = ["DRILL", "CENTER", "TAP", "REAM"] as const;
 export type DrillType = (typeof DRILL_TYPES)[number];
 /** Forms of centre holes: A plain, B with a protecting cone of 120°, R with a curved flank. */
 export const CENTRE_FORMS = ["A", "B", "R"] as const;

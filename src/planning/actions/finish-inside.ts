@@ -13,6 +13,7 @@ import { insideRegions, thickRegions } from "./bore.ts";
 import { barActions, barsOf, freeInside, plungings, sectionInBore } from "./bore-turning.ts";
 import { notDone } from "./candidates.ts";
 import { finestOf } from "./finest.ts";
+import { reamedSkin } from "./ream.ts";
 
 /** Thicker material is roughed first, in oversizes. */
 const THIN = 2.4;
@@ -37,7 +38,7 @@ export const finishInside: ActionSource = {
       insideRegions(stock, part).flatMap(({ rings }) => rings),
       heavy,
     );
-    const left = regionsOf(opened(thin, SLIVER), LEAST_REGION);
+    const left = regionsOf(opened(difference(thin, reamedSkin(stock, request)), SLIVER), LEAST_REGION);
     if (left.length === 0) return [];
     const all = left.flatMap(({ outline, holes }) => [outline, ...holes]);
     const region = { rings: all, box: boxAround(all), area: left.reduce((sum, { area }) => sum + area, 0) };

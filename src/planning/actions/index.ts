@@ -5,6 +5,7 @@ import { face } from "./face.ts";
 import { finishInside } from "./finish-inside.ts";
 import { finishOutside } from "./finish-outside.ts";
 import { partOff } from "./part-off.ts";
+import { ream } from "./ream.ts";
 import { recess } from "./recess.ts";
 import { recessInside } from "./recess-inside.ts";
 import { restRough } from "./rest-rough.ts";
@@ -28,6 +29,7 @@ export const actionSources: readonly ActionSource[] = [
   recessInside,
   finishOutside,
   finishInside,
+  ream,
   undercut,
   thread,
   threadInside,

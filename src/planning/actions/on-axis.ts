@@ -10,6 +10,8 @@ import { at } from "../../kernel/geometry/point.ts";
 import { length, radius, rounded, toDiameter } from "../../kernel/units.ts";
 import { drillOf } from "../../program/tools/drill-of.ts";
 import type { PlanRequest, ReasonedValue } from "../types.ts";
+import { clearRadius } from "./bore.ts";
+import { pecks } from "../values/axis-values.ts";
 import { withCuttingValues } from "../values/cycle-values.ts";
 import { valuesOf } from "./values-of-job.ts";
 
@@ -56,9 +58,17 @@ export function onAxis(
   }
   const across = toDiameter(radius(tool.R ?? 0));
   const largest = work === "centre" ? (tool.centre?.hole.d2 ?? across) : across;
-  const main = valuesOf(tool, { operation: "both", work, smallest: 0, largest, stock, depth }, request);
+  const hole = clearRadius(stock, front - depth, front);
+  const pilot = Number.isFinite(hole) ? toDiameter(radius(hole)) : 0;
+  const valued = work === "peck" ? "drill" : work;
+  const main = valuesOf(tool, { operation: "both", work: valued, smallest: pilot, largest, stock, depth }, request);
   const { job, values } = withCuttingValues(base, { params: {} }, { main });
-  const own = { Q206: main.feed, ...(work === "drill" && main.step && { Q202: main.step }) };
+  const { first, less, least } = pecks(tool);
+  const own = {
+    Q206: main.feed,
+    ...(work === "drill" && main.step && { Q202: main.step }),
+    ...(work === "peck" && { Q202: first, Q212: less, Q205: least }),
+  };
   const reasoned = Object.entries(own).map(([q, { value, formula, inputs }]) => ({ q, value, formula, inputs }));
   const numbers = Object.fromEntries(reasoned.map(({ q, value }) => [q, value]));
   return { cycle, job, cut: filled({ ...numbers, ...fixed }), values: [...reasoned, ...values] };

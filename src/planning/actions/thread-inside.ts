@@ -31,7 +31,7 @@ const WITHIN = 0.1;
 const LEAD = 2;
 
 /** The tip is lifted so far from the crest between two passes, and at least so far, mm. */
-const [LIFT, LEAST_LIFT] = [5, 0.5];
+const [LIFT, LEAST_LIFT] = [5, 0.2];
 
 /** Grooves may be deeper than the root by rounded values and chords, mm. */
 const ROOT = 0.05;
@@ -92,9 +92,9 @@ function turned(open: OpenThread, stock: readonly Ring[], request: PlanRequest):
   const corner = (z: number) => ({ diameter: diameter(rounded(across)), z: axial(rounded(z)) });
   const [before, next] = [inside.segments[place.first - 1], inside.segments[place.last + 1]];
   const runOut = RUN_OUT * named.pitch;
-  // It begins in front of a chamfer, and runs out behind the rear end of a through bore.
+  // It begins in front of a chamfer, and goes on behind the rear end of a through bore, where it runs out.
   const isChamfered = before && before.from.r >= box.low && before.from.z - box.right < runOut;
-  const [begin, end] = [isChamfered ? before.from.z : box.right, next ? box.left : box.left - runOut];
+  const [begin, end] = [isChamfered ? before.from.z : box.right, next ? box.left : box.left - named.pitch];
   const wanted: ShapeRequest = {
     site: "inside",
     shape: "thread",

@@ -1,5 +1,6 @@
 import { valuesOfThread, type ThreadFill } from "../../cycles/thread-values.ts";
 import type { Cycle } from "../../cycles/define.ts";
+import { firstValues } from "../../cycles/first-values.ts";
 import { catalogue } from "../../cycles/index.ts";
 import { useOf } from "../../cycles/use.ts";
 import { cutLength, noseRadius, USUAL_TOOTH } from "../../kernel/cutter/insert.ts";
@@ -185,9 +186,11 @@ export function fillOf(
 ): ThreadFill | null {
   const { thread: roles } = cycle;
   if (!roles) return null;
+  // Its own first values too: an infeed along the flank may be steeper than the flank of this thread.
+  const typed = { ...firstValues(cycle), [roles.position]: site === "inside" ? 1 : 0 };
   const aims: readonly Aim[] = named[site]?.tolerance ? ["middle", "basic"] : ["basic"];
   const fills = aims.flatMap((aim) => {
-    const fill = valuesOfThread(named, roles, { [roles.position]: site === "inside" ? 1 : 0 }, { aim, nose });
+    const fill = valuesOfThread(named, roles, typed, { aim, nose });
     return typeof fill === "string" ? [] : [fill];
   });
   const off = ({ cut }: ThreadFill) => Math.abs(cut.crest - across);

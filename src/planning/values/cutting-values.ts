@@ -1,6 +1,6 @@
 import { shankAxis } from "../../kernel/cutter/holder.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
-import { drilling, threading } from "./axis-values.ts";
+import { drilling, reaming, threading } from "./axis-values.ts";
 import { plunging } from "./blade-values.ts";
 import { finishing, roughing } from "./turning-values.ts";
 import type { CuttingValues, ValuesRequest, Work } from "./values-request.ts";
@@ -14,6 +14,7 @@ const BY_WORK: Readonly<Record<Work, (request: ValuesRequest) => CuttingValues>>
   thread: threading,
   drill: drilling,
   centre: drilling,
+  ream: reaming,
 };
 
 /**

@@ -6,7 +6,7 @@ import type { ReasonedNumber } from "./formulas.ts";
 import type { HeldBar, HeldWorkpiece } from "../../report/advice/stability.ts";
 
 /** Kinds of work that have values of their own. */
-export type Work = "rough" | "face" | "finish" | "recess" | "partOff" | "thread" | "drill" | "centre";
+export type Work = "rough" | "face" | "finish" | "recess" | "partOff" | "thread" | "drill" | "centre" | "ream";
 
 /** A wanted surface, µm. */
 export interface WantedRoughness {

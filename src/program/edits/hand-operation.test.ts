@@ -152,5 +152,7 @@ describe("an operation without a cycle", () => {
     expect(able("partOff", false, 31)).toEqual([]);
     expect(able("drill")).toEqual([31]);
     expect(able("tap")).toEqual([32]);
+    expect(able("peck")).toEqual([31]);
+    expect(able("ream")).toEqual([]);
   });
 });

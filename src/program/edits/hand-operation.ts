@@ -1,5 +1,4 @@
 import { centreDepth } from "../../kernel/cutter/centre-drill.ts";
-import { isDrill } from "../../kernel/cutter/drill.ts";
 import { cuttingWidth, noseRadius, tipDirection } from "../../kernel/cutter/insert.ts";
 import type { CentreHole, Tool } from "../../kernel/plan/tool.ts";
 import { radius, rounded, roundedUp, toDiameter } from "../../kernel/units.ts";
@@ -9,8 +8,11 @@ import type { Ring } from "../../kernel/geometry/point.ts";
 import { frontOf, startOnSurface, type StockSurface } from "../job/stock-surface.ts";
 import { positionAsTyped } from "../values/typed-value.ts";
 
+/** Operations on the axis, with a tool of the milling table. */
+const AXIS_WORKS = ["centre", "drill", "peck", "ream", "tap"] as const;
+export type AxisWork = (typeof AXIS_WORKS)[number];
 /** Operations without a turning cycle: by path blocks, or with a drilling cycle on the axis. */
-export const HAND_WORKS = ["chamfer", "partOff", "partOffChamfered", "centre", "drill", "tap"] as const;
+export const HAND_WORKS = ["chamfer", "partOff", "partOffChamfered", ...AXIS_WORKS] as const;
 export type HandWork = (typeof HAND_WORKS)[number];
 
 /** Sizes that only the drawing knows: of a chamfer, and the Z of the rear face. */
@@ -22,9 +24,7 @@ export const sizesOf = (work: HandWork): readonly HandSize[] => {
   return work === "partOffChamfered" ? ["z", "size"] : [];
 };
 
-/** Operations on the axis, with a tool of the milling table. */
-export type AxisWork = "centre" | "drill" | "tap";
-export const isOnAxis = (work: HandWork): work is AxisWork => work === "centre" || work === "drill" || work === "tap";
+export const isOnAxis = (work: HandWork): work is AxisWork => AXIS_WORKS.some((each) => each === work);
 
 /** Radial depth of a cut through the stock, from its surface to the axis or through the wall of its bore, mm. */
 export const wallOf = (stock: readonly Ring[], { from }: StockSurface): number =>
@@ -42,7 +42,10 @@ export function canDo(work: HandWork, tool: Tool, { isInside, depth, hole }: Nee
   const { u, v } = tipDirection(tool.TO);
   switch (work) {
     case "drill":
-      return isDrill(tool) && tool.TYPE !== "TAP" && !tool.centre;
+    case "peck":
+      return tool.TYPE === "DRILL" || (tool.TYPE === "CENTER" && !tool.centre);
+    case "ream":
+      return tool.TYPE === "REAM";
     case "centre":
       return tool.centre?.hole.form === hole?.form && tool.centre?.hole.d1 === hole?.d1 && hole !== undefined;
     case "tap":
@@ -59,7 +62,7 @@ const LEAD = 1;
 const CLEARANCE = 2;
 const OVER_BORE = 1;
 /** Feeds, mm/rev. */
-const FEED = { chamfer: 0.12, partOff: 0.06, drill: 0.12, centre: 0.05 };
+const FEED = { chamfer: 0.12, partOff: 0.06, drill: 0.12, centre: 0.05, ream: 0.2 };
 /** A nose radius lies off the theoretical corner: a 45° path moves by this share of the radius along either axis. */
 const NOSE = 2 - Math.SQRT2;
 
@@ -131,64 +134,122 @@ function partOff({ stock, surface, tool, sizes, feed = FEED.partOff }: HandConte
 /** A parameter of a drilling cycle as the control labels it; an open one has no value. */
 const parameter = (q: string, value: number | null, label: string): CycleParameter => ({ q, value, label });
 
+const CLEAR = parameter("Q200", CLEARANCE, "SET-UP CLEARANCE");
+const AWAY = parameter("Q204", 50, "2ND SET-UP CLEARANCE");
+const REST = parameter("Q211", 0, "DWELL TIME AT DEPTH");
+const plunge = (feed: number) => parameter("Q206", feed, "FEED RATE FOR PLNGNG");
+
+/** A feed that a drilling cycle takes as rapid. */
+const RAPID = 99_999;
+
+/** What a drilling cycle is made from: prompts that it shares with others, and its tool. */
+interface AxisPrompts {
+  readonly depth: CycleParameter;
+  readonly surface: CycleParameter;
+  readonly tool: Tool;
+}
+interface AxisCycle {
+  readonly number: number;
+  readonly name: string;
+  readonly parameters: (prompts: AxisPrompts) => readonly CycleParameter[];
+}
+
+/**
+ * The drilling cycles, in the order in which a control writes their parameters. Reaming and pecking: as the posts of CAM
+ * systems for this control write them (decision 0003).
+ */
+const AXIS_CYCLES: Readonly<Record<AxisWork, AxisCycle>> = {
+  centre: {
+    number: 240,
+    name: "CENTERING",
+    parameters: ({ depth, surface }) => [
+      CLEAR,
+      // A pilot precedes the cone: the depth is given, not the diameter.
+      parameter("Q343", 0, "SELECT DIA./DEPTH"),
+      depth,
+      parameter("Q344", 0, "DIAMETER"),
+      plunge(FEED.centre),
+      REST,
+      surface,
+      AWAY,
+    ],
+  },
+  drill: {
+    number: 200,
+    name: "DRILLING",
+    parameters: ({ depth, surface }) => [
+      CLEAR,
+      depth,
+      plunge(FEED.drill),
+      parameter("Q202", 5, "PLUNGING DEPTH"),
+      parameter("Q210", 0, "DWELL TIME AT TOP"),
+      surface,
+      AWAY,
+      REST,
+    ],
+  },
+  peck: {
+    number: 205,
+    name: "UNIVERSAL PECKING",
+    parameters: ({ depth, surface }) => [
+      CLEAR,
+      depth,
+      plunge(FEED.drill),
+      parameter("Q202", 5, "PLUNGING DEPTH"),
+      surface,
+      AWAY,
+      parameter("Q212", 0, "DECREMENT"),
+      parameter("Q205", 0, "MIN. PLUNGING DEPTH"),
+      parameter("Q258", 0.5, "UPPER ADV STOP DIST"),
+      parameter("Q259", 1, "LOWER ADV STOP DIST"),
+      parameter("Q257", 0, "DEPTH FOR CHIP BRKNG"),
+      parameter("Q256", 0.2, "DIST FOR CHIP BRKNG"),
+      REST,
+      parameter("Q379", 0, "STARTING POINT"),
+      parameter("Q253", 750, "F PRE-POSITIONING"),
+      parameter("Q208", RAPID, "RETRACTION FEED RATE"),
+      parameter("Q395", 0, "DEPTH REFERENCE"),
+    ],
+  },
+  ream: {
+    number: 201,
+    name: "REAMING",
+    parameters: ({ depth, surface }) => [
+      CLEAR,
+      depth,
+      plunge(FEED.ream),
+      REST,
+      // 0: back at the feed of the cut, with the spindle turning on.
+      parameter("Q208", 0, "RETRACTION FEED RATE"),
+      surface,
+      AWAY,
+    ],
+  },
+  tap: {
+    number: 207,
+    name: "RIGID TAPPING NEW",
+    parameters: ({ depth, surface, tool }) => [
+      CLEAR,
+      { ...depth, label: "DEPTH OF THREAD" },
+      parameter("Q239", tool.PITCH ?? null, "THREAD PITCH"),
+      surface,
+      AWAY,
+    ],
+  },
+};
+
 /** A drilling cycle on the axis; depth and pitch stay open where the tool does not know them. */
 function onAxis(work: AxisWork, { stock, tool }: HandContext): HandCut {
   const front = frontOf(stock);
   const surface = parameter("Q203", Math.min(0, front), "SURFACE COORDINATE");
-  const [first, second] = [
-    parameter("Q200", CLEARANCE, "SET-UP CLEARANCE"),
-    parameter("Q204", 50, "2ND SET-UP CLEARANCE"),
-  ];
-  const depth = (label: string) => parameter("Q201", tool.centre ? -roundedUp(centreDepth(tool.centre)) : null, label);
-  const cycle: Statement =
-    work === "tap"
-      ? {
-          kind: "cycle",
-          cycle: 207,
-          name: "RIGID TAPPING NEW",
-          parameters: [
-            first,
-            depth("DEPTH OF THREAD"),
-            parameter("Q239", tool.PITCH ?? null, "THREAD PITCH"),
-            surface,
-            second,
-          ],
-        }
-      : work === "centre"
-        ? {
-            kind: "cycle",
-            cycle: 240,
-            name: "CENTERING",
-            parameters: [
-              first,
-              // A pilot precedes the cone: the depth is given, not the diameter.
-              parameter("Q343", 0, "SELECT DIA./DEPTH"),
-              depth("DEPTH"),
-              parameter("Q344", 0, "DIAMETER"),
-              parameter("Q206", FEED.centre, "FEED RATE FOR PLNGNG"),
-              parameter("Q211", 0, "DWELL TIME AT DEPTH"),
-              surface,
-              second,
-            ],
-          }
-        : {
-            kind: "cycle",
-            cycle: 200,
-            name: "DRILLING",
-            parameters: [
-              first,
-              depth("DEPTH"),
-              parameter("Q206", FEED.drill, "FEED RATE FOR PLNGNG"),
-              parameter("Q202", 5, "PLUNGING DEPTH"),
-              parameter("Q210", 0, "DWELL TIME AT TOP"),
-              surface,
-              second,
-              parameter("Q211", 0, "DWELL TIME AT DEPTH"),
-            ],
-          };
+  const depth = parameter("Q201", tool.centre ? -roundedUp(centreDepth(tool.centre)) : null, "DEPTH");
+  const { number, name, parameters } = AXIS_CYCLES[work];
   return {
     start: startAt(0, front + CLEARANCE),
-    cut: [cycle, { kind: "cycleCall", how: "", words: noWords }],
+    cut: [
+      { kind: "cycle", cycle: number, name, parameters: parameters({ depth, surface, tool }) },
+      { kind: "cycleCall", how: "", words: noWords },
+    ],
   };
 }
 
@@ -198,8 +259,8 @@ export function handCut(work: HandWork, context: HandContext): HandCut {
   return work === "chamfer" ? chamfer(context) : partOff(context, work === "partOffChamfered");
 }
 
-/** Cutting speeds of drills and taps, m/min. */
-const ON_AXIS = { centre: 25, drill: 60, tap: 12 };
+/** Cutting speeds of drills, reamers and taps, m/min. */
+const ON_AXIS = { centre: 25, drill: 60, peck: 60, ream: 12, tap: 12 };
 
 /** Speed of a tool on the axis, rpm: it cuts at its own diameter. */
 export function speedOnAxis(work: AxisWork, tool: Tool): number {

@@ -1,4 +1,5 @@
 import { standardDrills } from "../tools/standard-drills.ts";
+import { standardReamers } from "../tools/standard-reamers.ts";
 import type { ShopTools } from "../tools/read-tools.ts";
 import type { ToolEntry } from "../tools/tool-entry.ts";
 import { readList, shippedList, type ToolList } from "../tools/tool-list.ts";
@@ -23,13 +24,13 @@ function likeness({ cells }: ToolEntry): string {
 
 /**
  * Usual tools that a table lacks, with free numbers: drills, taps, centre drills, bars for bores, tools for undercuts, and
- * blades for circlips and for parting off.
+ * blades for circlips and for parting off, and reamers with the drills before them.
  * The table has one already where the name or the shape is the same.
  */
 export function usualTools(list: ToolList): readonly ToolEntry[] {
   const names = new Set(list.map(({ cells }) => cells.NAME));
   const shapes = new Set(list.map(likeness));
-  return [standardDrills, standardUndercutTools, standardBars, standardBlades]
+  return [standardDrills, standardUndercutTools, standardBars, standardBlades, standardReamers]
     .flatMap((rowsOf) => rowsOf(list))
     .map((cells) => ({ id: `usual ${cells.T}`, cells }))
     .filter((entry) => !names.has(entry.cells.NAME) && !shapes.has(likeness(entry)));

@@ -54,6 +54,7 @@ const OF_KIND: Readonly<Record<FileToolKind, readonly (keyof Vocabulary)[]>> = {
   drill: ["cutter", "drillPoint", "flute"],
   center: ["cutter", "drillPoint", "flute"],
   tap: ["cutter", "pitch", "flute"],
+  reamer: ["cutter", "flute"],
   mill: ["cutter"],
 };
 
@@ -74,6 +75,7 @@ const KINDS: Readonly<Record<string, FileToolKind | RefusalReason>> = {
   "spot drill": "center",
   "tap right hand": "tap",
   "tap left hand": "tap",
+  reamer: "reamer",
   "end mill": "mill",
   "slot mill": "mill",
   probe: "probe",

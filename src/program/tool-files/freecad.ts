@@ -22,6 +22,7 @@ const SHAPES: Readonly<Record<string, FileToolKind | RefusalReason>> = {
   isoshape: "turning",
   drill: "drill",
   tap: "tap",
+  reamer: "reamer",
   endmill: "mill",
   ballend: "mill",
   bullnose: "mill",
@@ -42,6 +43,7 @@ const kindOf = (shape: string): FileToolKind | RefusalReason =>
 const VOCABULARY: Readonly<Record<string, Vocabulary>> = {
   turning: { nose: ["TipRadius"], point: ["TipAngle"], edge: ["EdgeLength"] },
   drill: { cutter: ["Diameter"], drillPoint: ["TipAngle"], flute: ["CuttingEdgeLength"] },
+  reamer: { cutter: ["Diameter"], flute: ["CuttingEdgeLength"] },
   tap: { cutter: ["Diameter"], pitch: ["Pitch"], flute: ["CuttingEdgeLength"] },
   mill: { cutter: ["Diameter"] },
 };

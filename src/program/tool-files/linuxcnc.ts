@@ -83,7 +83,7 @@ function toolOf({ words, comment }: Line, isMill: boolean, scale: number): FileT
   const across = d > 0 ? { cutter: known(d, `D${words.get("D")}`) } : {};
   const named =
     texts.length > 0 ? { name: { value: comment, from: `;${comment}` } } : { name: { value: "", from: "" } };
-  const isDrill = worded === "drill" || worded === "center" || worded === "tap";
+  const isDrill = worded === "drill" || worded === "center" || worded === "tap" || worded === "reamer";
   const to = ORIENTATIONS[words.get("Q") ?? 0];
   if (isDrill || (isMill && d > 0)) {
     const kind: Facts["kind"] = isDrill

@@ -294,7 +294,7 @@ test.each<readonly [string, string]>([
   [fusion({ type: "probe", description: "P" }), "probe"],
   [fusion({ type: "holder", description: "ER32" }), "holder"],
   [fusion({ type: "laser cutter", description: "L" }), "otherMachine"],
-  [fusion({ type: "reamer", description: "R" }), "noColumn"],
+  [fusion({ type: "counter bore", description: "C" }), "noColumn"],
   [bit("Probe", "probe", { Diameter: "6 mm" }), "probe"],
   [din({ NSM: "DIN4000-76", BLD: "1", A1: "12" }), "unknownList"],
   [p21("X", number("OAL", 60)), "kindUnknown"],

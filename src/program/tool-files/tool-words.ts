@@ -10,6 +10,7 @@ const KINDS: readonly (readonly [FileToolKind, RegExp])[] = [
     "center",
     /\bcent(?:er|re)[\s-]?drill|\bspot(?:ting)?[\s-]?drill|zentrier|anbohr|foret (?:à|a) (?:centrer|pointer)|中心钻/i,
   ],
+  ["reamer", /\breamer|reibahle|al[ée]soir|铰刀/i],
   ["drill", /drill|bohrer|\bforet\b|钻/i],
   ["parting", /\bpart(?:ing)?[\s-]?off|\bparting\b|\bcut[\s-]?off|abstech|tron[cç]on|切断/i],
   ["grooving", /groov|recess|einstech|stechdreh|\bstech|\bgorges?\b|切槽/i],

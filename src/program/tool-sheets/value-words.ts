@@ -11,6 +11,7 @@ type AnyType = ToolType | DrillType | typeof MILL;
 /** The first line that fits decides: a boring bar is no drill, a tap no thread insert. */
 const TYPES: readonly (readonly [AnyType, RegExp])[] = [
   ["TAP", /\btap\b|gewindebohr|taraud|maschio|\bmacho\b|丝锥/i],
+  ["REAM", /\bream|reibahle|al[ée]soir|alesatore|escariador|铰刀/i],
   ["ROUGH", /schrupp|rough|[ée]bauche|sgross|desbast|粗/i],
   ["FINISH", /schlicht|finish|finition|finitura|acabado|精/i],
   ["CENTER", /zentrier|anbohr|\bcent(?:er|re|rage)\b|spot|pointer|centrino|中心钻/i],

@@ -28,6 +28,10 @@ export const HSS_DRILL: Readonly<Record<IsoGroup, { readonly speed: number; read
 };
 /** Greatest feed of a drill. */
 export const MOST_DRILL_FEED = 0.3;
+/** Reamers of high-speed steel: speed as a share of that of the drill, feed as a share of the diameter, greatest feed. */
+export const HSS_REAMER = { speed: 0.5, feed: 0.02, most: 0.4 } as const;
+/** Pecks of a deep hole in diameters: the first one, how much shorter each next one is, and the shortest. */
+export const PECKS = { first: 2, less: 0.5, least: 1 } as const;
 /** Depth of a hole in diameters from which a drill goes slower; speed and feed are these shares. */
 export const DEEP_HOLES: readonly (readonly [from: number, speed: number, feed: number])[] = [
   [3, 0.9, 0.9],

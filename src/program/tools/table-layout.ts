@@ -24,6 +24,7 @@ export const MILL_FILE = ["T", "NAME", "L", "R", "DL", "DR", "TYP", "LCUTS", "T-
 export const MILL_WORDS: readonly { readonly type: DrillType; readonly words: readonly [string, ...string[]] }[] = [
   { type: "DRILL", words: ["DRILL", "1"] },
   { type: "TAP", words: ["TAP", "2"] },
+  { type: "REAM", words: ["REAM", "3"] },
   { type: "CENTER", words: ["CENT", "CENTER", "4"] },
 ];
 

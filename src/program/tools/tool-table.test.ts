@@ -161,7 +161,7 @@ describe("a row of the table", () => {
     [{ NAME: "a" }, ["NAME toolName"]],
     [{ NAME: "CNMG 80" }, ["NAME toolName"]],
     [{ NAME: "CNMG_80-R0.8#$%&," }, []],
-    [{ TYPE: "REAM" }, ["TYPE toolColumn"]],
+    [{ TYPE: "BORE" }, ["TYPE toolColumn"]],
     [{ TYPE: "DRILL" }, ["R missing"]],
     [{ ORI: "361" }, ["ORI toolColumn"]],
     [
@@ -507,7 +507,7 @@ describe("milling tools", () => {
         ].join("\r\n"),
       );
     const read = rows("TYPE  ", ["DRILL", "cent", "TAP", "MILL", "REAM", "TURN"]);
-    expect("rows" in read && read.rows.map((row) => row.TYPE)).toEqual(["DRILL", "CENTER", "TAP", "MILL", "MILL"]);
+    expect("rows" in read && read.rows.map((row) => row.TYPE)).toEqual(["DRILL", "CENTER", "TAP", "MILL", "REAM"]);
     expect("rows" in read && read.rows[2]).toMatchObject({
       R: "3.175",
       LCUTS: "50.8",
@@ -515,7 +515,7 @@ describe("milling tools", () => {
       PITCH: "1.27",
     });
     const older = rows("TYP", ["1", "4", "2", "0", "3", "29"]);
-    expect("rows" in older && older.rows.map((row) => row.TYPE)).toEqual(["DRILL", "CENTER", "TAP", "MILL", "MILL"]);
+    expect("rows" in older && older.rows.map((row) => row.TYPE)).toEqual(["DRILL", "CENTER", "TAP", "MILL", "REAM"]);
     expect("rows" in older && older.leftOut).toEqual(["DOC"]);
   });
 

@@ -5,13 +5,20 @@ import { drillOf } from "../../../program/tools/drill-of.ts";
 import type { ShopTools } from "../../../program/tools/read-tools.ts";
 import { isCoreDrill } from "../../../program/tools/tap-of-thread.ts";
 import { standardDrills } from "../../../program/tools/standard-drills.ts";
+import { standardReamers } from "../../../program/tools/standard-reamers.ts";
 import { newId, readList, type ToolList } from "../../../program/tools/tool-list.ts";
 import { addTool } from "../../../app/document/add-tool.ts";
 import { bundleOf, useEditor } from "../../../app/document/store.ts";
 import { toolsOnDevice, useTools } from "../../../app/document/tool-store.ts";
 import { listInUse } from "../../../app/document/work-tools.ts";
 
-/** Drills and taps of a table, as tools on the axis. */
+/** Usual drills, taps and reamers with free numbers, those of a thread among them. */
+const usualOnAxis = (list: ToolList, thread: NamedThread | null) => [
+  ...standardDrills(list, thread),
+  ...standardReamers(list),
+];
+
+/** Drills, taps and reamers of a table, as tools on the axis. */
 const drillsIn = ({ mills = [] }: ShopTools): readonly Tool[] => mills.flatMap((row) => drillOf(row) ?? []);
 
 /** Drills and taps of the open work; a standard one has its row, which is added when it is called. */
@@ -26,7 +33,7 @@ export function useDrills(thread: NamedThread | null): Drills {
   const own = useEditor((s) => bundleOf(s).tools);
   return useMemo(() => {
     const list = own ?? shop;
-    const rows = standardDrills(list, thread).map((cells, i) => ({ id: `standard ${i}`, cells }));
+    const rows = usualOnAxis(list, thread).map((cells, i) => ({ id: `standard ${i}`, cells }));
     return { own: drillsIn(toolsOnDevice(list).table), standard: drillsIn(readList(rows).table) };
   }, [own, shop, thread]);
 }
@@ -62,4 +69,4 @@ export function addStandardTool(rowsOf: StandardRows, T: number): void {
 
 /** Adds a standard drill, or a drill or tap of a thread, to the table of the open work. */
 export const addStandardDrill = (T: number, thread: NamedThread | null): void =>
-  addStandardTool((list) => standardDrills(list, thread), T);
+  addStandardTool((list) => usualOnAxis(list, thread), T);

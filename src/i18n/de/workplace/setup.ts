@@ -20,6 +20,7 @@ export const setup = {
       DRILL: "Bohrer",
       CENTER: "Zentrierbohrer",
       TAP: "Gewindebohrer",
+      REAM: "Reibahle",
     },
     radius: (value) => `Radius ${value}`,
     width: (value) => `Breite ${value}`,

@@ -20,6 +20,7 @@ export const setup = {
       DRILL: "drill",
       CENTER: "centre drill",
       TAP: "tap",
+      REAM: "reamer",
     },
     radius: (value: string) => `radius ${value}`,
     width: (value: string) => `width ${value}`,

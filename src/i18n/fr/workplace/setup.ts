@@ -20,6 +20,7 @@ export const setup = {
       DRILL: "foret",
       CENTER: "foret à centrer",
       TAP: "taraud",
+      REAM: "alésoir",
     },
     radius: (value) => `rayon ${value}`,
     width: (value) => `largeur ${value}`,

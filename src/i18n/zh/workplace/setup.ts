@@ -20,6 +20,7 @@ export const setup = {
       DRILL: "钻头",
       CENTER: "中心钻",
       TAP: "丝锥",
+      REAM: "铰刀",
     },
     radius: (value) => `刀尖半径 ${value}`,
     width: (value) => `刃宽 ${value}`,
