@@ -4,13 +4,11 @@ import type { RapidThrough } from "../../../sim/plane/milled.ts";
 import { planeMotionData } from "../../../view/approach/motion-data.ts";
 import type { PlaneRole } from "../../../view/approach/plane-scene.ts";
 import { ringData } from "../../../view/path.ts";
-import { Axes } from "../lathe/Axes.tsx";
+import { FlatPicture } from "../lathe/FlatPicture.tsx";
 import { useNewerRun } from "../lathe/NewestLines.tsx";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { RunningMove } from "../lathe/RunningMove.tsx";
-import { useViewBox } from "../lathe/use-view-box.ts";
 import type { Viewport } from "../lathe/viewport.ts";
-import { World } from "../lathe/World.tsx";
 import type { NoStock } from "../../calculation/cut-milled.ts";
 import type { GrowingStock } from "./milled.ts";
 import { MilledSheet } from "./MilledSheet.tsx";
@@ -35,10 +33,7 @@ const NewestLines = memo(function NewestLines({ of }: { readonly of: Run }) {
   );
 });
 
-/**
- * Blank, contours, path and mill in the working plane, in layers from back to front. The drawing is painted once;
- * during playback only the stock near the tool is painted, and the layer of the tool moves.
- */
+/** Blank, contours, path and mill in the working plane. */
 export function PlanePicture({
   viewport,
   run,
@@ -63,34 +58,36 @@ export function PlanePicture({
   /** Content in screen space over the picture. */
   readonly children: React.ReactNode;
 }) {
-  const { plane: steps } = run,
-    viewBox = useViewBox(viewport);
+  const { plane: steps } = run;
   return (
-    <div className="lathe-picture plane-picture" role="img" aria-label={name}>
-      <svg className="sheet" viewBox={viewBox}>
-        <Axes viewport={viewport} plane="XY" part="grid" />
-      </svg>
-      {typeof milled !== "string" && (
-        <MilledSheet viewport={viewport} steps={steps} playback={playback} milled={milled} />
-      )}
-      <svg className="sheet still" viewBox={viewBox}>
-        <World viewport={viewport} shifts>
+    <FlatPicture
+      viewport={viewport}
+      plane="XY"
+      name={name}
+      className="plane-picture"
+      material={
+        typeof milled !== "string" && (
+          <MilledSheet viewport={viewport} steps={steps} playback={playback} milled={milled} />
+        )
+      }
+      drawing={
+        <>
           {rapids.length > 0 && (
             <path className="shape-gouge plane-rapid-through" d={ringData(rapids.flatMap(({ rings }) => [...rings]))} />
           )}
           <NewestLines of={run} />
           {chosen}
-        </World>
-      </svg>
-      <MillSheet viewport={viewport} steps={steps} playback={playback} />
-      <svg className="sheet" viewBox={viewBox}>
-        <World viewport={viewport}>
+        </>
+      }
+      tool={<MillSheet viewport={viewport} steps={steps} playback={playback} />}
+      over={
+        <>
           {hovered}
           <RunningMove moves={steps} playback={playback} dataOf={planeMotionData} each="reading" />
-        </World>
-        {children}
-        <Axes viewport={viewport} plane="XY" part="scales" />
-      </svg>
-    </div>
+        </>
+      }
+    >
+      {children}
+    </FlatPicture>
   );
 }
