@@ -96,7 +96,7 @@ export function View({
   const { title, sight, timed, words, dimmed, ended = false, className = "" } = scene,
     { steps } = timed,
     { viewport, measuring } = picking;
-  const isBeside = beside?.sight != null;
+  const isBeside = Boolean(beside?.sight);
   const stage = useStage(viewport, measuring.on ? measuring : picking.pointer, isBeside ? 0.5 : 1);
   /** Closes the tools on a small screen to show the picture again; while measuring, the keys go to the picture. */
   const toggle = () => {

@@ -3,12 +3,12 @@ import type { Bounds, Size } from "../../../view/camera.ts";
 import { pageLength } from "../../base/unit.ts";
 import type { Viewport } from "./viewport.ts";
 
-/** Margin around a drawing for its lines, pixels. */
-const LINE = 4;
+/** Margin of a tool for its lines, pixels. */
+export const LINE = 4;
 
 /**
  * A tool, relative to the point that carries it, on a sheet no larger than itself: redrawn for another tool or zoom,
- * else only moved. `boxOf`: its box at a scale, mm. `centre`: what keeps its size at that point, pixels.
+ * else only moved. `boxOf`: its box at a scale, with that margin, pixels. `centre`: what keeps its size, pixels.
  */
 export function CarriedSheet({
   viewport,
@@ -34,10 +34,9 @@ export function CarriedSheet({
       if (camera.scale === scale && camera.xUp === up) return;
       [scale, up] = [camera.scale, camera.xUp];
       const { left, right, low, high } = boxOf(scale, viewport.size());
-      const top = up ? -high : low;
-      const corner = { x: left * scale - LINE, y: top * scale - LINE };
-      const width = Math.ceil((right - left) * scale + 2 * LINE),
-        height = Math.ceil((high - low) * scale + 2 * LINE);
+      const corner = { x: left, y: up ? -high : low },
+        width = Math.ceil(right - left),
+        height = Math.ceil(high - low);
       element.setAttribute("viewBox", `0 0 ${width} ${height}`);
       for (const [name, units] of Object.entries({ left: corner.x, top: corner.y, width, height }))
         element.style.setProperty(name, pageLength(units));

@@ -11,7 +11,7 @@ import { liesBehind, silhouetteOf, type Silhouette } from "../../../view/cutting
 import type { SectionView } from "../../base/settings/settings.ts";
 import { pageLength } from "../../base/unit.ts";
 import { BreakLine } from "./BreakLine.tsx";
-import { CarriedSheet } from "./CarriedSheet.tsx";
+import { CarriedSheet, LINE } from "./CarriedSheet.tsx";
 import { restingTip, runningTip, type MovingAnchor } from "./moving-anchor.ts";
 import { TipCarrier } from "./TipCarrier.tsx";
 import { ChipSheet } from "./ChipSheet.tsx";
@@ -43,8 +43,11 @@ interface Standing {
 function Sheet({ viewport, tool }: Pick<Standing, "viewport" | "tool">) {
   const boxOf = useMemo(() => {
     const { insert, all } = boxesOf(tool);
-    return (scale: number, { width, height }: Size) =>
-      common(all, grownBounds(insert, (PICTURES * Math.max(width, height)) / scale));
+    return (scale: number, { width, height }: Size) => {
+      const far = (PICTURES * Math.max(width, height)) / scale,
+        { left, right, low, high } = common(all, grownBounds(insert, far));
+      return grownBounds({ left: left * scale, right: right * scale, low: low * scale, high: high * scale }, LINE);
+    };
   }, [tool]);
   return (
     <CarriedSheet viewport={viewport} boxOf={boxOf}>

@@ -2,7 +2,7 @@ import { useCallback, useMemo } from "react";
 import { partPoint } from "../../../kernel/plane/plane.ts";
 import type { PlaneStep } from "../../../program/tools/plane-types.ts";
 import { spotAt } from "../../../view/approach/plane-scene.ts";
-import { CarriedSheet } from "../lathe/CarriedSheet.tsx";
+import { CarriedSheet, LINE } from "../lathe/CarriedSheet.tsx";
 import { movingTip } from "../lathe/moving-anchor.ts";
 import { TipCarrier } from "../lathe/TipCarrier.tsx";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
@@ -41,7 +41,7 @@ export function MillSheet({
   );
   const boxOf = useCallback(
     (scale: number) => {
-      const half = Math.max(radius ?? 0, CROSS / scale);
+      const half = Math.ceil(Math.max((radius ?? 0) * scale, CROSS) + LINE);
       return { left: -half, right: half, low: -half, high: half };
     },
     [radius],
