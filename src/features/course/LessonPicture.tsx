@@ -197,7 +197,6 @@ export function LessonPicture({
               section={drawn}
               name={texts.lathe.pictures[drawn](state)}
               path={passes.stretches}
-              ghosts={null}
               chosen={
                 told && (
                   <Suspense>
@@ -205,7 +204,6 @@ export function LessonPicture({
                   </Suspense>
                 )
               }
-              hovered={null}
             >
               <Marks viewport={viewport} starts={starts} datum={datum} />
               {told && (

@@ -101,12 +101,7 @@ function RunningLathe({ hero, plays, name, onRunning, outcome }: Props & { reado
           section="half"
           name={name}
           path={path.stretches}
-          ghosts={null}
-          chosen={null}
-          hovered={null}
-        >
-          {null}
-        </Picture>
+        />
       </div>
     </CountedIn>
   );

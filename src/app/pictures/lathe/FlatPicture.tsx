@@ -1,16 +1,30 @@
 import type { CSSProperties, ReactNode } from "react";
+import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import type { MeasureSource } from "../measure/source.ts";
 import { Axes } from "./Axes.tsx";
+import { Hovered, type Hover } from "./Chosen.tsx";
+import { RunningMove } from "./RunningMove.tsx";
 import { useViewBox } from "./use-view-box.ts";
 import type { Viewport } from "./viewport.ts";
 import { World } from "./World.tsx";
+
+/** The moves of a picture, of which the running one stands out, and the one under the pointer. */
+export interface PlayedMoves<Move extends object> {
+  readonly moves: readonly Move[];
+  readonly playback: PlaybackStore;
+  readonly hover?: Hover | undefined;
+  /** Path data of a move, in part space. */
+  readonly dataOf: (move: Move) => string;
+  /** The running one changes with every frame, or no faster than it can be read. */
+  readonly each?: "frame" | "reading";
+}
 
 /**
  * A plane of the machine, in layers from back to front: grid, material, drawing, tool, texts. The drawing is painted
  * once, however long the path. During playback only the material near the tool is painted, and the layer of the tool
  * moves.
  */
-export function FlatPicture({
+export function FlatPicture<Move extends object>({
   viewport,
   plane,
   name,
@@ -21,7 +35,7 @@ export function FlatPicture({
   style,
   drawing,
   tool,
-  over,
+  played,
   children,
 }: {
   readonly viewport: Viewport;
@@ -38,8 +52,8 @@ export function FlatPicture({
   /** In part space. */
   readonly drawing: ReactNode;
   readonly tool: ReactNode;
-  /** The moves pointed at and running, in part space. */
-  readonly over: ReactNode;
+  /** Null before anything moves. */
+  readonly played: PlayedMoves<Move> | null;
   /** Content in screen space over the picture. */
   readonly children: ReactNode;
 }) {
@@ -65,7 +79,10 @@ export function FlatPicture({
       </svg>
       {tool}
       <svg className="sheet" viewBox={viewBox}>
-        <World viewport={viewport}>{over}</World>
+        <World viewport={viewport}>
+          {played?.hover && <Hovered {...played} hover={played.hover} />}
+          {played && <RunningMove {...played} />}
+        </World>
         {children}
         <Axes viewport={viewport} plane={plane} part="scales" />
       </svg>

@@ -21,7 +21,7 @@ import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { useMedia } from "../../base/use-media.ts";
 import { View, type Scene } from "../View.tsx";
-import { ChosenPath, Hovered, turnedMoveData } from "./Chosen.tsx";
+import { ChosenPath } from "./Chosen.tsx";
 import type { PointerActions } from "./gestures.ts";
 import { knownText } from "./known-text.ts";
 import { ClampingNote } from "./ClampingNote.tsx";
@@ -209,7 +209,7 @@ export function LatheView({
             </DeferredUntilPaint>
           }
           chosen={[<LoadPart.Lines key="load" run={run} shown={path.has} />, <ChosenPath key="chosen" run={run} />]}
-          hovered={<Hovered moves={run.steps} hover={hover} dataOf={turnedMoveData} />}
+          hover={hover}
         >
           {scene.chuck?.unstated && <ClampingNote viewport={viewport} plane={scene.chuck.unstated} />}
           <Marks viewport={viewport} starts={starts} datum={datum} />
@@ -220,14 +220,7 @@ export function LatheView({
             </Suspense>
           )}
           {run.steps.length > 0 && (
-            <OffscreenTool
-              viewport={viewport}
-              playback={playback}
-              run={run}
-              places={seen}
-              datum={datum}
-              kept={kepts}
-            />
+            <OffscreenTool viewport={viewport} playback={playback} run={run} places={seen} datum={datum} kept={kepts} />
           )}
           {leads.length > 0 && (
             <Suspense>

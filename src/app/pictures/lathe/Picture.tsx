@@ -11,8 +11,7 @@ import { NewestContour, NewestPath } from "./NewestLines.tsx";
 import { FlatPicture } from "./FlatPicture.tsx";
 import { TurnedSheet } from "./TurnedSheet.tsx";
 import type { PlayedScene, InitialScene } from "../../calculation/moving.ts";
-import { turnedMoveData } from "./Chosen.tsx";
-import { RunningMove } from "./RunningMove.tsx";
+import { turnedMoveData, type Hover } from "./Chosen.tsx";
 import { RunningTool, WaitingTool } from "./ToolSheet.tsx";
 import type { Viewport } from "./viewport.ts";
 
@@ -118,7 +117,7 @@ export function Picture({
   path,
   ghosts,
   chosen,
-  hovered,
+  hover,
   name,
   children,
 }: {
@@ -136,14 +135,14 @@ export function Picture({
   /** The visible lines of the path. */
   readonly path: readonly PathStretch[];
   /** Paths of other settings, in part space, under the path. */
-  readonly ghosts: React.ReactNode;
+  readonly ghosts?: React.ReactNode;
   /** The choice, in part space, over the path. */
-  readonly chosen: React.ReactNode;
-  /** The hovered move, in part space, under the tool. */
-  readonly hovered: React.ReactNode;
+  readonly chosen?: React.ReactNode;
+  /** The move under the pointer. */
+  readonly hover?: Hover;
   readonly name: string;
   /** Content in screen space over the picture. */
-  readonly children: React.ReactNode;
+  readonly children?: React.ReactNode;
 }) {
   const id = useId(),
     full = section === "full",
@@ -219,11 +218,7 @@ export function Picture({
           )}
         </>
       }
-      over={
-        <>
-          {hovered} {moving && <RunningMove moves={moving.steps} playback={moving.playback} dataOf={turnedMoveData} />}
-        </>
-      }
+      played={moving && { moves: moving.steps, playback: moving.playback, hover, dataOf: turnedMoveData }}
     >
       {children}
     </FlatPicture>

@@ -7,10 +7,11 @@ import { areasAt, type MilledStock } from "../../../sim/plane/milled.ts";
 import type { PlayPosition } from "../../../sim/simulation.ts";
 import { motionAt } from "../../../view/approach/plane-pick.ts";
 import { joined } from "../../../view/bounds.ts";
+import { ringData } from "../../../view/path.ts";
 import type { Clock } from "../../base/clock.ts";
 import { View } from "../View.tsx";
 import type { LatheResult } from "../lathe/use-material.ts";
-import { Hovered } from "../lathe/Chosen.tsx";
+import { FlatPicture } from "../lathe/FlatPicture.tsx";
 import { Legend, LegendSign } from "../lathe/Legend.tsx";
 import { PlaceLines } from "../lathe/PlaceButtons.tsx";
 import { usePlaces, type PicturePlace } from "../lathe/places.ts";
@@ -25,9 +26,10 @@ import { FreePoints } from "./FreePoints.tsx";
 import { useMilledStock } from "./milled.ts";
 import { MilledLegend } from "./MilledLegend.tsx";
 import { MilledNotes } from "./MilledNotes.tsx";
-import { PlanePicture } from "./PlanePicture.tsx";
+import { MilledSheet } from "./MilledSheet.tsx";
+import { MillSheet } from "./MillSheet.tsx";
 import { planeOfRun } from "../../calculation/plane-run.ts";
-import { ChosenMotions } from "./PlaneMarks.tsx";
+import { ChosenMotions, PlaneLines } from "./PlaneLines.tsx";
 import { measurablePlane } from "./plane-source.ts";
 import { PointDot } from "./PointDot.tsx";
 import { PlanePoints } from "./PlanePoints.tsx";
@@ -83,6 +85,7 @@ export function PlaneView({
     { plane: steps } = run,
     lengths = useLengths(run);
   const { milled, rapids } = useMilledStock(result);
+  const through = useMemo(() => ringData(rapids.flatMap(({ rings }) => rings)), [rapids]);
   const { approaches, scene } = planeOfRun(run);
   const timed = useMemo(
     () => ({
@@ -139,20 +142,26 @@ export function PlaneView({
         dimmed,
         picture: (pressed) => (
           <>
-            <PlanePicture
+            <FlatPicture
               viewport={viewport}
-              run={run}
-              playback={playback}
-              milled={milled}
-              rapids={rapids}
-              chosen={<ChosenMotions run={run} />}
-              hovered={<Hovered moves={steps} hover={hover} dataOf={planeMotionData} />}
+              plane="XY"
               name={own.viewPicture(rests)}
+              className="plane-picture"
+              material={grown && <MilledSheet viewport={viewport} steps={steps} playback={playback} milled={grown} />}
+              drawing={
+                <>
+                  {through !== "" && <path className="shape-gouge plane-rapid-through" d={through} />}
+                  <PlaneLines of={run} />
+                  <ChosenMotions run={run} />
+                </>
+              }
+              tool={<MillSheet viewport={viewport} steps={steps} playback={playback} />}
+              played={{ moves: steps, playback, hover, dataOf: planeMotionData, each: "reading" }}
             >
               <PlanePoints {...{ viewport, approaches, isNamed, speech, places, id }} />
               <FreePoints viewport={viewport} places={places} speech={speech} />
               <PlaceLines seeing={flat.sight} places={places} />
-            </PlanePicture>
+            </FlatPicture>
             <MilledLegend milled={milled} />
             {pressed}
           </>
