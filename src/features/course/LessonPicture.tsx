@@ -211,11 +211,7 @@ export function LessonPicture({
                   <LoadMark of={told} run={run} seeing={sectionProjection(viewport)} />
                 </Suspense>
               )}
-              {leads.length > 0 && (
-                <Suspense>
-                  <TurnPoints viewport={viewport} approaches={leads} places={seen} />
-                </Suspense>
-              )}
+              {leads.length > 0 && <TurnPoints viewport={viewport} approaches={leads} places={seen} />}
               <PlaceLines seeing={sectionProjection(viewport)} places={seen} />
             </Picture>
             <PlaceButtons seeing={sectionProjection(viewport)} places={seen} chosen={chosen} choose={choose} />

@@ -1,4 +1,4 @@
-import { Suspense, useCallback, useEffect, useRef, useState } from "react";
+import { useCallback, useEffect, useRef, useState } from "react";
 import { Icon } from "../../app/base/Icon.tsx";
 import { scheduleIdle } from "../../app/base/idle.ts";
 import { lazyPart, retryImport } from "../../app/base/parts.ts";
@@ -107,9 +107,7 @@ export function Hero({ of }: { readonly of: HeroProgram | undefined }) {
           <>
             <Still box={of.box} />
             {ready && (
-              <Suspense>
-                <LivePicture hero={of} plays={asked && seen} name={t.name(of.operations)} onRunning={onRunning} />
-              </Suspense>
+              <LivePicture hero={of} plays={asked && seen} name={t.name(of.operations)} onRunning={onRunning} />
             )}
           </>
         )}

@@ -14,7 +14,7 @@ import { useLengths } from "../../calculation/lengths.ts";
 import { LoadPart } from "../load/LoadParts.tsx";
 import { createPointedPlace } from "../load/pointed-place.ts";
 import { measurableRun } from "../measure/source.ts";
-import { lazyPart } from "../../base/parts.ts";
+import { lazyPart, lazyWithin } from "../../base/parts.ts";
 import { whichSlot } from "../../document/which-slot.ts";
 import type { WhichRegion } from "../../place/place.ts";
 import { useSettings } from "../../base/settings/settings.ts";
@@ -53,8 +53,8 @@ import { LatheChoices, WhichButton } from "./ViewBar.tsx";
 /** Loaded for a program with approaches. */
 const TurnPoints = lazyPart(async () => ({ default: (await import("../plane/TurnPoints.tsx")).TurnPoints }));
 /** Loaded for a dialog: its typed positions. */
-const KnownMarks = lazyPart(async () => ({ default: (await import("./KnownMarks.tsx")).KnownMarks }));
-const AskedMarks = lazyPart(async () => ({ default: (await import("./KnownMarks.tsx")).AskedMarks }));
+const KnownMarks = lazyWithin(async () => ({ default: (await import("./KnownMarks.tsx")).KnownMarks }));
+const AskedMarks = lazyWithin(async () => ({ default: (await import("./KnownMarks.tsx")).AskedMarks }));
 /** Loaded on demand: paths of other settings, the 3D view. */
 const GhostPaths = lazyPart(async () => ({ default: (await import("./GhostPaths.tsx")).GhostPaths }));
 const SolidView = lazyPart(async () => ({ default: (await import("../solid/SolidView.tsx")).SolidView }));
@@ -203,9 +203,7 @@ export function LatheView({
           path={path.stretches}
           ghosts={
             <DeferredUntilPaint>
-              <Suspense>
-                <GhostPaths scene={scene} clock={clock} />
-              </Suspense>
+              <GhostPaths scene={scene} clock={clock} />
             </DeferredUntilPaint>
           }
           chosen={[<LoadPart.Lines key="load" run={run} shown={path.has} />, <ChosenPath key="chosen" run={run} />]}
@@ -222,11 +220,7 @@ export function LatheView({
           {run.steps.length > 0 && (
             <OffscreenTool viewport={viewport} playback={playback} run={run} places={seen} datum={datum} kept={kepts} />
           )}
-          {leads.length > 0 && (
-            <Suspense>
-              <TurnPoints viewport={viewport} approaches={leads} places={seen} />
-            </Suspense>
-          )}
+          {leads.length > 0 && <TurnPoints viewport={viewport} approaches={leads} places={seen} />}
           <PlaceLines seeing={flat.sight} places={seen} />
         </Picture>
         {pressed}
@@ -240,19 +234,17 @@ export function LatheView({
     measured: null,
     picture: (pressed) =>
       solid.work && (
-        <Suspense>
-          <SolidView
-            work={solid.work}
-            run={run}
-            lines={path.has}
-            state={state}
-            clock={clock}
-            places={seen}
-            onDrawn={solid.setDrawn}
-          >
-            {pressed}
-          </SolidView>
-        </Suspense>
+        <SolidView
+          work={solid.work}
+          run={run}
+          lines={path.has}
+          state={state}
+          clock={clock}
+          places={seen}
+          onDrawn={solid.setDrawn}
+        >
+          {pressed}
+        </SolidView>
       ),
   };
   const alone = space && solid.drawn && !isBeside ? { ...space, sight: solid.drawn } : null;
@@ -293,11 +285,7 @@ export function LatheView({
           ),
         }}
       />
-      {asking && (
-        <Suspense>
-          <WhichCycle region={asking} done={() => ask(null)} />
-        </Suspense>
-      )}
+      {asking && <WhichCycle region={asking} done={() => ask(null)} />}
     </>
   );
 }

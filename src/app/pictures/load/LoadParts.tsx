@@ -1,4 +1,4 @@
-import { Suspense, type ComponentType } from "react";
+import type { ComponentType } from "react";
 import { lazyPart } from "../../base/parts.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import type { LoadLinesProps } from "./LoadLines.tsx";
@@ -12,13 +12,7 @@ function loadPart<Props extends { readonly of: LoadQuantity }>(fetchPart: () => 
   const Part: ComponentType<Props> = lazyPart(async () => ({ default: await fetchPart() }));
   return function ShownLoad(props: Omit<Props, "of">) {
     const of = useSettings((s) => s.colours);
-    return (
-      of !== "none" && (
-        <Suspense>
-          <Part {...({ ...props, of } as Props)} />
-        </Suspense>
-      )
-    );
+    return of !== "none" && <Part {...({ ...props, of } as Props)} />;
   };
 }
 

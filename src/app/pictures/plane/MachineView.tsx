@@ -1,4 +1,4 @@
-import { Suspense, useEffect, type ComponentProps } from "react";
+import { useEffect, type ComponentProps } from "react";
 import type { Run } from "../../../program/state/run-types.ts";
 import { useChosenFinding } from "../../document/chosen-finding.ts";
 import { useFindings } from "../../findings/use-findings.ts";
@@ -62,9 +62,7 @@ export function MachineView(props: ComponentProps<typeof LatheView>) {
         </div>
       )}
       {plane ? (
-        <Suspense>
-          <PlaneView result={result} dimmed={dimmed} playback={playback} clock={clock} onMove={onMove} />
-        </Suspense>
+        <PlaneView result={result} dimmed={dimmed} playback={playback} clock={clock} onMove={onMove} />
       ) : (
         <LatheView {...props} />
       )}

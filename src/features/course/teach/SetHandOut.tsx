@@ -1,4 +1,4 @@
-import { Suspense, useEffect, useMemo, useState } from "react";
+import { useEffect, useMemo, useState } from "react";
 import { isForLearners, setForLearners, setInLanguage, type TaskSet } from "../../../course/task-set.ts";
 import { inScreenLanguage } from "../../../course/words.ts";
 import { lessonLanguageOf, SCREEN_LANGUAGES } from "../../../i18n/languages.ts";
@@ -94,11 +94,7 @@ export function SetHandOut({ set }: { readonly set: TaskSet }) {
           {isStripped && <p className="soft small">{t.saveOwnHint}</p>}
         </>
       )}
-      {isOnPaper && (
-        <Suspense>
-          <TaskPaper set={set} tasks={set.tasks} done={() => print(false)} />
-        </Suspense>
-      )}
+      {isOnPaper && <TaskPaper set={set} tasks={set.tasks} done={() => print(false)} />}
     </section>
   );
 }
