@@ -29,9 +29,9 @@ import "./lathe/lathe.css";
 
 /** One way to see a run: the section of the lathe, the working plane of a mill, or the body in space. */
 export interface Scene<Seen extends Sight | null = Sight> {
-  readonly name: "section" | "plane" | "space";
+  /** Names it among those of its view, which has the class of the first one: `plane-view`. */
+  readonly name: string;
   readonly title: string;
-  readonly className?: string;
   readonly unit: Run["program"]["unit"];
   /** Where places of the work are seen, and the camera; null before the first picture. */
   readonly sight: Seen;
@@ -93,7 +93,7 @@ export function View({
   const { motion } = useSettings(),
     work = useEditor((s) => s.work);
   const [tools, showTools] = useState(false);
-  const { title, sight, timed, words, dimmed, ended = false, className = "" } = scene,
+  const { name, title, sight, timed, words, dimmed, ended = false } = scene,
     { steps } = timed,
     { viewport, measuring } = picking;
   const isBeside = Boolean(beside?.sight);
@@ -124,9 +124,8 @@ export function View({
   return (
     <CountedIn value={scene.unit}>
       <section
-        className={`lathe ${className}`.trim()}
+        className={`lathe ${name}-view`}
         data-tools={tools}
-        data-body={scene.name === "space"}
         aria-label={title}
         onKeyDown={(event) => {
           const target = event.target as HTMLElement;
@@ -156,16 +155,11 @@ export function View({
           data-keys="picture"
           {...{ [KEEPS_KEYBOARD]: "" }}
         >
-          {shown.map(({ name, picture, sight: seeing, measured }) => (
-            <Fragment key={name}>
+          {shown.map(({ name: key, picture, sight: seeing, measured }) => (
+            <Fragment key={key}>
               {picture(
                 seeing && (
-                  <PlaceButtons
-                    seeing={seeing}
-                    places={places.shown}
-                    chosen={places.chosen}
-                    choose={places.choose}
-                  />
+                  <PlaceButtons seeing={seeing} places={places.shown} chosen={places.chosen} choose={places.choose} />
                 ),
               )}
               {measured && <Measurements viewport={viewport} measuring={measuring} source={measured} />}

@@ -133,7 +133,6 @@ export function PlaneView({
       scene={{
         name: "plane",
         title: own.view,
-        className: "plane-view",
         unit: run.program.unit,
         sight: flat.sight,
         measured: flat.measured,
