@@ -8,7 +8,7 @@ import { ChangedElsewhere } from "./ChangedElsewhere.tsx";
 import { useTitle } from "./use-title.ts";
 import { Notices } from "./Notices.tsx";
 import { useVersion } from "../app/base/version.ts";
-import { lazyPart } from "../app/base/parts.ts";
+import { lazyPart, lazyWithin } from "../app/base/parts.ts";
 import { useCopying } from "../app/findings/copy.ts";
 import { prefetchIdle } from "../app/base/idle.ts";
 import { useSavedWorks } from "../app/records/keep.ts";
@@ -41,7 +41,7 @@ const withTexts =
   async (): Promise<M> =>
     (await Promise.all([fetch(), fetchShownTexts(...further)]))[0];
 const fetchWorkplace = withTexts(() => import("./Workplace.tsx"));
-const Workplace = lazyPart(async () => ({ default: (await fetchWorkplace()).Workplace }));
+const Workplace = lazyWithin(async () => ({ default: (await fetchWorkplace()).Workplace }));
 const CopyByHand = lazyPart(async () => ({
   default: (await import("../app/fields/program/CopyByHand.tsx")).CopyByHand,
 }));
@@ -52,10 +52,10 @@ const fetchOwn = withTexts(fetchOwnPage);
 const OwnPage = lazyPart(async () => ({ default: (await fetchOwn()).OwnPage }));
 const WorksPage = lazyPart(async () => ({ default: (await fetchWorksPage()).WorksPage }));
 const BringInDialog = lazyPart(async () => ({ default: (await fetchRestoreDialog()).RestoreDialog }));
-const CourseEntrance = lazyPart(async () => ({ default: (await fetchCourseEntrance()).CourseEntrance }));
+const CourseEntrance = lazyWithin(async () => ({ default: (await fetchCourseEntrance()).CourseEntrance }));
 const fetchCourse = withTexts(fetchCoursePage);
 const CoursePage = lazyPart(async () => ({ default: (await fetchCourse()).CoursePage }));
-const ElsewherePage = lazyPart(async () => ({ default: (await fetchOtherTabPage()).OtherTabPage }));
+const ElsewherePage = lazyWithin(async () => ({ default: (await fetchOtherTabPage()).OtherTabPage }));
 /** Fetched with their texts when somebody asks. */
 const ChooseProgram = lazyPart(async () => ({ default: (await fetchChooseProgram()).ChooseProgram }));
 const fetchDrawing = withTexts(fetchDrawingDialog);
@@ -63,14 +63,14 @@ const DrawingDialog = lazyPart(async () => ({ default: (await fetchDrawing()).Dr
 const NumberKeys = lazyPart(async () => ({
   default: (await import("../app/fields/keypad/NumberKeys.tsx")).NumberKeys,
 }));
-const KeySheet = lazyPart(async () => ({ default: (await import("../app/fields/keys/KeySheet.tsx")).KeySheet }));
-const WorkDialog = lazyPart(
+const KeySheet = lazyWithin(async () => ({ default: (await import("../app/fields/keys/KeySheet.tsx")).KeySheet }));
+const WorkDialog = lazyWithin(
   withTexts(async () => ({ default: (await import("../app/fields/program/WorkDialog.tsx")).WorkDialog })),
 );
 const fetchCommands = () => import("./commands/CommandDialog.tsx");
-const CommandDialog = lazyPart(async () => ({ default: (await fetchCommands()).CommandDialog }));
-const CompareDialog = lazyPart(async () => ({ default: (await fetchCompareDialog()).CompareDialog }));
-const WhichCycle = lazyPart(async () => ({ default: (await fetchWhichCycle()).WhichCycle }));
+const CommandDialog = lazyWithin(async () => ({ default: (await fetchCommands()).CommandDialog }));
+const CompareDialog = lazyWithin(async () => ({ default: (await fetchCompareDialog()).CompareDialog }));
+const WhichCycle = lazyWithin(async () => ({ default: (await fetchWhichCycle()).WhichCycle }));
 const fetchSheet = withTexts(fetchSheetPage);
 const SheetPage = lazyPart(async () => ({ default: (await fetchSheet()).SheetPage }));
 const fetchPlan = withTexts(fetchPlanPage);
@@ -78,7 +78,7 @@ const PlanPage = lazyPart(async () => ({ default: (await fetchPlan()).PlanPage }
 const fetchGuide = withTexts(fetchGuidePage);
 const GuidePage = lazyPart(async () => ({ default: (await fetchGuide()).GuidePage }));
 const fetchEditor = withTexts(fetchProgramWorkplace);
-const ProgramWorkplace = lazyPart(async () => ({ default: (await fetchEditor()).ProgramWorkplace }));
+const ProgramWorkplace = lazyWithin(async () => ({ default: (await fetchEditor()).ProgramWorkplace }));
 
 /** Fetched when there is something to say. */
 const UpdateBar = lazyPart(async () => ({ default: (await fetchUpdateBar()).UpdateBar }));
@@ -146,11 +146,7 @@ export function App() {
       <ChangedElsewhere />
       <div className="notices" role="status">
         <MissingPart />
-        {newer && (
-          <Suspense>
-            <UpdateBar />
-          </Suspense>
-        )}
+        {newer && <UpdateBar />}
       </div>
       <HandedLine />
       {ready && !isCover({ page }) && <TaskLine />}
@@ -172,30 +168,12 @@ export function App() {
       )}
       <IncomingWork />
       <IncomingTaught />
-      {ready && bringing && (
-        <Suspense>
-          <BringInDialog of={bringing} />
-        </Suspense>
-      )}
-      {choice && (
-        <Suspense>
-          <ChooseProgram {...choice} />
-        </Suspense>
-      )}
-      {drawing && (
-        <Suspense>
-          <DrawingDialog request={drawing} />
-        </Suspense>
-      )}
+      {ready && bringing && <BringInDialog of={bringing} />}
+      {choice && <ChooseProgram {...choice} />}
+      {drawing && <DrawingDialog request={drawing} />}
       <DropProgram />
-      <Suspense>
-        <NumberKeys />
-      </Suspense>
-      {refused && (
-        <Suspense>
-          <CopyByHand />
-        </Suspense>
-      )}
+      <NumberKeys />
+      {refused && <CopyByHand />}
     </div>
   );
 }

@@ -1,9 +1,9 @@
 import { Suspense, useEffect, useState } from "react";
-import { lazyPart } from "../app/base/parts.ts";
+import { lazyWithin } from "../app/base/parts.ts";
 import { documentAt, hasOpenDialog, useDocumentInView } from "../app/document/history.ts";
 import { useSteps, type HistoryStep } from "../app/document/steps.ts";
 
-const ElsewhereChange = lazyPart(async () => ({ default: (await import("./ElsewhereChange.tsx")).ElsewhereChange }));
+const ElsewhereChange = lazyWithin(async () => ({ default: (await import("./ElsewhereChange.tsx")).ElsewhereChange }));
 
 /** Changes of documents that are not in view, each with its undo, for a while or until their document is shown. */
 export function ChangedElsewhere() {

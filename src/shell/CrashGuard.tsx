@@ -1,4 +1,4 @@
-import { Component, Suspense, type ErrorInfo, type ReactNode } from "react";
+import { Component, type ErrorInfo, type ReactNode } from "react";
 import { noteFault } from "../app/records/reports.ts";
 import { lazyPart } from "../app/base/parts.ts";
 import { unsavedWorks } from "../app/records/keep.ts";
@@ -62,9 +62,7 @@ export class CrashGuard extends Component<{ readonly children: ReactNode }, Stat
           {t.startOver}
         </button>
         <SilentBoundary>
-          <Suspense>
-            <CrashHelp />
-          </Suspense>
+          <CrashHelp />
         </SilentBoundary>
       </main>
     );

@@ -1,4 +1,4 @@
-import { Suspense, useEffect, useRef, useState, type MouseEvent } from "react";
+import { useEffect, useRef, useState, type MouseEvent } from "react";
 import { goHome } from "../app/document/go-home.ts";
 import { useActions } from "../app/base/actions.ts";
 import { Icon } from "../app/base/Icon.tsx";
@@ -142,11 +142,7 @@ export function Header() {
         )}
       </div>
       {creating && <CreateProgram done={() => create(false)} />}
-      {settings && (
-        <Suspense>
-          <SettingsDialog onClose={() => showSettings(false)} />
-        </Suspense>
-      )}
+      {settings && <SettingsDialog onClose={() => showSettings(false)} />}
     </header>
   );
 }

@@ -1,4 +1,3 @@
-import { Suspense } from "react";
 import { Icon } from "../app/base/Icon.tsx";
 import { useNotices, withdraw } from "../app/base/notices.ts";
 import { lazyPart } from "../app/base/parts.ts";
@@ -15,11 +14,7 @@ export function Notices() {
   const line = (key: (typeof notices)[number] | "damaged", text: string) => (
     <p key={key} className="notice">
       <Icon name="info" /> <span>{text}</span>
-      {(key === "notKept" || key === "storageFull") && (
-        <Suspense>
-          <DownloadUnkept />
-        </Suspense>
-      )}
+      {(key === "notKept" || key === "storageFull") && <DownloadUnkept />}
       <button
         type="button"
         className="button icon plain"

@@ -1,4 +1,4 @@
-import { Suspense, useLayoutEffect, useRef } from "react";
+import { useLayoutEffect, useRef } from "react";
 import { showOwn } from "../app/place/place.ts";
 import { lazyPart } from "../app/base/parts.ts";
 import { useSettings } from "../app/base/settings/settings.ts";
@@ -68,15 +68,9 @@ export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
         </button>
         <p className="small soft">{t.disclaimer}</p>
         <p className="small soft">Turnwise {import.meta.env.VITE_VERSION}</p>
-        <Suspense>
-          <MachineSection />
-        </Suspense>
-        <Suspense>
-          <ThisDevice onBringIn={() => dialog.current?.close()} />
-        </Suspense>
-        <Suspense>
-          <OfflineState />
-        </Suspense>
+        <MachineSection />
+        <ThisDevice onBringIn={() => dialog.current?.close()} />
+        <OfflineState />
       </form>
     </dialog>
   );

@@ -17,7 +17,7 @@ import { LatheView } from "../app/pictures/lathe/LatheView.tsx";
 import { MeasuredTargetContext } from "../app/document/measured-target-context.ts";
 import { useMeasuredTarget } from "../app/document/measured-target.ts";
 import { DeferredUntilPaint, useDeferredUntilPaint } from "../app/base/typing.ts";
-import { lazyPart } from "../app/base/parts.ts";
+import { lazyPart, lazyWithin } from "../app/base/parts.ts";
 import { showSection, usePlace, type JobSection } from "../app/place/place.ts";
 import { playback } from "../app/calculation/playback.ts";
 import { openAsked } from "../app/fields/program/choose-line.ts";
@@ -37,7 +37,7 @@ const fetchSetup = () => import("../app/fields/setup/SetupPanel.tsx");
 const SetupPanel = lazyPart(async () => ({ default: (await fetchSetup()).SetupPanel }));
 const fetchFindings = () => import("../app/findings/FindingsPanel.tsx");
 const FindingsPanel = lazyPart(async () => ({ default: (await fetchFindings()).FindingsPanel }));
-const ContourTable = lazyPart(async () => ({ default: (await fetchContourTable()).ContourTable }));
+const ContourTable = lazyWithin(async () => ({ default: (await fetchContourTable()).ContourTable }));
 const ContourStage = lazyPart(async () => ({ default: (await fetchContourStage()).ContourStage }));
 
 const VIEWS = <ContourViews />;
@@ -88,22 +88,14 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
 
   const content: Readonly<Record<JobSection, ReactNode>> = {
     prompts: <CycleDialog read={read} />,
-    setup: (
-      <Suspense>
-        <SetupPanel read={read} />
-      </Suspense>
-    ),
+    setup: <SetupPanel read={read} />,
     contour: (
       <Suspense>
         <BackToPrompts read={read} />
         <ContourTable rows={read.job.contour} onChange={setContour} language={language} isDrawingElsewhere />
       </Suspense>
     ),
-    findings: (
-      <Suspense>
-        <FindingsPanel host={host} />
-      </Suspense>
-    ),
+    findings: <FindingsPanel host={host} />,
     program: <ProgramPanel read={read} foldable={false} bar={bar} />,
   };
 
@@ -140,15 +132,7 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
       }
       picture={
         drawing ? (
-          <Suspense>
-            <ContourStage
-              rows={read.job.contour}
-              blank={blank}
-              language={language}
-              onChange={setContour}
-              lead={VIEWS}
-            />
-          </Suspense>
+          <ContourStage rows={read.job.contour} blank={blank} language={language} onChange={setContour} lead={VIEWS} />
         ) : (
           <div className="lathe-column">
             {open === "contour" && (

@@ -1,7 +1,16 @@
 import { act, render, screen } from "@testing-library/react";
 import { Suspense } from "react";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { dismissMissing, fetchMissing, followMissing, isMissing, lazyPart, retryImport, useMissing } from "./parts.ts";
+import {
+  dismissMissing,
+  fetchMissing,
+  followMissing,
+  isMissing,
+  lazyPart,
+  lazyWithin,
+  retryImport,
+  useMissing,
+} from "./parts.ts";
 
 const GONE = new TypeError("Failed to fetch dynamically imported module: http://host/assets/part-x.js");
 const server = { answers: false };
@@ -32,7 +41,7 @@ test("an error of our own is no failed import", async () => {
 
 test("a component that cannot be loaded is announced, does not fail, and loads once the network is back", async () => {
   let asked = 0;
-  const Part = lazyPart(() => {
+  const Part = lazyWithin(() => {
     asked += 1;
     return server.answers ? Promise.resolve({ default: () => <b>here</b> }) : Promise.reject(GONE);
   });
@@ -51,6 +60,24 @@ test("a component that cannot be loaded is announced, does not fail, and loads o
   await screen.findByText("here");
   expect(missing()).toBe("no");
   expect(asked).toBe(3);
+});
+
+test("a part with a boundary of its own leaves its place empty until it is here", async () => {
+  const server = { has: false };
+  const Part = lazyPart(async () => {
+    if (!server.has) throw GONE;
+    return { default: ({ of }: { readonly of: string }) => <b>{of}</b> };
+  });
+  const { container } = render(
+    <Suspense fallback={<i>all of it</i>}>
+      <Part of="here" />
+    </Suspense>,
+  );
+  await vi.waitFor(() => expect(missing()).toBe("offline"));
+  expect(container.textContent).toBe("");
+  server.has = true;
+  await act(async () => fetchMissing());
+  await vi.waitFor(() => expect(container.textContent).toBe("here"));
 });
 
 test("a part that the server no longer has is announced as such", async () => {

@@ -1,4 +1,4 @@
-import { lazy } from "react";
+import { createElement, lazy, Suspense, type ComponentType, type FunctionComponent } from "react";
 import { create } from "zustand";
 import { oneAtATime } from "./once.ts";
 
@@ -84,10 +84,18 @@ export async function retryImport<T>(fetchPart: () => Promise<T>): Promise<T> {
 }
 
 /**
- * A component that is fetched when it is first shown. All of them are made here, so that none can fail by a failed
- * import.
+ * A component that is fetched when it is first shown; the Suspense around it says what is in its place until then. All
+ * of them are made here, so that none can fail by a failed import.
  */
-export const lazyPart: typeof lazy = (fetchPart) => lazy(() => retryImport(fetchPart));
+export const lazyWithin: typeof lazy = (fetchPart) => lazy(() => retryImport(fetchPart));
+
+/** The same in a Suspense of its own: nothing is in its place until it and its texts are here. */
+export function lazyPart<Props extends object>(
+  fetchPart: () => Promise<{ default: ComponentType<Props> }>,
+): FunctionComponent<Props> {
+  const Part: ComponentType<Props> = lazyWithin(fetchPart);
+  return (props) => createElement(Suspense, null, createElement(Part, props));
+}
 
 /** Announces failed imports that follow a click. They are not retried: the click can be repeated. */
 export function followMissing(): void {

@@ -6,6 +6,7 @@ import { CALCULATING } from "../base/waits.ts";
 import { useEditor } from "../document/store.ts";
 import { fitsOf, fitsOfCall, fitsOfWork } from "./tool-questions.ts";
 import { useOutcome } from "./outcome.ts";
+import { takeAnswer } from "../base/until-gone.ts";
 
 /** What each tool can do on the open contour; null until it is known. Calculated only while it is shown. */
 export function useFits(): readonly ToolFit[] | null {
@@ -14,16 +15,7 @@ export function useFits(): readonly ToolFit[] | null {
   useEffect(() => {
     const { job } = useEditor.getState();
     if (!newest || !job) return undefined;
-    let gone = false;
-    const timer = setTimeout(() => {
-      void fitsOf(job, newest).then((found) => {
-        if (!gone) setFits(found);
-      });
-    }, CALCULATING.otherTools);
-    return () => {
-      gone = true;
-      clearTimeout(timer);
-    };
+    return takeAnswer(() => fitsOf(job, newest), setFits, CALCULATING.otherTools);
   }, [newest]);
   return fits;
 }
@@ -41,18 +33,15 @@ function useDebouncedFits(
   useEffect(() => {
     asked.current = ask;
   });
-  useEffect(() => {
-    let gone = false;
-    const timer = setTimeout(() => {
-      void asked.current?.().then((found) => {
-        if (!gone) setFits({ of, fits: found });
-      });
-    }, CALCULATING.otherTools);
-    return () => {
-      gone = true;
-      clearTimeout(timer);
-    };
-  }, [of]);
+  useEffect(
+    () =>
+      takeAnswer(
+        async () => await (asked.current?.() ?? null),
+        (found) => setFits({ of, fits: found }),
+        CALCULATING.otherTools,
+      ),
+    [of],
+  );
   return fits.of === of ? fits.fits : null;
 }
 

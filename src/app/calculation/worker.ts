@@ -1,6 +1,6 @@
 import { expose, transfer } from "comlink";
 import { z } from "zod/mini";
-import type { MachineSide } from "../../program/run/plane-index.ts";
+import { motionsOf, type MachineSide } from "../../program/run/plane-index.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import type { advice } from "./advice.ts";
 import type { BodiesGiven, BodiesWanted } from "./bodies.ts";
@@ -49,7 +49,7 @@ const playables: {
 /** The newest result, if it is the known one, as one of its pictures plays it. */
 async function playableOf<Side extends MachineSide>({ side, version, moves }: KnownSide<Side>) {
   const newest = work.newest();
-  if (newest?.version !== version || newest.run[side === "plane" ? "plane" : "steps"].length !== moves) return null;
+  if (newest?.version !== version || motionsOf(newest.run, side).length !== moves) return null;
   return (await playables[side]())(newest);
 }
 

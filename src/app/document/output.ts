@@ -4,6 +4,7 @@ import type { NcOutput } from "../../program/machine/nc-output.ts";
 import { isoFile, manualText, printedText, type IsoFile } from "./printed.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { bundleOf, change, openContent, useEditor } from "./store.ts";
+import { takeAnswer } from "../base/until-gone.ts";
 
 /** Kind of the exported file. */
 export type FileKind = "tnc640" | "tnc7" | "iso";
@@ -24,13 +25,7 @@ export function useFileKind(): FileKind {
 export function useIsoFile(job: Job | null): IsoFile | null {
   const text = job?.layout === "iso" ? printedText(job) : null;
   const [iso, setIso] = useState<IsoFile | null>(null);
-  useEffect(() => {
-    let gone = false;
-    if (text !== null) void isoFile(text).then((made) => !gone && setIso(made));
-    return () => {
-      gone = true;
-    };
-  }, [text]);
+  useEffect(() => (text === null ? undefined : takeAnswer(() => isoFile(text), setIso)), [text]);
   return text === null ? null : iso;
 }
 

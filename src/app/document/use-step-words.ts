@@ -6,6 +6,7 @@ import { useSettings } from "../base/settings/settings.ts";
 import { TYPING } from "../base/waits.ts";
 import { historyOf, useSteps, type DocumentId, type HistoryStep, type Way } from "./steps.ts";
 import { useEditor } from "./store.ts";
+import { takeAnswer } from "../base/until-gone.ts";
 
 /** A step in words: "Q463 3 → 5". */
 export interface StepWords {
@@ -25,19 +26,14 @@ export function useStepWords(step: HistoryStep | undefined, way: Way): StepWords
   const [made, make] = useState<StepWords | null>(null);
   useEffect(() => {
     if (!step) return undefined;
-    let isGone = false;
-    const timer = setTimeout(() => {
-      void retryImport(() => Promise.all([import("./words-of-step.ts"), fetchTexts(language, "history")])).then(
-        ([{ wordsOfStep }, t]) => {
-          const words = isGone ? null : wordsOfStep(step, way, t);
-          if (words !== null) make({ step, words, t });
-        },
-      );
-    }, TYPING.rest);
-    return () => {
-      isGone = true;
-      clearTimeout(timer);
-    };
+    return takeAnswer(
+      () => retryImport(() => Promise.all([import("./words-of-step.ts"), fetchTexts(language, "history")])),
+      ([{ wordsOfStep }, t]) => {
+        const words = wordsOfStep(step, way, t);
+        if (words !== null) make({ step, words, t });
+      },
+      TYPING.rest,
+    );
   }, [step, way, language, program]);
   return step && made?.step === step ? made : null;
 }

@@ -3,6 +3,7 @@ import { lettersApart } from "../../nc/typing-slips.ts";
 import type { ToolFit } from "../../program/tools/which-tool.ts";
 import { FIXED_BY_TOOL } from "../../report/offered-tool.ts";
 import { outcomeOfOther } from "../calculation/other-outcome.ts";
+import { takeAnswer, untilGone } from "../base/until-gone.ts";
 import { CALCULATING } from "../base/waits.ts";
 import { fitsOfCall } from "../calculation/tool-questions.ts";
 import { useOutcome } from "../calculation/outcome.ts";
@@ -45,11 +46,11 @@ export function useToolOffers(entry: FindingEntry, host: FindingsHost): readonly
   useEffect(() => {
     const operation = asked && entry.operation !== null ? newest?.run.operations[entry.operation] : undefined;
     if (!operation) return undefined;
-    return afterRest((isGone) => {
-      void fitsOfCall(operation).then((found) => {
-        if (!isGone()) offer(suitable(found ?? [], entry));
-      });
-    });
+    return takeAnswer(
+      () => fitsOfCall(operation),
+      (found) => offer(suitable(found ?? [], entry)),
+      CALCULATING.otherTools,
+    );
   }, [asked, newest, entry]);
   const handedOn = useEditor((s) => bundleOf(s).tools);
   if (!asked) return NONE;
@@ -62,15 +63,6 @@ export function useToolOffers(entry: FindingEntry, host: FindingsHost): readonly
   if (entry.issue.code !== "toolUnknown" || handedOn) return taken;
   const { tool } = entry.issue.data;
   return [...taken, { name: findings.createTool(tool), apply: () => createCalledTool(tool) }];
-}
-
-function afterRest(start: (isGone: () => boolean) => void): () => void {
-  let gone = false;
-  const timer = setTimeout(() => start(() => gone), CALCULATING.otherTools);
-  return () => {
-    gone = true;
-    clearTimeout(timer);
-  };
 }
 
 /** Whether a run of the changed program lacks a finding, and has no other error. */
@@ -96,9 +88,7 @@ export function useTriedFixes(
   useEffect(() => {
     const asked = host.trialsOf(entry);
     if (!asked) return undefined;
-    return afterRest((isGone) => void tryAll(isGone));
-
-    async function tryAll(isGone: () => boolean) {
+    return untilGone(async (isGone) => {
       const trials = (await asked) ?? [];
       const worked = new Map<string, Fix>();
       for (const trial of trials) {
@@ -107,7 +97,7 @@ export function useTriedFixes(
         if (isGone()) return;
         if (isRight) offer({ of: host, fixes: [...worked.set(trial.group, trial).values()] });
       }
-    }
+    }, CALCULATING.otherTools);
   }, [entry, host, before]);
   return found.of === host ? found.fixes : NONE;
 }

@@ -1,10 +1,10 @@
-import { useEffect, useId, useState } from "react";
-import type { Bounds } from "../../view/camera.ts";
+import { Fragment, useEffect, useId, useState, type ReactNode } from "react";
 import { trackOf } from "../../view/playback.ts";
 import { reducedMotion } from "../base/settings/appearance.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { DeferredUntilPaint } from "../base/typing.ts";
+import type { Clock } from "../base/clock.ts";
 import { CountedIn } from "../calculation/lengths.ts";
 import type { PlaybackStore } from "../calculation/playback-store.ts";
 import { useEditor } from "../document/store.ts";
@@ -12,61 +12,52 @@ import { KEEPS_KEYBOARD } from "../place/place.ts";
 import type { Run } from "../../program/state/run-types.ts";
 import { GlyphButton } from "./lathe/GlyphButton.tsx";
 import { pressKey } from "./lathe/keys.ts";
+import { LiveSentence } from "./lathe/LiveSentence.tsx";
 import { Outdated } from "./lathe/Outdated.tsx";
 import { PlaceButtons } from "./lathe/PlaceButtons.tsx";
-import { sectionProjection } from "./lathe/place-projection.ts";
+import type { Sight } from "./lathe/place-projection.ts";
 import type { PicturePlace } from "./lathe/places.ts";
 import { PlaybackBar } from "./lathe/PlaybackBar.tsx";
+import { Readout, type MomentWords } from "./lathe/Readout.tsx";
 import { Timeline, type TimedRun } from "./lathe/Timeline.tsx";
-import type { Picking } from "./lathe/use-picking.ts";
+import type { PlanePicking } from "./lathe/use-flat-scene.ts";
 import { useStage } from "./lathe/use-stage.ts";
 import { ViewBar, type BarTools } from "./lathe/ViewBar.tsx";
-import type { Viewport } from "./lathe/viewport.ts";
 import { MeasuredInSection, Measurements } from "./measure/Measurements.tsx";
-import type { MeasuringShown } from "./measure/measuring.ts";
 import type { MeasureSource } from "./measure/source.ts";
-import type { Zooming } from "./solid/SolidView.tsx";
 import "./lathe/lathe.css";
 
-/** What a view shows: a plane of the work, in full or beside the body in space, or the body alone. */
-export interface ViewScene {
+/** One way to see a run: the section of the lathe, the working plane of a mill, or the body in space. */
+export interface Scene<Seen extends Sight | null = Sight> {
+  /** Names it among those of its view, which has the class of the first one: `plane-view`. */
+  readonly name: string;
   readonly title: string;
-  readonly className?: string;
   readonly unit: Run["program"]["unit"];
-  readonly viewport: Viewport;
-  readonly bounds: Bounds;
-  readonly xUp: boolean;
-  /** The path that is played and timed. */
+  /** Where places of the work are seen, and the camera; null before the first picture. */
+  readonly sight: Seen;
+  /** What draws it, with the marks that are pressed over it. */
+  readonly picture: (marks: ReactNode) => ReactNode;
+  /** What can be measured in it; null where the section is measured instead. */
+  readonly measured: MeasureSource | null;
+  /** The path that is played and timed, and what is said about its moments. */
   readonly timed: TimedRun;
-  readonly measured: MeasureSource;
+  readonly words: MomentWords;
   /** The picture is older than the typed values. */
   readonly dimmed: boolean;
   /** The playback has ended, and the picture shows what is left. */
   readonly ended?: boolean;
-  /** The body in space, once drawn; without it the plane is shown alone. */
-  readonly space?: { readonly drawn: Zooming; readonly isBeside: boolean } | null;
 }
 
-/** The content of a scene, from back to front and from top to bottom. */
+/** What is around the pictures, from top to bottom. */
 export interface ViewLayers {
   readonly bar?: BarTools;
-  readonly picture: React.ReactNode;
-  /** Over the picture, under its marks. */
-  readonly over?: React.ReactNode;
-  readonly space?: React.ReactNode;
   /** Replaces a picture without content. */
-  readonly empty?: React.ReactNode;
-  readonly legend: React.ReactNode;
-  /** What follows the moment, between stage and playback. */
-  readonly moment: React.ReactNode;
-  /** The moment for screen readers. */
-  readonly spoken: React.ReactNode;
-  readonly more: React.ReactNode;
-}
-
-/** What the pointer does in the plane: it chooses moves, or measures. */
-export interface ViewPicking extends Omit<Picking, "hover"> {
-  readonly measuring: MeasuringShown;
+  readonly empty?: ReactNode;
+  readonly legend: ReactNode;
+  /** What follows the moment, over the read-out and under it. */
+  readonly strip: ReactNode;
+  readonly steps?: ReactNode;
+  readonly more: ReactNode;
 }
 
 /** The marks of a view, and the chosen one. */
@@ -81,15 +72,20 @@ const NO_TOOLS: BarTools = {};
 /** A picture of the machine: tools, stage, read-out, playback and timeline. */
 export function View({
   scene,
+  beside = null,
   playback,
+  clock,
   layers,
   picking,
   places,
 }: {
-  readonly scene: ViewScene;
+  readonly scene: Scene;
+  /** A second one, which is drawn over the first until its own first picture. */
+  readonly beside?: Scene<Sight | null> | null;
   readonly playback: PlaybackStore;
+  readonly clock: Clock;
   readonly layers: ViewLayers;
-  readonly picking: ViewPicking;
+  readonly picking: Omit<PlanePicking, "hover">;
   readonly places: ViewPlaces;
 }) {
   const t = useTexts().lathe,
@@ -97,12 +93,11 @@ export function View({
   const { motion } = useSettings(),
     work = useEditor((s) => s.work);
   const [tools, showTools] = useState(false);
-  const { title, viewport, bounds, xUp, timed, dimmed, ended = false, space = null, className = "" } = scene,
+  const { name, title, sight, timed, words, dimmed, ended = false } = scene,
     { steps } = timed,
-    { measuring } = picking;
-  const alone = space && !space.isBeside ? space.drawn : null,
-    looking = alone ? { ...viewport, ...alone } : viewport;
-  const stage = useStage(viewport, measuring.on ? measuring : picking.pointer, space?.isBeside ? 0.5 : 1);
+    { viewport, measuring } = picking;
+  const isBeside = Boolean(beside?.sight);
+  const stage = useStage(viewport, measuring.on ? measuring : picking.pointer, isBeside ? 0.5 : 1);
   /** Closes the tools on a small screen to show the picture again; while measuring, the keys go to the picture. */
   const toggle = () => {
     measuring.toggle();
@@ -113,8 +108,6 @@ export function View({
   useEffect(() => playback.playsOf(work), [work, playback]);
   useEffect(() => playback.dispatch({ do: "load", track: trackOf(steps) }), [steps, playback]);
   useEffect(() => playback.setStill(reducedMotion({ motion })), [motion, playback]);
-  useEffect(() => viewport.setBounds(bounds), [bounds, viewport]);
-  useEffect(() => viewport.setXUp(xUp), [xUp, viewport]);
 
   /** Enter in the picture chooses the running move and focuses its dialog. */
   const chooseByKey = ({ key, picture }: { readonly key: string; readonly picture: boolean }) => {
@@ -126,13 +119,13 @@ export function View({
     picking.onMove?.(step, true);
     return true;
   };
-  const states = { dimmed, measuring: measuring.on, ended, beside: space?.isBeside === true };
+  const states = { dimmed, measuring: measuring.on, ended, beside: isBeside };
+  const shown: readonly Scene<Sight | null>[] = beside ? [scene, beside] : [scene];
   return (
     <CountedIn value={scene.unit}>
       <section
-        className={`lathe ${className}`.trim()}
+        className={`lathe ${name}-view`}
         data-tools={tools}
-        data-body={alone !== null}
         aria-label={title}
         onKeyDown={(event) => {
           const target = event.target as HTMLElement;
@@ -143,11 +136,11 @@ export function View({
             element: target.localName,
             picture: target === stage.current,
           };
-          if (pressKey(typed, playback, looking, measuring) || chooseByKey(typed)) event.preventDefault();
+          if (pressKey(typed, playback, sight, measuring) || chooseByKey(typed)) event.preventDefault();
         }}
       >
         <ViewBar
-          viewport={looking}
+          sight={sight}
           measuring={{ ...measuring, toggle }}
           tools={layers.bar ?? NO_TOOLS}
           legend={{ shown: tools, show: showTools }}
@@ -162,21 +155,17 @@ export function View({
           data-keys="picture"
           {...{ [KEEPS_KEYBOARD]: "" }}
         >
-          {!alone && (
-            <>
-              {layers.picture}
-              {layers.over}
-              <PlaceButtons
-                seeing={sectionProjection(viewport)}
-                places={places.shown}
-                chosen={places.chosen}
-                choose={places.choose}
-              />
-              <Measurements viewport={viewport} measuring={measuring} source={scene.measured} />
-            </>
-          )}
-          {layers.space}
-          {alone && <MeasuredInSection />}
+          {shown.map(({ name: key, picture, sight: seeing, measured }) => (
+            <Fragment key={key}>
+              {picture(
+                seeing && (
+                  <PlaceButtons seeing={seeing} places={places.shown} chosen={places.chosen} choose={places.choose} />
+                ),
+              )}
+              {measured && <Measurements viewport={viewport} measuring={measuring} source={measured} />}
+            </Fragment>
+          ))}
+          {!scene.measured && <MeasuredInSection />}
           {layers.empty}
           {dimmed && steps.length > 0 && <Outdated />}
           <p id={keysId} className="unseen">
@@ -184,7 +173,11 @@ export function View({
           </p>
         </div>
         {tools && layers.legend}
-        <DeferredUntilPaint>{layers.moment}</DeferredUntilPaint>
+        <DeferredUntilPaint>
+          {layers.strip}
+          <Readout playback={playback} words={words} />
+          {layers.steps}
+        </DeferredUntilPaint>
         <PlaybackBar playback={playback}>
           <span className="lathe-fold">
             <GlyphButton glyph="view" name={t.viewTools} expanded={tools} onPress={() => showTools(!tools)} />
@@ -192,7 +185,7 @@ export function View({
         </PlaybackBar>
         <DeferredUntilPaint>
           <Timeline run={timed} playback={playback} />
-          {layers.spoken}
+          <LiveSentence playback={playback} clock={clock} sentence={words.sentence} />
         </DeferredUntilPaint>
         {layers.more && (
           <div className="lathe-more">

@@ -1,8 +1,8 @@
 import { useMemo } from "react";
 import { part, type Segment } from "../../kernel/geometry/point.ts";
 import type { ContourRow } from "../../program/job/job.ts";
-import { choiceOf, markedBy, type Marked, type MoveSpan, type PathChoice } from "../../program/run/path-index.ts";
-import { choiceOfMilled, milledBy, planeBegin } from "../../program/run/plane-index.ts";
+import { markedBy, type Marked, type MoveSpan, type PathChoice } from "../../program/run/path-index.ts";
+import { milledBy, planeBegin } from "../../program/run/plane-index.ts";
 import type { ApproachRun } from "../../program/tools/plane-types.ts";
 import type { Run } from "../../program/state/run-types.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
@@ -35,16 +35,10 @@ export function chooseLine(run: Run | null, choice: PathChoice, line: Selection[
   useSelection.setState({ line });
 }
 
-/** Chooses the element or block that makes a move, and moves the tool to the clicked moment. */
-export function chooseMove(run: Run, position: PlayPosition, element: string | null = null): void {
-  select({ choice: choiceOf(run, position.step) });
+/** Chooses what makes a clicked move, and the contour element under it, and moves the tool to that moment. */
+export function chooseMove(choice: PathChoice | null, position: PlayPosition, element: string | null = null): void {
+  select({ choice });
   if (element !== null) chooseElement(element);
-  goTo(position);
-}
-
-/** Chooses the block of a milled motion, and moves the tool to the clicked moment. */
-export function chooseMilled(run: Run, position: PlayPosition): void {
-  select({ choice: choiceOfMilled(run, position.step) });
   goTo(position);
 }
 

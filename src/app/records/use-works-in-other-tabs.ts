@@ -1,4 +1,5 @@
 import { useEffect, useState } from "react";
+import { takeAnswer } from "../base/until-gone.ts";
 import { refreshWorks } from "./keep.ts";
 import { onChanged, worksInOtherTabs } from "./tab.ts";
 
@@ -8,15 +9,18 @@ const NONE: ReadonlySet<string> = new Set();
 export function useWorksInOtherTabs(): ReadonlySet<string> {
   const [works, set] = useState(NONE);
   useEffect(() => {
-    let gone = false;
-    const ask = () => void worksInOtherTabs().then((found) => !gone && set(found.size > 0 ? found : NONE));
+    let end = () => undefined as void;
+    const ask = () => {
+      end();
+      end = takeAnswer(worksInOtherTabs, (found) => set(found.size > 0 ? found : NONE));
+    };
     const stop = onChanged(() => {
       ask();
       void refreshWorks();
     });
     ask();
     return () => {
-      gone = true;
+      end();
       stop();
     };
   }, []);

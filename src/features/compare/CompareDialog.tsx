@@ -1,4 +1,4 @@
-import { Suspense, useMemo, useRef, useState } from "react";
+import { useMemo, useRef, useState } from "react";
 import { createPortal } from "react-dom";
 import type { BlockDifference } from "../../program/compare/compare.ts";
 import { Icon } from "../../app/base/Icon.tsx";
@@ -198,11 +198,7 @@ export function CompareDialog({
   ...props
 }: Omit<Props, "against"> & { readonly against: OtherText | "better" | null }) {
   if (against !== "better") return <OtherDialog {...props} against={against} />;
-  return (
-    <Suspense>
-      <BetterWaysDialog {...props} />
-    </Suspense>
-  );
+  return <BetterWaysDialog {...props} />;
 }
 
 /** Compares the open program with another one, block by block in meaning, with the effects of the differences. */

@@ -4,6 +4,7 @@ import { isMadeFrom, useOutcome, type Outcome } from "../../app/calculation/outc
 import { useEditor } from "../../app/document/store.ts";
 import type { ProgramWork } from "../../app/document/work.ts";
 import { comparedFiles, consequencesOf, type ComparedFile, type Consequences } from "./compared.ts";
+import { untilGone } from "../../app/base/until-gone.ts";
 
 /** Two programs with their names, the earlier or other one first. */
 export interface Sides {
@@ -34,23 +35,17 @@ export function useProgramComparison(sides: Sides | null): ComparedPrograms | nu
   const [compared, set] = useState<{ readonly of: Sides; readonly made: ComparedPrograms } | null>(null);
   useEffect(() => {
     if (!sides) return undefined;
-    let gone = false;
-    const compare = async () => {
+    // Deferred, so that "calculating" is painted before a long program blocks the page.
+    return untilGone(async (isGone) => {
       const files = comparedFiles(sides.before, sides.after);
       set({ of: sides, made: { files, consequences: null, state: "calculating" } });
       const before = await outcomeOfOther(sides.before);
-      if (gone) return;
+      if (isGone()) return;
       const after = cachedOutcome(sides.after) ?? (await outcomeOfOther(sides.after));
-      if (gone) return;
+      if (isGone()) return;
       const consequences = before && after && consequencesOf(files, before, after);
       set({ of: sides, made: { files, consequences, state: consequences ? "done" : "failed" } });
-    };
-    // Deferred, so that "calculating" is painted before a long program blocks the page.
-    const timer = setTimeout(() => void compare());
-    return () => {
-      gone = true;
-      clearTimeout(timer);
-    };
+    }, 0);
   }, [sides]);
   return sides && compared?.of === sides ? compared.made : null;
 }

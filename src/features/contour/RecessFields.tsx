@@ -1,4 +1,3 @@
-import { Suspense } from "react";
 import { texts } from "../../app/base/settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { UNDERCUT_FORMS } from "../../kernel/contour/undercut.ts";
@@ -31,9 +30,7 @@ export function RecessFields({ row, number, language, describedBy, place, isNew,
   return (
     <div className="contour-recess">
       {row.kind === "UDC" && (
-        <Suspense>
-          <UndercutByName row={row} number={number} place={place} isNew={isNew} onChange={onChange} />
-        </Suspense>
+        <UndercutByName row={row} number={number} place={place} isNew={isNew} onChange={onChange} />
       )}
       <label>
         <span>{row.kind}</span>

@@ -1,5 +1,5 @@
 import { Suspense } from "react";
-import { lazyPart } from "../../app/base/parts.ts";
+import { lazyWithin } from "../../app/base/parts.ts";
 import { lessonNumbers } from "virtual:course-index";
 import { courseHref } from "../../app/place/course-links.ts";
 import { useLearning } from "../../app/records/course/progress.ts";
@@ -7,7 +7,9 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { EntranceWords } from "./EntranceWords.tsx";
 import "./entrance.css";
 
-const EntranceProgress = lazyPart(async () => ({ default: (await import("./EntranceProgress.tsx")).EntranceProgress }));
+const EntranceProgress = lazyWithin(async () => ({
+  default: (await import("./EntranceProgress.tsx")).EntranceProgress,
+}));
 
 /**
  * Link to the course on the start page: to the list of lessons, or to the next step. Until that is loaded, to the page

@@ -1,4 +1,4 @@
-import { Suspense, useEffect, useMemo, useState } from "react";
+import { Suspense, useCallback, useEffect, useMemo, useState } from "react";
 import { operationsPlayed, stepsPlayed, type StepRange } from "../../course/playback-range.ts";
 import type { Run } from "../../program/state/run-types.ts";
 import { boundsOf, common, grownBounds, joined, mirrored } from "../../view/bounds.ts";
@@ -14,10 +14,10 @@ import { PlaceButtons, PlaceLines } from "../../app/pictures/lathe/PlaceButtons.
 import { sectionProjection } from "../../app/pictures/lathe/place-projection.ts";
 import { Picture } from "../../app/pictures/lathe/Picture.tsx";
 import type { PlaybackStore } from "../../app/calculation/playback-store.ts";
-import { statusText } from "../../app/pictures/lathe/TurnedReadout.tsx";
+import { statusText } from "../../app/pictures/lathe/turned-words.ts";
 import { useMaterial } from "../../app/pictures/lathe/use-material.ts";
 import { stretchesOf } from "../../app/pictures/lathe/use-paths.ts";
-import { usePlayback } from "../../app/pictures/lathe/use-playback.ts";
+import { usePlayback, useRestingText } from "../../app/pictures/lathe/use-playback.ts";
 import { createViewport } from "../../app/pictures/lathe/viewport.ts";
 import { useStage } from "../../app/pictures/lathe/use-stage.ts";
 import { ZoomKeys } from "../../app/pictures/lathe/ViewBar.tsx";
@@ -141,10 +141,9 @@ export function LessonPicture({
   useEffect(() => viewport.fit(), [page.key, viewport]);
 
   const ended = usePlayback(playback, (s) => s.get().position.step > played.last);
-  const resting = usePlayback(playback, (s) => (s.get().playing ? -1 : s.get().position.step));
-  const state = useMemo(
-    () => (resting >= 0 ? statusText(texts, lengths, run, playback) : ""),
-    [resting, texts, lengths, run, playback],
+  const state = useRestingText(
+    playback,
+    useCallback(() => statusText(texts, lengths, run, playback), [texts, lengths, run, playback]),
   );
   const datum = datumAt(
     run.datums,
@@ -198,7 +197,6 @@ export function LessonPicture({
               section={drawn}
               name={texts.lathe.pictures[drawn](state)}
               path={passes.stretches}
-              ghosts={null}
               chosen={
                 told && (
                   <Suspense>
@@ -206,7 +204,6 @@ export function LessonPicture({
                   </Suspense>
                 )
               }
-              hovered={null}
             >
               <Marks viewport={viewport} starts={starts} datum={datum} />
               {told && (
@@ -214,11 +211,7 @@ export function LessonPicture({
                   <LoadMark of={told} run={run} seeing={sectionProjection(viewport)} />
                 </Suspense>
               )}
-              {leads.length > 0 && (
-                <Suspense>
-                  <TurnPoints viewport={viewport} approaches={leads} places={seen} />
-                </Suspense>
-              )}
+              {leads.length > 0 && <TurnPoints viewport={viewport} approaches={leads} places={seen} />}
               <PlaceLines seeing={sectionProjection(viewport)} places={seen} />
             </Picture>
             <PlaceButtons seeing={sectionProjection(viewport)} places={seen} chosen={chosen} choose={choose} />

@@ -5,6 +5,7 @@ import type { Outcome } from "../../app/calculation/outcome.ts";
 import { askAgain } from "../../app/calculation/worker-life.ts";
 import { useMeasuredLoad } from "../../app/pictures/load/load-store.ts";
 import type { LoadQuantity } from "../../app/pictures/load/use-load.ts";
+import { takeAnswer } from "../../app/base/until-gone.ts";
 
 /** Requests the measurement for the colour map of a run: its surface, or the load on the tool. */
 export function useLessonLoad(outcome: Outcome | null, of: LoadQuantity | null): void {
@@ -14,23 +15,20 @@ export function useLessonLoad(outcome: Outcome | null, of: LoadQuantity | null):
     const what = of === "roughness" ? "surface" : "path";
     const measured = useMeasuredLoad.getState();
     if (measured.run === run && measured[what]) return undefined;
-    let gone = false;
-    const put = (found: Partial<ReturnType<typeof useMeasuredLoad.getState>>) => {
-      if (!gone) useMeasuredLoad.setState({ run, path: null, surface: null, failed: false, ...found });
-    };
-    const measure = async () => {
+    const measure = async (): Promise<Partial<ReturnType<typeof useMeasuredLoad.getState>>> => {
       const request = loadRequestOf(outcome);
       try {
-        if (of === "roughness") put({ surface: await askAgain((engine) => engine.roughness(request)) });
-        else put({ path: await askAgain((engine) => engine.pathLoad(request)) });
+        return of === "roughness"
+          ? { surface: await askAgain((engine) => engine.roughness(request)) }
+          : { path: await askAgain((engine) => engine.pathLoad(request)) };
       } catch {
-        put({ failed: true });
+        return { failed: true };
       }
     };
-    const timer = setTimeout(() => void measure(), CALCULATING.otherTools);
-    return () => {
-      gone = true;
-      clearTimeout(timer);
-    };
+    return takeAnswer(
+      measure,
+      (found) => useMeasuredLoad.setState({ run, path: null, surface: null, failed: false, ...found }),
+      CALCULATING.otherTools,
+    );
   }, [outcome, of]);
 }

@@ -1,5 +1,5 @@
 import type { EditorView } from "@codemirror/view";
-import { Suspense, useEffect, useMemo, type ReactNode } from "react";
+import { useEffect, useMemo, type ReactNode } from "react";
 import { partialWork } from "../../program/job/partial-work.ts";
 import { MachineView } from "../../app/pictures/plane/MachineView.tsx";
 import { clock } from "../../app/base/clock.ts";
@@ -147,11 +147,7 @@ export function ProgramWorkplace() {
       }
       text={wide ? <TextPanel bar={bar} /> : null}
     >
-      {inserting && (
-        <Suspense>
-          <InsertOperation behind={inserting.behind} />
-        </Suspense>
-      )}
+      {inserting && <InsertOperation behind={inserting.behind} />}
     </WorkColumns>
   );
 }

@@ -1,4 +1,4 @@
-import { Suspense, useState } from "react";
+import { useState } from "react";
 import { type ShowBlock, showComparison } from "../../app/place/place.ts";
 import { canSaveFiles } from "../../app/records/files/file-handle.ts";
 import { shownFile } from "../../app/document/shown-file.ts";
@@ -53,17 +53,15 @@ export function SaveButton({ name, mayLeave, onSaved, onDownload, showBlock }: P
         {t.save}
       </button>
       {obstacle && (
-        <Suspense>
-          <SaveProblem
-            file={name}
-            obstacle={obstacle}
-            canSave={canSaveFiles()}
-            onSave={(how) => void write(how)}
-            onDownload={onDownload}
-            onCompare={(bytes) => void compare(bytes)}
-            done={() => meet(null)}
-          />
-        </Suspense>
+        <SaveProblem
+          file={name}
+          obstacle={obstacle}
+          canSave={canSaveFiles()}
+          onSave={(how) => void write(how)}
+          onDownload={onDownload}
+          onCompare={(bytes) => void compare(bytes)}
+          done={() => meet(null)}
+        />
       )}
     </>
   );

@@ -1,5 +1,5 @@
 import { Suspense, useEffect, useMemo, useRef, useState } from "react";
-import { lazyPart } from "../../app/base/parts.ts";
+import { lazyWithin } from "../../app/base/parts.ts";
 import { Message } from "../../app/base/Message.tsx";
 import { CopyButton } from "../../app/fields/program/CopyButton.tsx";
 import { copyProgram } from "../../app/fields/leaving/copy-program.ts";
@@ -24,7 +24,7 @@ import { SkipSwitch } from "./SkipSwitch.tsx";
 import { WorkFiles } from "./WorkFiles.tsx";
 import "../../app/fields/find/find.css";
 
-const TextTools = lazyPart(async () => ({ default: (await import("./TextTools.tsx")).TextTools }));
+const TextTools = lazyWithin(async () => ({ default: (await import("./TextTools.tsx")).TextTools }));
 
 interface Props {
   /** The bar above the text: find, replace, go to. */

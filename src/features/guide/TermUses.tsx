@@ -9,6 +9,7 @@ import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { setupPageWords } from "./setup-page-words.ts";
 import { usesTerm, usingParameters, usingSetupPages } from "./term-uses.ts";
+import { untilGone } from "../../app/base/until-gone.ts";
 
 /** A page of a lesson that uses a word first. */
 interface UsingLesson {
@@ -20,21 +21,19 @@ interface UsingLesson {
 function useLessons(term: TermId, glossary: GlossaryTexts, language: Language): readonly UsingLesson[] {
   const { lessons } = useCourseIndex();
   const [found, find] = useState<readonly UsingLesson[]>([]);
-  useEffect(() => {
-    let gone = false;
-    void (async () => {
-      for (const entry of lessons) {
-        const lesson = await fetchLesson(entry.id).catch(() => null);
-        if (gone) return;
-        const pages = lesson ? (inScreenLanguage(lesson.words, language)?.pages ?? []) : [];
-        const at = pages.findIndex((text) => usesTerm([text], term, glossary));
-        if (at >= 0) find((was) => [...was.filter((each) => each.entry.id !== entry.id), { entry, page: at + 1 }]);
-      }
-    })();
-    return () => {
-      gone = true;
-    };
-  }, [lessons, term, glossary, language]);
+  useEffect(
+    () =>
+      untilGone(async (isGone) => {
+        for (const entry of lessons) {
+          const lesson = await fetchLesson(entry.id).catch(() => null);
+          if (isGone()) return;
+          const pages = lesson ? (inScreenLanguage(lesson.words, language)?.pages ?? []) : [];
+          const at = pages.findIndex((text) => usesTerm([text], term, glossary));
+          if (at >= 0) find((was) => [...was.filter((each) => each.entry.id !== entry.id), { entry, page: at + 1 }]);
+        }
+      }),
+    [lessons, term, glossary, language],
+  );
   return found;
 }
 

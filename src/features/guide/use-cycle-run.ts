@@ -3,6 +3,7 @@ import type { Cycle } from "../../cycles/define.ts";
 import { makesPath } from "../../report/guide/shown-effect.ts";
 import type { Outcome } from "../../app/calculation/outcome.ts";
 import { guideSources, simulatedJob } from "./guide-source.ts";
+import { takeAnswer } from "../../app/base/until-gone.ts";
 
 /** A run of a cycle, with the operator's values or those of the example. */
 export interface CycleRun {
@@ -21,14 +22,13 @@ async function runOf(cycle: Cycle): Promise<CycleRun | null> {
 /** Simulates a cycle for its guide; undefined while pending, null if that fails. */
 export function useCycleRun(cycle: Cycle): CycleRun | null | undefined {
   const [made, put] = useState<{ readonly cycle: Cycle; readonly run: CycleRun | null } | null>(null);
-  useEffect(() => {
-    let gone = false;
-    void runOf(cycle).then((run) => {
-      if (!gone) put({ cycle, run });
-    });
-    return () => {
-      gone = true;
-    };
-  }, [cycle]);
+  useEffect(
+    () =>
+      takeAnswer(
+        () => runOf(cycle),
+        (run) => put({ cycle, run }),
+      ),
+    [cycle],
+  );
   return made?.cycle === cycle ? made.run : undefined;
 }

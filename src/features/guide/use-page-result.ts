@@ -1,4 +1,5 @@
 import { useEffect, useState } from "react";
+import { untilGone } from "../../app/base/until-gone.ts";
 
 /** The last result for a page, and whether a recomputation is pending. */
 export interface PageResult<T> {
@@ -14,15 +15,14 @@ export function usePageResult<T>(
   make: (goesOn: () => boolean) => Promise<T | null>,
 ): PageResult<T> {
   const [last, put] = useState<{ readonly of: string; readonly source: string; readonly made: T | null } | null>(null);
-  useEffect(() => {
-    let gone = false;
-    void make(() => !gone).then((made) => {
-      if (!gone) put({ of, source, made });
-    });
-    return () => {
-      gone = true;
-    };
-  }, [of, source, make]);
+  useEffect(
+    () =>
+      untilGone(async (isGone) => {
+        const made = await make(() => !isGone());
+        if (!isGone()) put({ of, source, made });
+      }),
+    [of, source, make],
+  );
   const isOf = last?.of === of;
   return { made: isOf ? last.made : undefined, working: !isOf || last.source !== source };
 }

@@ -1,6 +1,6 @@
 import { Suspense } from "react";
 import type { PlannedPartResult } from "../../planning/part/planned-part.ts";
-import { lazyPart } from "../../app/base/parts.ts";
+import { lazyWithin } from "../../app/base/parts.ts";
 import { contourSlot } from "../../app/fields/slots.ts";
 import { chooseElement, useChosenRow } from "../../app/place/contour-place.ts";
 import type { StoredPart } from "../../app/records/part-store.ts";
@@ -12,7 +12,7 @@ import { SIDES, tableRows, withTableRows } from "./part-rows.ts";
 import type { PlanWords } from "../../app/fields/plan/plan-words.ts";
 import { ValueField } from "./ValueField.tsx";
 
-const ContourTable = lazyPart(async () => ({ default: (await contourSlot.fetch()).ContourTable }));
+const ContourTable = lazyWithin(async () => ({ default: (await contourSlot.fetch()).ContourTable }));
 
 interface Props {
   readonly words: PlanWords;

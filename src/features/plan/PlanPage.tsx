@@ -1,4 +1,4 @@
-import { Suspense, useEffect, useMemo, type ReactNode } from "react";
+import { useEffect, useMemo, type ReactNode } from "react";
 import { Tab, TabList, TabPanel, Tabs } from "react-aria-components/Tabs";
 import { plannedPart, type PlannedPartResult } from "../../planning/part/planned-part.ts";
 import type { FinishedPart } from "../../planning/part/finished-part.ts";
@@ -127,15 +127,13 @@ function PlanStage({
   if (tab === "part")
     return (
       <div className="plan-stage">
-        <Suspense>
-          <ContourStage
-            rows={tableRows(part, side)}
-            blank={planned.blank}
-            language={language}
-            onChange={(next, place) => onPart(withTableRows(part, side, next), place && `${side} ${place}`)}
-            lead={null}
-          />
-        </Suspense>
+        <ContourStage
+          rows={tableRows(part, side)}
+          blank={planned.blank}
+          language={language}
+          onChange={(next, place) => onPart(withTableRows(part, side, next), place && `${side} ${place}`)}
+          lead={null}
+        />
       </div>
     );
   // The second clamping has the part turned end for end.

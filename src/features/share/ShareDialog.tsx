@@ -18,6 +18,7 @@ import { packWork, packedFile, type Packed } from "./pack.ts";
 import { QrSection } from "./QrSection.tsx";
 import { isLocalAddress, pageAddress } from "../../app/records/local-address.ts";
 import { canShare, share } from "../../app/base/share-sheet.ts";
+import { takeAnswer } from "../../app/base/until-gone.ts";
 import { WorkFacts } from "./WorkFacts.tsx";
 import "./share.css";
 
@@ -29,17 +30,17 @@ interface PackedWithLink extends Packed {
 /** The open work, packed as it was when the dialog opened; null until then. */
 function usePacked(open: Work): PackedWithLink | null {
   const [ready, set] = useState<PackedWithLink | null>(null);
-  useEffect(() => {
-    let gone = false;
-    void packWork(open).then((made) => {
-      if (gone) return;
-      const link = linkOf(pageAddress(), made.work);
-      set({ ...made, link: link.length > LONGEST_LINK ? "" : link });
-    });
-    return () => {
-      gone = true;
-    };
-  }, [open]);
+  useEffect(
+    () =>
+      takeAnswer(
+        () => packWork(open),
+        (made) => {
+          const link = linkOf(pageAddress(), made.work);
+          set({ ...made, link: link.length > LONGEST_LINK ? "" : link });
+        },
+      ),
+    [open],
+  );
   return ready;
 }
 

@@ -1,4 +1,3 @@
-import { Suspense } from "react";
 import { lazyPart } from "../../app/base/parts.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { bundleOf, useEditor } from "../../app/document/store.ts";
@@ -12,13 +11,7 @@ const WorkBar = lazyPart(async () => ({ default: (await import("./WorkBar.tsx"))
 /** The dialog of a received link or file, until it is answered. */
 export function IncomingWork() {
   const waits = useIncoming((s) => s.incoming !== null);
-  return (
-    waits && (
-      <Suspense>
-        <IncomingDialog />
-      </Suspense>
-    )
-  );
+  return waits && <IncomingDialog />;
 }
 
 /**
@@ -32,12 +25,5 @@ export function SharedSetupLine() {
   const device = useSettings((s) => s.control);
   const mine = useSettings((s) => s.machine);
   const isOther = (control !== undefined && control !== device) || (machine !== undefined && machine !== mine);
-  return (
-    !isTask &&
-    (tools || isOther) && (
-      <Suspense>
-        <WorkBar />
-      </Suspense>
-    )
-  );
+  return !isTask && (tools || isOther) && <WorkBar />;
 }

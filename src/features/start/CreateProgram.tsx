@@ -1,4 +1,3 @@
-import { Suspense } from "react";
 import { lazyPart } from "../../app/base/parts.ts";
 import { newProgramSlot } from "../../app/fields/slots.ts";
 import { fetchShownTexts } from "../../app/base/settings/use-texts.ts";
@@ -11,9 +10,5 @@ const NewProgram = lazyPart(async () => {
 
 /** The dialog that creates a program; the open work stays until the program is ready. */
 export function CreateProgram({ done }: { readonly done: () => void }) {
-  return (
-    <Suspense>
-      <NewProgram done={done} />
-    </Suspense>
-  );
+  return <NewProgram done={done} />;
 }

@@ -1,6 +1,7 @@
-import { Suspense, useCallback, useEffect, useRef, useState } from "react";
+import { useCallback, useEffect, useRef, useState } from "react";
 import { Icon } from "../../app/base/Icon.tsx";
 import { scheduleIdle } from "../../app/base/idle.ts";
+import { takeAnswer } from "../../app/base/until-gone.ts";
 import { lazyPart, retryImport } from "../../app/base/parts.ts";
 import { reducedMotion } from "../../app/base/settings/appearance.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
@@ -28,21 +29,16 @@ function Still({ box }: { readonly box: ViewBox }) {
   useTheme();
   const theme: Theme = document.documentElement.dataset["theme"] === "dark" ? "dark" : "light";
   const [drawing, take] = useState("");
-  useEffect(() => {
-    let here = true;
-    // After the first paint: its place is reserved.
-    const cancel = scheduleIdle(
-      () =>
-        void DRAWINGS[theme]().then(
-          (made) => here && take(made.drawing),
-          () => undefined,
-        ),
-    );
-    return () => {
-      here = false;
-      cancel();
-    };
-  }, [theme]);
+  useEffect(
+    () =>
+      takeAnswer(
+        () => DRAWINGS[theme]().catch(() => null),
+        (made) => made && take(made.drawing),
+        // After the first paint: its place is reserved.
+        scheduleIdle,
+      ),
+    [theme],
+  );
   return (
     <svg
       className="hero-still"
@@ -107,9 +103,7 @@ export function Hero({ of }: { readonly of: HeroProgram | undefined }) {
           <>
             <Still box={of.box} />
             {ready && (
-              <Suspense>
-                <LivePicture hero={of} plays={asked && seen} name={t.name(of.operations)} onRunning={onRunning} />
-              </Suspense>
+              <LivePicture hero={of} plays={asked && seen} name={t.name(of.operations)} onRunning={onRunning} />
             )}
           </>
         )}

@@ -16,6 +16,7 @@ import { sceneOf } from "../../view/scene.ts";
 import { trackOf } from "../../view/playback.ts";
 import type { HeroProgram } from "./pictures.ts";
 import { runningPass, type RunningPass } from "./running-pass.ts";
+import { takeAnswer } from "../../app/base/until-gone.ts";
 
 /** Duration of the whole run on the screen, seconds. */
 const LASTS = 70;
@@ -30,22 +31,16 @@ interface Props {
   readonly onRunning: (now: RunningPass) => void;
 }
 
+async function runProgram(): Promise<Outcome | null> {
+  const { text } = await import("virtual:start-pictures/program");
+  return runWithShippedTools(text);
+}
+
 /** The lathe view of the hero, once the worker has run its program. */
 export function LivePicture(props: Props) {
   const [outcome, take] = useState<Outcome | null>(null);
-  useEffect(() => {
-    let here = true;
-    // Without an answer the still picture stays.
-    void import("virtual:start-pictures/program")
-      .then(({ text }) => runWithShippedTools(text))
-      .then(
-        (made) => here && take(made),
-        () => undefined,
-      );
-    return () => {
-      here = false;
-    };
-  }, []);
+  // Without an answer the still picture stays.
+  useEffect(() => takeAnswer(() => runProgram().catch(() => null), take), []);
   return outcome && <RunningLathe {...props} outcome={outcome} />;
 }
 
@@ -106,12 +101,7 @@ function RunningLathe({ hero, plays, name, onRunning, outcome }: Props & { reado
           section="half"
           name={name}
           path={path.stretches}
-          ghosts={null}
-          chosen={null}
-          hovered={null}
-        >
-          {null}
-        </Picture>
+        />
       </div>
     </CountedIn>
   );

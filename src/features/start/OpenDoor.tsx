@@ -1,4 +1,4 @@
-import { Suspense, useRef, useState } from "react";
+import { useRef, useState } from "react";
 import {
   canOpenFiles,
   OPENED,
@@ -82,11 +82,7 @@ export function OpenDoor() {
           </>
         )}
       </p>
-      {pasting > 0 && (
-        <Suspense>
-          <PasteProgram asked={pasting} />
-        </Suspense>
-      )}
+      {pasting > 0 && <PasteProgram asked={pasting} />}
     </Door>
   );
 }

@@ -1,4 +1,4 @@
-import { Suspense, useEffect, useRef, useState, type ReactNode } from "react";
+import { useEffect, useRef, useState, type ReactNode } from "react";
 import type { ExampleId } from "../../examples/index.ts";
 import type { OtherRows } from "../../app/fields/chooser/use-cycle-chooser.tsx";
 import { useCycleChooser } from "../../app/fields/chooser/use-cycle-chooser.tsx";
@@ -127,9 +127,7 @@ export function StartPage({ course }: { readonly course: ReactNode }) {
   const { start: words } = t.page;
   const hero = (
     <div className="hero-place">
-      <Suspense>
-        <Hero of={pictures?.hero} />
-      </Suspense>
+      <Hero of={pictures?.hero} />
     </div>
   );
   const toCycles = () => {

@@ -1,12 +1,12 @@
 import { Suspense, useState, type ReactNode } from "react";
 import type { Assignment } from "../../program/tool-sheets/assignment.ts";
-import { lazyPart } from "../../app/base/parts.ts";
+import { lazyWithin } from "../../app/base/parts.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import type { NamedSheet } from "./sheet-files.ts";
 import { columnsFor, importOfSheet } from "./sheet-import.ts";
 import type { ToolImport } from "./tool-files.ts";
 
-const SheetDialog = lazyPart(() => import("./SheetDialog.tsx").then((m) => ({ default: m.SheetDialog })));
+const SheetDialog = lazyWithin(() => import("./SheetDialog.tsx").then((m) => ({ default: m.SheetDialog })));
 
 interface Asking {
   readonly named: NamedSheet;

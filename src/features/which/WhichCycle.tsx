@@ -1,4 +1,4 @@
-import { Suspense, useMemo, useState } from "react";
+import { useMemo, useState } from "react";
 import { comparison as byWorker } from "../../app/calculation/other-outcome.ts";
 import { lazyPart } from "../../app/base/parts.ts";
 import { contourSlot } from "../../app/fields/slots.ts";
@@ -92,9 +92,7 @@ export function WhichCycle({ done, region, behind, comparison = byWorker }: Prop
         )}
       </div>
       {asking.shape === "free" && !section && (
-        <Suspense>
-          <ContourTable rows={asking.rows} onChange={(rows) => onAsk({ rows })} language={language} />
-        </Suspense>
+        <ContourTable rows={asking.rows} onChange={(rows) => onAsk({ rows })} language={language} />
       )}
       {fault?.at === "contour" && <p className="soft">{words.faults.contour}</p>}
       {compared && (

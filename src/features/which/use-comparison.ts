@@ -4,6 +4,7 @@ import type { Ring } from "../../kernel/geometry/point.ts";
 import type { TriedOption } from "../../report/which/try-way.ts";
 import type { Proposal } from "../../report/which/ways.ts";
 import type { Comparer } from "../../app/calculation/comparison.ts";
+import { untilGone } from "../../app/base/until-gone.ts";
 
 /** Debounce after the last change, ms. */
 const DEBOUNCE = 200;
@@ -26,22 +27,16 @@ export function useComparison(
   const [compared, set] = useState<Omit<ComparedProposals, "isStale"> | null>(null);
   useEffect(() => {
     if (!wanted) return undefined;
-    let gone = false;
-    const compare = async () => {
+    return untilGone(async (isGone) => {
       const found = (await ways(wanted, stock)) ?? [];
-      if (gone) return;
+      if (isGone()) return;
       set({ wanted, ways: found, tried: [] });
       for (const way of found) {
         const one = await tryWay(way, wanted, stock);
-        if (gone) return;
+        if (isGone()) return;
         if (one) set((known) => known && { ...known, tried: [...known.tried, one] });
       }
-    };
-    const timer = setTimeout(() => void compare(), DEBOUNCE);
-    return () => {
-      gone = true;
-      clearTimeout(timer);
-    };
+    }, DEBOUNCE);
   }, [wanted, stock, ways, tryWay]);
   return wanted && compared && { ...compared, isStale: compared.wanted !== wanted };
 }

@@ -5,6 +5,10 @@ import type { Run } from "../state/run-types.ts";
 /** The two views of a program: the section of the lathe, and the working plane of the mill. */
 export type MachineSide = "lathe" | "plane";
 
+/** The motions that a view shows. */
+export const motionsOf = (run: Pick<Run, "plane" | "steps">, side: MachineSide): Run["plane"] | Run["steps"] =>
+  side === "plane" ? run.plane : run.steps;
+
 interface PlaneIndex {
   /** Blocks that made motions, in the order of the text, and the stretches of each. */
   readonly blocks: readonly number[];

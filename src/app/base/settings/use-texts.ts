@@ -2,6 +2,7 @@ import { use, useEffect, useReducer } from "react";
 import type { PartName } from "../../../i18n/parts.ts";
 import { fetchTexts, partOf, type ByLanguage, type PartContents } from "./loaded-texts.ts";
 import { useSettings } from "./settings.ts";
+import { takeAnswer } from "../until-gone.ts";
 
 /** A value in the current screen language. Suspends until it is loaded. */
 export function useByLanguage<T>(of: ByLanguage<T>): T {
@@ -23,16 +24,10 @@ export function useTextsOrNull<N extends PartName>(name: N): PartContents<N> | n
   const part = partOf(name),
     texts = part.cached(language);
   const isHere = texts !== undefined;
-  useEffect(() => {
-    if (isHere) return undefined;
-    let isGone = false;
-    void part.fetchWithRetry(language).then(() => {
-      if (!isGone) showAgain();
-    });
-    return () => {
-      isGone = true;
-    };
-  }, [part, language, isHere]);
+  useEffect(
+    () => (isHere ? undefined : takeAnswer(async () => await part.fetchWithRetry(language), showAgain)),
+    [part, language, isHere],
+  );
   return texts ?? null;
 }
 

@@ -2,7 +2,7 @@ import { Suspense, useEffect } from "react";
 import { setPrompts, type SetupSizes } from "../../document/edits.ts";
 import { useOpenCall } from "../../place/open-call.ts";
 import { CycleInWork } from "../../calculation/issue-text.ts";
-import { lazyPart } from "../../base/parts.ts";
+import { lazyWithin } from "../../base/parts.ts";
 import type { JobReading } from "../../document/reading.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { takePlace } from "../../document/setup-edits.ts";
@@ -13,7 +13,7 @@ import { ComingDialog, PromptDialog } from "./PromptDialog.tsx";
 import { useCycleSession, type PromptedBlock } from "./use-cycle-session.tsx";
 import { Unverified } from "./Unverified.tsx";
 
-const ThreadName = lazyPart(async () => ({ default: (await import("./ThreadName.tsx")).ThreadName }));
+const ThreadName = lazyWithin(async () => ({ default: (await import("./ThreadName.tsx")).ThreadName }));
 
 /** The dialog of a cycle: of the job, or of a block of a program. */
 export function CycleDialog({

@@ -1,4 +1,4 @@
-import { Suspense, useEffect, useRef, useState } from "react";
+import { useEffect, useRef, useState } from "react";
 import { lazyPart } from "../../base/parts.ts";
 import { holds } from "../../base/use-media.ts";
 import { numberFieldOf } from "./field-typing.ts";
@@ -75,17 +75,15 @@ export function NumberKeys() {
 
   if (!field) return null;
   return (
-    <Suspense>
-      <FieldKeypad
-        field={field}
-        onLetters={(open) => {
-          setField(null);
-          open.blur();
-          open.inputMode = "text";
-          spelled.current = open;
-          open.focus();
-        }}
-      />
-    </Suspense>
+    <FieldKeypad
+      field={field}
+      onLetters={(open) => {
+        setField(null);
+        open.blur();
+        open.inputMode = "text";
+        spelled.current = open;
+        open.focus();
+      }}
+    />
   );
 }

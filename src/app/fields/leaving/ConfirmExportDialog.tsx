@@ -1,4 +1,4 @@
-import { Suspense, useEffect, useId, useRef } from "react";
+import { useEffect, useId, useRef } from "react";
 import type { FindingsHost } from "../../findings/host.ts";
 import { lazyPart } from "../../base/parts.ts";
 import { useExportRequest } from "./confirm-export.ts";
@@ -29,11 +29,7 @@ export function ConfirmExportDialog({ cycleOf }: Pick<FindingsHost, "cycleOf">) 
       aria-describedby={`${id}-what`}
       onClose={() => asking?.answer(false)}
     >
-      {asking && (
-        <Suspense>
-          <LeavingQuestion asking={asking} id={id} cycleOf={cycleOf} />
-        </Suspense>
-      )}
+      {asking && <LeavingQuestion asking={asking} id={id} cycleOf={cycleOf} />}
     </dialog>
   );
 }

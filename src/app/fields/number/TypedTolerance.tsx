@@ -1,9 +1,9 @@
 import { Suspense } from "react";
 import type { AnyIssue } from "../../../i18n/message-texts.ts";
-import { lazyPart } from "../../base/parts.ts";
+import { lazyWithin } from "../../base/parts.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 
-const ToleranceOffer = lazyPart(async () => ({ default: (await import("./ToleranceOffer.tsx")).ToleranceOffer }));
+const ToleranceOffer = lazyWithin(async () => ({ default: (await import("./ToleranceOffer.tsx")).ToleranceOffer }));
 
 /** A number followed by a letter or a sign of a tolerance. */
 const MAY_BE_SIZE = /\d\s*[a-z±/+-]/i;

@@ -5,20 +5,20 @@ import { showComparison, type ShowBlock, showSheet } from "../../place/place.ts"
 import { useActions } from "../../base/actions.ts";
 import { Menu, type MenuItem } from "../../base/Menu.tsx";
 import { confirmExport } from "../leaving/confirm-export.ts";
-import { lazyPart } from "../../base/parts.ts";
+import { lazyWithin } from "../../base/parts.ts";
 import { drawingSlot, exportSlot, shareSlot, exerciseSlot } from "../slots.ts";
 import { asProgram, openText } from "../../document/printed.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import type { Work } from "../../document/work.ts";
 
 /** Loaded when first opened. */
-const HandOnDialog = lazyPart(async () => ({ default: await shareSlot.fetch() }));
-const PartExport = lazyPart(async () => ({ default: await exportSlot.fetch() }));
-const TurnRound = lazyPart(async () => ({ default: (await import("./SecondSideDialog.tsx")).SecondSideDialog }));
-const ProgramDrawing = lazyPart(async () => ({ default: await drawingSlot.fetch() }));
-const ClampingDialog = lazyPart(async () => ({ default: (await import("./ClampingDialog.tsx")).ClampingDialog }));
-const OutputDialog = lazyPart(async () => ({ default: (await import("./OutputDialog.tsx")).OutputDialog }));
-const TeachDialog = lazyPart(async () => ({ default: await exerciseSlot.fetch() }));
+const HandOnDialog = lazyWithin(async () => ({ default: await shareSlot.fetch() }));
+const PartExport = lazyWithin(async () => ({ default: await exportSlot.fetch() }));
+const TurnRound = lazyWithin(async () => ({ default: (await import("./SecondSideDialog.tsx")).SecondSideDialog }));
+const ProgramDrawing = lazyWithin(async () => ({ default: await drawingSlot.fetch() }));
+const ClampingDialog = lazyWithin(async () => ({ default: (await import("./ClampingDialog.tsx")).ClampingDialog }));
+const OutputDialog = lazyWithin(async () => ({ default: (await import("./OutputDialog.tsx")).OutputDialog }));
+const TeachDialog = lazyWithin(async () => ({ default: await exerciseSlot.fetch() }));
 
 /** A work to share, with its verdict. */
 export interface Leaving {

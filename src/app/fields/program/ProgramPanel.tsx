@@ -1,4 +1,4 @@
-import { Suspense, useCallback, useRef, useState } from "react";
+import { useCallback, useRef, useState } from "react";
 import { SCREEN_LANGUAGES } from "../../../i18n/languages.ts";
 import { NC_LANGUAGES } from "../../../nc/nc-languages.ts";
 import { hasOwnWords } from "../../../i18n/nc-labels.ts";
@@ -77,9 +77,7 @@ export function ProgramPanel({
     <section ref={panel} className="program" aria-label={t.title}>
       <header>
         <h2 className="panel-title">{t.title}</h2>
-        <Suspense>
-          <FindButton bar={bar} />
-        </Suspense>
+        <FindButton bar={bar} />
         {foldable && (
           <button
             type="button"
@@ -139,16 +137,14 @@ export function ProgramPanel({
       </div>
       {!read.reading.values && <Message tone="warning">{t.incomplete}</Message>}
       {bar.mode !== null && (
-        <Suspense>
-          <PrintedSearch
-            bar={bar}
-            text={printedBlocks(text)
-              .flatMap(({ lines }) => lines)
-              .join("\n")}
-            mark={showFound}
-            focus={focusText}
-          />
-        </Suspense>
+        <PrintedSearch
+          bar={bar}
+          text={printedBlocks(text)
+            .flatMap(({ lines }) => lines)
+            .join("\n")}
+          mark={showFound}
+          focus={focusText}
+        />
       )}
       <DeferredUntilPaint>
         <ProgramText

@@ -1,25 +1,16 @@
 import { Suspense, useEffect, useState } from "react";
-import { lazyPart } from "../../base/parts.ts";
+import { lazyWithin } from "../../base/parts.ts";
 import { drawingSlot, shareSlot } from "../slots.ts";
 import { leaving, openStem, type Leaving } from "./ProgramMenus.tsx";
+import { takeAnswer } from "../../base/until-gone.ts";
 
-const ShareDialog = lazyPart(async () => ({ default: await shareSlot.fetch() }));
-const ProgramDrawing = lazyPart(async () => ({ default: await drawingSlot.fetch() }));
+const ShareDialog = lazyWithin(async () => ({ default: await shareSlot.fetch() }));
+const ProgramDrawing = lazyWithin(async () => ({ default: await drawingSlot.fetch() }));
 
 /** Shares the open work once it is checked, or asks first. */
 function ShareOpen({ done }: { readonly done: () => void }) {
   const [handed, hand] = useState<Leaving | null>(null);
-  useEffect(() => {
-    let here = true;
-    void leaving().then((made) => {
-      if (!here) return;
-      if (made) hand(made);
-      else done();
-    });
-    return () => {
-      here = false;
-    };
-  }, [done]);
+  useEffect(() => takeAnswer(leaving, (made) => (made ? hand(made) : done())), [done]);
   return handed && <ShareDialog {...handed} done={done} />;
 }
 

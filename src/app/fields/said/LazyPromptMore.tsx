@@ -1,4 +1,4 @@
-import { Suspense, type ComponentProps } from "react";
+import type { ComponentProps } from "react";
 import { lazyPart } from "../../base/parts.ts";
 import { promptMoreSlot } from "../slots.ts";
 import "./prompt-more.css";
@@ -8,8 +8,6 @@ const PromptMore = lazyPart(async () => ({ default: await promptMoreSlot.fetch()
 /** Link to a guide page, loaded when first shown. Its place is kept free until then: the fields below it stay put. */
 export const LazyPromptMore = (props: ComponentProps<typeof PromptMore>) => (
   <span className="prompt-ways">
-    <Suspense>
-      <PromptMore {...props} />
-    </Suspense>
+    <PromptMore {...props} />
   </span>
 );

@@ -1,4 +1,4 @@
-import { Suspense, type ComponentProps } from "react";
+import type { ComponentProps } from "react";
 import { Radio, RadioGroup } from "react-aria-components/RadioGroup";
 import type { CycleNumber } from "../../../cycles/index.ts";
 import type { SetupPlace } from "../../../program/job/setup-places.ts";
@@ -11,7 +11,7 @@ import { useFits } from "../../calculation/use-tool-fits.ts";
 import { setParameter, setPerRevolution, setRapid, setSpindle } from "../../document/edits.ts";
 import { setPlace } from "../../document/setup-edits.ts";
 import { LazyPromptMore } from "../said/LazyPromptMore.tsx";
-import { lazyPart } from "../../base/parts.ts";
+import { lazyPart, lazyWithin } from "../../base/parts.ts";
 import { setupStartSlot } from "../slots.ts";
 import type { JobReading } from "../../document/reading.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
@@ -21,10 +21,10 @@ import { ToolTable } from "./ToolTable.tsx";
 
 /** Loaded if a machine states its rapid rates. */
 const MachineRapid = lazyPart(async () => ({ default: (await import("../machine/MachineRapid.tsx")).MachineRapid }));
-const SetupStart = lazyPart(async () => ({ default: await setupStartSlot.fetch() }));
+const SetupStart = lazyWithin(async () => ({ default: await setupStartSlot.fetch() }));
 
-const MaterialGroup = lazyPart(async () => ({ default: (await import("../said/MaterialField.tsx")).MaterialGroup }));
-const JobClamping = lazyPart(async () => ({ default: (await import("./JobClamping.tsx")).JobClamping }));
+const MaterialGroup = lazyWithin(async () => ({ default: (await import("../said/MaterialField.tsx")).MaterialGroup }));
+const JobClamping = lazyWithin(async () => ({ default: (await import("./JobClamping.tsx")).JobClamping }));
 
 interface PlaceFieldProps extends Pick<ComponentProps<typeof NumberField>, "field" | "name" | "unit"> {
   readonly read: JobReading;
@@ -171,9 +171,7 @@ export function SetupPanel({ read }: { readonly read: JobReading }) {
           <span>{t.feed.perRevolution}</span>
         </label>
         {isOfMachine ? (
-          <Suspense>
-            <MachineRapid />
-          </Suspense>
+          <MachineRapid />
         ) : (
           <NumberField
             field={FIELDS.rapid}

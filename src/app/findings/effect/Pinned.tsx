@@ -1,4 +1,3 @@
-import { Suspense } from "react";
 import { useOutcome } from "../../calculation/outcome.ts";
 import { lazyPart } from "../../base/parts.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
@@ -28,11 +27,5 @@ export function PinButton() {
 /** Two settings side by side, as long as one is pinned. */
 export function PinnedCard() {
   const pinned = useCompared((c) => c.pinned !== null);
-  return (
-    pinned && (
-      <Suspense>
-        <PinnedValues />
-      </Suspense>
-    )
-  );
+  return pinned && <PinnedValues />;
 }

@@ -1,4 +1,3 @@
-import { Suspense } from "react";
 import { lazyPart } from "../../base/parts.ts";
 
 /** Fetched when a time is first shown. */
@@ -10,9 +9,7 @@ export function TimeName({ name }: { readonly name: string }) {
     <>
       {name}{" "}
       <span className="time-place">
-        <Suspense>
-          <TimeParts />
-        </Suspense>
+        <TimeParts />
       </span>
     </>
   );

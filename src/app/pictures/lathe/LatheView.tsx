@@ -1,4 +1,4 @@
-import { Suspense, useCallback, useMemo, useState } from "react";
+import { Suspense, useMemo, useState } from "react";
 import { createStore } from "zustand";
 import type { PartialWork } from "../../../program/job/partial-work.ts";
 import { NO_TIMING } from "../../../program/run/run-times.ts";
@@ -13,29 +13,27 @@ import { DeferredUntilPaint } from "../../base/typing.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import { LoadPart } from "../load/LoadParts.tsx";
 import { createPointedPlace } from "../load/pointed-place.ts";
-import { useMeasuring } from "../measure/measuring.ts";
-import { measurableRun, useMeasureSource } from "../measure/source.ts";
-import { lazyPart } from "../../base/parts.ts";
+import { measurableRun } from "../measure/source.ts";
+import { lazyPart, lazyWithin } from "../../base/parts.ts";
 import { whichSlot } from "../../document/which-slot.ts";
 import type { WhichRegion } from "../../place/place.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { useMedia } from "../../base/use-media.ts";
-import { View } from "../View.tsx";
-import { ChosenPath, Hovered, turnedMoveData } from "./Chosen.tsx";
+import { View, type Scene } from "../View.tsx";
+import { ChosenPath } from "./Chosen.tsx";
 import type { PointerActions } from "./gestures.ts";
 import { knownText } from "./known-text.ts";
 import { ClampingNote } from "./ClampingNote.tsx";
 import { TurnedLegend } from "./TurnedLegend.tsx";
-import { LiveSentence } from "./LiveSentence.tsx";
 import { Marks } from "./Marks.tsx";
 import { MoveTable } from "./MoveTable.tsx";
 import { Picture } from "./Picture.tsx";
 import { PlaceLines } from "./PlaceButtons.tsx";
-import { sectionProjection } from "./place-projection.ts";
+import type { Sight } from "./place-projection.ts";
 import { findingBounds, usePlaces, type PicturePlace } from "./places.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
-import { statusText, TurnedReadout } from "./TurnedReadout.tsx";
+import { useTurnedWords } from "./turned-words.ts";
 import { placeText } from "./running.ts";
 import { StepList } from "./StepList.tsx";
 import { useTaskMarks } from "./task-marks.ts";
@@ -43,20 +41,20 @@ import { combineViews, useFindingFocus } from "./use-finding-focus.ts";
 import { knownParts, partsOf } from "./scene-parts.ts";
 import { stretchesOf, useShownPath } from "./use-paths.ts";
 import { turnedPickable } from "./turned-pickable.ts";
-import { usePicking, type MovePointed } from "./use-picking.ts";
-import { usePlayback } from "./use-playback.ts";
+import { useFlatScene } from "./use-flat-scene.ts";
+import type { MovePointed } from "./use-picking.ts";
+import { usePlayback, useRestingText } from "./use-playback.ts";
 import { useMaterial, type LatheResult } from "./use-material.ts";
 import { useSolid } from "./use-solid.ts";
 import { contourAt } from "../../document/region.ts";
 import { OffscreenTool } from "./OffscreenTool.tsx";
 import { LatheChoices, WhichButton } from "./ViewBar.tsx";
-import { createViewport } from "./viewport.ts";
 
 /** Loaded for a program with approaches. */
 const TurnPoints = lazyPart(async () => ({ default: (await import("../plane/TurnPoints.tsx")).TurnPoints }));
 /** Loaded for a dialog: its typed positions. */
-const KnownMarks = lazyPart(async () => ({ default: (await import("./KnownMarks.tsx")).KnownMarks }));
-const AskedMarks = lazyPart(async () => ({ default: (await import("./KnownMarks.tsx")).AskedMarks }));
+const KnownMarks = lazyWithin(async () => ({ default: (await import("./KnownMarks.tsx")).KnownMarks }));
+const AskedMarks = lazyWithin(async () => ({ default: (await import("./KnownMarks.tsx")).AskedMarks }));
 /** Loaded on demand: paths of other settings, the 3D view. */
 const GhostPaths = lazyPart(async () => ({ default: (await import("./GhostPaths.tsx")).GhostPaths }));
 const SolidView = lazyPart(async () => ({ default: (await import("../solid/SolidView.tsx")).SolidView }));
@@ -113,7 +111,6 @@ export function LatheView({
   const lengths = useLengths(run);
   const { proved, moving } = useMaterial(shown, playback),
     simulation = proved?.simulation ?? null;
-  const [viewport] = useState(() => createViewport(!xDown));
   const [asking, ask] = useState<WhichRegion | null>(null);
 
   const typed = run.operations.every((o) => o.plan.contour.length === 0) ? known : null;
@@ -134,22 +131,22 @@ export function LatheView({
   );
   const held = useMemo(() => run.steps.some((step) => step.tool.holder), [run]);
   const starts = useMemo(() => (waiting?.start ? [waiting.start] : run.operations.map((o) => o.start)), [run, waiting]);
-  const measuring = useMeasuring();
-  const [taken] = useState(() => createStore<readonly LabelBox[]>(() => []));
-  const kepts = useMemo(() => [measuring.labels, taken], [measuring, taken]),
-    around = { viewport, run, playback, waiting, taken };
   const stockAt = shown?.simulation ? moving?.stockAt : undefined;
   const measurable = useMemo(() => measurableRun(run), [run]),
     stock = useMemo(() => (stockAt ? { at: stockAt, reached: () => Infinity } : null), [stockAt]);
-  const source = useMeasureSource(measurable, run.steps, stock, playback);
   const path = useShownPath(run, passes.stretches, playback);
-  const turned = useMemo(() => turnedPickable(run, path.has), [run, path.has]);
-  const picking = usePicking(viewport, turned, onMove);
+  const pickable = useMemo(() => turnedPickable(run, path.has), [run, path.has]);
+  const { bounds } = scene,
+    flat = useFlatScene({ xUp: !xDown, bounds, pickable, onMove, measurable, moves: run.steps, stock, playback }),
+    { viewport, measuring, hover } = flat.picking;
+  const [taken] = useState(() => createStore<readonly LabelBox[]>(() => []));
+  const kepts = useMemo(() => [measuring.labels, taken], [measuring, taken]),
+    around = { viewport, run, playback, waiting, taken };
   const [pointed] = useState(createPointedPlace);
   const pointer: PointerActions = {
-    ...picking.pointer,
+    ...flat.picking.pointer,
     hover: (at) => {
-      picking.pointer.hover(at);
+      flat.picking.pointer.hover(at);
       pointed.set(at && toPlace(viewport.get(), at));
     },
   };
@@ -161,49 +158,104 @@ export function LatheView({
     playback,
     (s) => s.get().track.ends.length > 0 && s.get().position.step >= s.get().track.ends.length,
   );
-  const resting = usePlayback(playback, (s) => (s.get().playing ? -1 : s.get().position.step));
+  const words = useTurnedWords(run, lengths, playback, moving?.chipAt ?? null),
+    rests = useRestingText(playback, words.sentence);
   const marked = usePlayback(playback, (s) => datumIndex(run.datums, s.get().position.step)),
     datum = datumAt(run.datums, marked);
   const state = useMemo(() => {
-    const { x, z } = placeText(lengths, datum),
-      rests = resting >= 0 ? statusText(texts, lengths, run, playback) : "";
+    const { x, z } = placeText(lengths, datum);
     const now = typed ? `${rests}. ${knownText(t, lengths, typed.outline)}` : rests;
     return run.datums.length > 0 ? `${now} ${t.countsFrom(x, z)}` : now;
-  }, [t, texts, lengths, run, playback, resting, datum, typed]);
+  }, [t, lengths, run, rests, datum, typed]);
   const { told } = useTaskMarks();
   const places = told?.places ?? (dimmed || !simulation ? NOWHERE : found);
   const leads = useMemo(() => run.approaches.filter((a) => a.plane === "ZX"), [run]);
   const focus = useFindingFocus(
     places,
-    useMemo(() => combineViews([viewport, solid.drawn]), [viewport, solid.drawn]),
+    useMemo(() => combineViews([flat.sight, solid.drawn]), [flat.sight, solid.drawn]),
     playback,
   );
   const seen = places.filter((each) => ended || told || each.kind === "finding" || each === focus.chosen);
   const residual = told?.left ?? (ended && simulation ? simulation.proof.residual.map(({ ring }) => ring) : NO_RINGS);
   const gouges = told?.missing ?? simulation?.findings.flatMap(({ rings }) => rings) ?? NO_RINGS;
-  const seeing = sectionProjection(viewport);
-  const sentence = useCallback(() => statusText(texts, lengths, run, playback), [texts, lengths, run, playback]);
   const which =
     proved && contourAt(proved.run, 0) && !dimmed
       ? () => ask(contourAt(proved.run, playback.get().position.step, proved.simulation.final))
       : null;
+  const turned = { title: t.title, unit: run.program.unit, timed: run, words, dimmed, ended };
+  const flatScene: Scene = {
+    ...turned,
+    name: "section",
+    sight: flat.sight,
+    measured: flat.measured,
+    picture: (pressed) => (
+      <>
+        <Picture
+          of={run}
+          viewport={viewport}
+          scene={scene}
+          moving={moving}
+          waiting={waiting}
+          gouges={gouges}
+          residual={residual}
+          section={section}
+          name={t.pictures[section](state)}
+          path={path.stretches}
+          ghosts={
+            <DeferredUntilPaint>
+              <GhostPaths scene={scene} clock={clock} />
+            </DeferredUntilPaint>
+          }
+          chosen={[<LoadPart.Lines key="load" run={run} shown={path.has} />, <ChosenPath key="chosen" run={run} />]}
+          hover={hover}
+        >
+          {scene.chuck?.unstated && <ClampingNote viewport={viewport} plane={scene.chuck.unstated} />}
+          <Marks viewport={viewport} starts={starts} datum={datum} />
+          <LoadPart.Mark run={run} seeing={flat.sight} />
+          {known && (
+            <Suspense>
+              {typed ? <KnownMarks {...around} known={typed} /> : <AskedMarks {...around} known={known} />}
+            </Suspense>
+          )}
+          {run.steps.length > 0 && (
+            <OffscreenTool viewport={viewport} playback={playback} run={run} places={seen} datum={datum} kept={kepts} />
+          )}
+          {leads.length > 0 && <TurnPoints viewport={viewport} approaches={leads} places={seen} />}
+          <PlaceLines seeing={flat.sight} places={seen} />
+        </Picture>
+        {pressed}
+      </>
+    ),
+  };
+  const space: Scene<Sight | null> | null = solid.work && {
+    ...turned,
+    name: "space",
+    sight: solid.drawn,
+    measured: null,
+    picture: (pressed) =>
+      solid.work && (
+        <SolidView
+          work={solid.work}
+          run={run}
+          lines={path.has}
+          state={state}
+          clock={clock}
+          places={seen}
+          onDrawn={solid.setDrawn}
+        >
+          {pressed}
+        </SolidView>
+      ),
+  };
+  const alone = space && solid.drawn && !isBeside ? { ...space, sight: solid.drawn } : null;
   return (
     <>
       <View
-        scene={{
-          title: t.title,
-          unit: run.program.unit,
-          viewport,
-          bounds: scene.bounds,
-          xUp: !xDown,
-          timed: run,
-          measured: source,
-          dimmed,
-          ended,
-          space: solid.drawn && { drawn: solid.drawn, isBeside },
-        }}
+        scene={alone ?? flatScene}
+        beside={alone ? null : space}
         playback={playback}
-        picking={{ ...picking, pointer, measuring }}
+        clock={clock}
+        picking={{ ...flat.picking, pointer }}
         places={{ shown: seen, ...focus }}
         layers={{
           bar: {
@@ -211,68 +263,6 @@ export function LatheView({
             then: <WhichButton onWhich={which} />,
             ...(isSolid && { rulerHint: t.rulerFlat }),
           },
-          picture: (
-            <Picture
-              of={run}
-              viewport={viewport}
-              scene={scene}
-              moving={moving}
-              waiting={waiting}
-              gouges={gouges}
-              residual={residual}
-              section={section}
-              name={t.pictures[section](state)}
-              path={path.stretches}
-              ghosts={
-                <DeferredUntilPaint>
-                  <Suspense>
-                    <GhostPaths scene={scene} clock={clock} />
-                  </Suspense>
-                </DeferredUntilPaint>
-              }
-              chosen={[<LoadPart.Lines key="load" run={run} shown={path.has} />, <ChosenPath key="chosen" run={run} />]}
-              hovered={<Hovered moves={run.steps} hover={picking.hover} dataOf={turnedMoveData} />}
-            >
-              {scene.chuck?.unstated && <ClampingNote viewport={viewport} plane={scene.chuck.unstated} />}
-              <Marks viewport={viewport} starts={starts} datum={datum} />
-              <LoadPart.Mark run={run} seeing={seeing} />
-              {known && (
-                <Suspense>
-                  {typed ? <KnownMarks {...around} known={typed} /> : <AskedMarks {...around} known={known} />}
-                </Suspense>
-              )}
-              {run.steps.length > 0 && (
-                <OffscreenTool
-                  viewport={viewport}
-                  playback={playback}
-                  run={run}
-                  places={seen}
-                  datum={datum}
-                  kept={kepts}
-                />
-              )}
-              {leads.length > 0 && (
-                <Suspense>
-                  <TurnPoints viewport={viewport} approaches={leads} places={seen} />
-                </Suspense>
-              )}
-              <PlaceLines seeing={seeing} places={seen} />
-            </Picture>
-          ),
-          space: solid.work && (
-            <Suspense>
-              <SolidView
-                work={solid.work}
-                run={run}
-                lines={path.has}
-                state={state}
-                clock={clock}
-                places={seen}
-                {...focus}
-                onDrawn={solid.setDrawn}
-              />
-            </Suspense>
-          ),
           empty: run.steps.length === 0 && run.blank.length === 0 && (
             <p className={waiting ? "lathe-outdated small" : "lathe-empty soft"}>{t.pictureEmpty}</p>
           ),
@@ -283,14 +273,10 @@ export function LatheView({
               clamping={scene.chuck && (scene.chuck.unstated ? "unstated" : "stated")}
             />
           ),
-          moment: (
-            <>
-              <LoadPart.Strip run={run} viewport={viewport} playback={playback} pointed={pointed} shown={path.has} />
-              <TurnedReadout run={run} playback={playback} chipAt={moving?.chipAt ?? null} />
-              <StepList run={run} playback={playback} />
-            </>
+          strip: (
+            <LoadPart.Strip run={run} viewport={viewport} playback={playback} pointed={pointed} shown={path.has} />
           ),
-          spoken: <LiveSentence playback={playback} clock={clock} sentence={sentence} />,
+          steps: <StepList run={run} playback={playback} />,
           more: shown && (
             <>
               <MoveTable run={run} playback={playback} />
@@ -299,11 +285,7 @@ export function LatheView({
           ),
         }}
       />
-      {asking && (
-        <Suspense>
-          <WhichCycle region={asking} done={() => ask(null)} />
-        </Suspense>
-      )}
+      {asking && <WhichCycle region={asking} done={() => ask(null)} />}
     </>
   );
 }

@@ -1,4 +1,4 @@
-import { Suspense, useState } from "react";
+import { useState } from "react";
 import type { Run } from "../../../program/state/run-types.ts";
 import { lazyPart } from "../../base/parts.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
@@ -14,11 +14,7 @@ export function MoveTable({ run, playback }: { readonly run: Run; readonly playb
   return (
     <details className="lathe-moves" name="lathe-more" onToggle={(event) => setOpen(event.currentTarget.open)}>
       <summary>{t.moves(String(run.steps.length))}</summary>
-      {open && run.steps.length > 0 && (
-        <Suspense>
-          <MoveRows run={run} playback={playback} />
-        </Suspense>
-      )}
+      {open && run.steps.length > 0 && <MoveRows run={run} playback={playback} />}
     </details>
   );
 }

@@ -8,15 +8,12 @@ import type { PathStretch } from "../../../view/passes.ts";
 import type { Scene, Shape } from "../../../view/scene.ts";
 import type { SectionView } from "../../base/settings/settings.ts";
 import { NewestContour, NewestPath } from "./NewestLines.tsx";
-import { Axes } from "./Axes.tsx";
-import { useViewBox } from "./use-view-box.ts";
+import { FlatPicture } from "./FlatPicture.tsx";
 import { TurnedSheet } from "./TurnedSheet.tsx";
 import type { PlayedScene, InitialScene } from "../../calculation/moving.ts";
-import { turnedMoveData } from "./Chosen.tsx";
-import { RunningMove } from "./RunningMove.tsx";
+import { turnedMoveData, type Hover } from "./Chosen.tsx";
 import { RunningTool, WaitingTool } from "./ToolSheet.tsx";
 import type { Viewport } from "./viewport.ts";
-import { World } from "./World.tsx";
 
 /** Pixels between two hatch lines. */
 const HATCH = 7;
@@ -107,11 +104,7 @@ function AtSurface({ id, moving }: { readonly id: string; readonly moving: Playe
 
 const NOTHING: readonly Ring[] = [];
 
-/**
- * Section of the workpiece with path and tool, in layers from back to front: grid, material, drawing, tool, texts. The
- * drawing is painted once, however long the path. During playback only the material near the tool is painted, and the
- * layer of the tool moves.
- */
+/** Section of the workpiece with path and tool. */
 export function Picture({
   of = null,
   viewport,
@@ -124,7 +117,7 @@ export function Picture({
   path,
   ghosts,
   chosen,
-  hovered,
+  hover,
   name,
   children,
 }: {
@@ -142,17 +135,16 @@ export function Picture({
   /** The visible lines of the path. */
   readonly path: readonly PathStretch[];
   /** Paths of other settings, in part space, under the path. */
-  readonly ghosts: React.ReactNode;
+  readonly ghosts?: React.ReactNode;
   /** The choice, in part space, over the path. */
-  readonly chosen: React.ReactNode;
-  /** The hovered move, in part space, under the tool. */
-  readonly hovered: React.ReactNode;
+  readonly chosen?: React.ReactNode;
+  /** The move under the pointer. */
+  readonly hover?: Hover;
   readonly name: string;
   /** Content in screen space over the picture. */
-  readonly children: React.ReactNode;
+  readonly children?: React.ReactNode;
 }) {
   const id = useId(),
-    viewBox = useViewBox(viewport),
     full = section === "full",
     surface = section === "outside" && moving ? `url(#${id}surface)` : null;
   const isLong = useMemo(
@@ -167,29 +159,24 @@ export function Picture({
     [scene],
   );
   return (
-    <div className="lathe-picture" role="img" aria-label={name}>
-      <svg className="sheet" viewBox={viewBox}>
-        <Axes viewport={viewport} part="grid" />
-      </svg>
-      <TurnedSheet
-        viewport={viewport}
-        moving={moving}
-        blank={waiting?.blank ?? NOTHING}
-        section={section}
-        chuck={scene.chuck}
-      />
-      <svg className="sheet ghosts" viewBox={viewBox}>
-        <World viewport={viewport} shifts>
-          {ghosts}
-        </World>
-      </svg>
-      <svg
-        className="sheet still"
-        viewBox={viewBox}
-        {...(surface && { style: { "--surface-mask": surface } as CSSProperties })}
-      >
-        <ResidualHatch viewport={viewport} id={id} />
-        <World viewport={viewport} shifts>
+    <FlatPicture
+      viewport={viewport}
+      plane="ZX"
+      name={name}
+      material={
+        <TurnedSheet
+          viewport={viewport}
+          moving={moving}
+          blank={waiting?.blank ?? NOTHING}
+          section={section}
+          chuck={scene.chuck}
+        />
+      }
+      under={ghosts}
+      defs={<ResidualHatch viewport={viewport} id={id} />}
+      style={surface ? ({ "--surface-mask": surface } as CSSProperties) : undefined}
+      drawing={
+        <>
           {surface && moving && <BeforeSurface id={`${id}surface`} moving={moving} />}
           <g className="seen-outside">
             {residual.length > 0 && <Rings rings={residual} role="residual" fill={`url(#${id}residual)`} />}
@@ -215,25 +202,25 @@ export function Picture({
           </g>
           {gouges.length > 0 && <Rings rings={gouges} role="gouge" />}
           {chosen}
-        </World>
-      </svg>
-      {moving && <RunningTool viewport={viewport} moving={moving} section={section} />}
-      {waiting?.tool && waiting.start && (
-        <WaitingTool
-          viewport={viewport}
-          tool={waiting.tool}
-          at={waiting.start}
-          blank={waiting.blank}
-          section={section}
-        />
-      )}
-      <svg className="sheet" viewBox={viewBox}>
-        <World viewport={viewport}>
-          {hovered} {moving && <RunningMove moves={moving.steps} playback={moving.playback} dataOf={turnedMoveData} />}
-        </World>
-        {children}
-        <Axes viewport={viewport} part="scales" />
-      </svg>
-    </div>
+        </>
+      }
+      tool={
+        <>
+          {moving && <RunningTool viewport={viewport} moving={moving} section={section} />}
+          {waiting?.tool && waiting.start && (
+            <WaitingTool
+              viewport={viewport}
+              tool={waiting.tool}
+              at={waiting.start}
+              blank={waiting.blank}
+              section={section}
+            />
+          )}
+        </>
+      }
+      played={moving && { moves: moving.steps, playback: moving.playback, hover, dataOf: turnedMoveData }}
+    >
+      {children}
+    </FlatPicture>
   );
 }

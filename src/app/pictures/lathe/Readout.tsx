@@ -1,4 +1,3 @@
-import type { ReactNode } from "react";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
@@ -7,26 +6,31 @@ import { useMomentTexts } from "./use-moment-texts.ts";
 /** The texts about a moment, by the names of their elements (`data-says`). */
 export type MomentTexts = Readonly<Record<string, string>>;
 
+/** What a scene says about the shown moment. */
+export interface MomentWords {
+  /** The cells of the read-out: name of the text, label, and whose width it has. */
+  readonly cells: readonly (readonly [says: string, label: string, like?: string])[];
+  /** What else is said, in one line: name of the text, and the attributes of its element. */
+  readonly notes: readonly (readonly [says: string, look?: { readonly className?: string; readonly title?: string }])[];
+  /** The texts of the moment; null in an empty run. */
+  readonly texts: () => MomentTexts | null;
+  /** The moment in one sentence. */
+  readonly sentence: () => string;
+}
+
 const textOfCell = (now: MomentTexts | null, says: string): string | null => now?.[says] ?? null;
 
-/** The cells of a read-out: name of the text, label, and whose width it has. */
-export type ReadoutCells = readonly (readonly [says: string, label: string, like?: string])[];
-
-/** Live position, feed and step, updated without rendering. `children`: what else the moment says, in one line. */
+/** Live position, feed and step, updated without rendering. */
 export function Readout({
   playback,
-  moment,
-  cells,
-  children,
+  words: { cells, notes, texts },
 }: {
   readonly playback: PlaybackStore;
-  readonly moment: () => MomentTexts | null;
-  readonly cells: ReadoutCells;
-  readonly children: ReactNode;
+  readonly words: MomentWords;
 }) {
   const t = useTexts().lathe,
     { unit } = useLengths();
-  const group = useMomentTexts(playback, moment, textOfCell);
+  const group = useMomentTexts(playback, texts, textOfCell);
   return (
     <div ref={group} className="lathe-readout" data-counts={unit} role="group" aria-label={t.now}>
       <dl className="number">
@@ -38,7 +42,11 @@ export function Readout({
         ))}
       </dl>
       <p className="lathe-step" data-says="step" />
-      <p className="lathe-phase soft">{children}</p>
+      <p className="lathe-phase soft">
+        {notes.map(([says, look]) => (
+          <span key={says} data-says={says} {...look} />
+        ))}
+      </p>
     </div>
   );
 }

@@ -4,13 +4,14 @@ import type { Pt, Ring } from "../../../kernel/geometry/point.ts";
 import { CHORD, SAME_STEP } from "../../../kernel/tolerance.ts";
 import type { Tool } from "../../../kernel/plan/tool.ts";
 import { boundsOf, common, grownBounds } from "../../../view/bounds.ts";
-import type { Bounds } from "../../../view/camera.ts";
+import type { Bounds, Size } from "../../../view/camera.ts";
 import { liesInward, windowsOf } from "../../../view/cutting-tool/covered.ts";
 import { toolBox } from "../../../view/cutting-tool/drawing.ts";
 import { liesBehind, silhouetteOf, type Silhouette } from "../../../view/cutting-tool/silhouette.ts";
 import type { SectionView } from "../../base/settings/settings.ts";
 import { pageLength } from "../../base/unit.ts";
 import { BreakLine } from "./BreakLine.tsx";
+import { CarriedSheet, LINE } from "./CarriedSheet.tsx";
 import { restingTip, runningTip, type MovingAnchor } from "./moving-anchor.ts";
 import { TipCarrier } from "./TipCarrier.tsx";
 import { ChipSheet } from "./ChipSheet.tsx";
@@ -22,8 +23,6 @@ import type { Viewport } from "./viewport.ts";
 /** A step is almost done: its material is removed, and going on from there costs nothing. */
 const NEARLY = 1 - SAME_STEP;
 const NO_EDGE: Silhouette = [];
-/** Margin around a tool drawing for its lines, pixels. */
-const LINE = 4;
 /** A holder is drawn up to this many picture sizes. */
 const PICTURES = 1.5;
 
@@ -40,41 +39,20 @@ interface Standing {
   readonly carrying: MovingAnchor;
 }
 
-/** A tool on a sheet no larger than itself, redrawn for another tool or zoom. */
+/** A tool on a sheet of its own. */
 function Sheet({ viewport, tool }: Pick<Standing, "viewport" | "tool">) {
-  const sheet = useRef<SVGSVGElement>(null),
-    world = useRef<SVGGElement>(null);
-  const boxes = useMemo(() => boxesOf(tool), [tool]);
-  useEffect(() => {
-    const element = sheet.current;
-    if (!element) return undefined;
-    let scale = 0,
-      up: boolean | null = null;
-    const draw = () => {
-      const camera = viewport.drawn(),
-        size = viewport.size();
-      if (camera.scale === scale && camera.xUp === up) return;
-      [scale, up] = [camera.scale, camera.xUp];
-      const far = (PICTURES * Math.max(size.width, size.height)) / scale;
-      const { left, right, low, high } = common(boxes.all, grownBounds(boxes.insert, far));
-      const top = up ? -high : low;
-      const corner = { x: left * scale - LINE, y: top * scale - LINE };
-      const width = Math.ceil((right - left) * scale + 2 * LINE),
-        height = Math.ceil((high - low) * scale + 2 * LINE);
-      element.setAttribute("viewBox", `0 0 ${width} ${height}`);
-      for (const [name, units] of Object.entries({ left: corner.x, top: corner.y, width, height }))
-        element.style.setProperty(name, pageLength(units));
-      world.current?.setAttribute("transform", `matrix(${scale} 0 0 ${up ? -scale : scale} ${-corner.x} ${-corner.y})`);
+  const boxOf = useMemo(() => {
+    const { insert, all } = boxesOf(tool);
+    return (scale: number, { width, height }: Size) => {
+      const far = (PICTURES * Math.max(width, height)) / scale,
+        { left, right, low, high } = common(all, grownBounds(insert, far));
+      return grownBounds({ left: left * scale, right: right * scale, low: low * scale, high: high * scale }, LINE);
     };
-    draw();
-    return viewport.subscribe(draw);
-  }, [viewport, boxes]);
+  }, [tool]);
   return (
-    <svg ref={sheet} className="tool-sheet">
-      <g ref={world}>
-        <DrawnTool tool={tool} />
-      </g>
-    </svg>
+    <CarriedSheet viewport={viewport} boxOf={boxOf}>
+      <DrawnTool tool={tool} />
+    </CarriedSheet>
   );
 }
 

@@ -12,7 +12,7 @@ import { useTexts } from "../../base/settings/use-texts.ts";
 import { Glyph, type GlyphName } from "./Glyph.tsx";
 import { GlyphButton } from "./GlyphButton.tsx";
 import type { MeasuringShown } from "../measure/measuring.ts";
-import type { Viewport } from "./viewport.ts";
+import type { Sight } from "./place-projection.ts";
 
 /** Zoom per press. */
 export const ZOOM = 1.4;
@@ -67,12 +67,12 @@ export interface BarTools {
 
 /** Tools of a view: those of its scene, ruler, legend, zoom and fit. */
 export function ViewBar({
-  viewport,
+  sight,
   measuring,
   tools: { first, then, rulerHint },
   legend,
 }: {
-  readonly viewport: Viewport;
+  readonly sight: Pick<Sight, "zoom" | "fit">;
   readonly measuring: MeasuringShown;
   readonly tools: BarTools;
   /** Shows what lines and letters mean; small screens have a button for all tools instead. */
@@ -80,7 +80,7 @@ export function ViewBar({
 }) {
   const t = useTexts().lathe;
   useActions([
-    { id: "do.fit", name: t.fit, run: viewport.fit },
+    { id: "do.fit", name: t.fit, run: sight.fit },
     { id: "do.ruler", name: t.ruler, run: measuring.toggle },
   ]);
   return (
@@ -106,7 +106,7 @@ export function ViewBar({
           onPress={() => legend.show(!legend.shown)}
         />
       </span>
-      <ZoomKeys viewport={viewport} />
+      <ZoomKeys viewport={sight} />
     </Toolbar>
   );
 }
@@ -172,7 +172,7 @@ export function WhichButton({ onWhich }: { readonly onWhich: (() => void) | null
 }
 
 /** Zoom and fit, at the end of the bar. */
-export function ZoomKeys({ viewport }: { readonly viewport: Pick<Viewport, "zoom" | "fit"> }) {
+export function ZoomKeys({ viewport }: { readonly viewport: Pick<Sight, "zoom" | "fit"> }) {
   const t = useTexts().lathe;
   return (
     <>

@@ -1,8 +1,7 @@
-import { panned } from "../../../view/camera.ts";
 import type { Measuring } from "../measure/measuring.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { ZOOM } from "./ViewBar.tsx";
-import type { Viewport } from "./viewport.ts";
+import type { Sight } from "./place-projection.ts";
 
 /** An arrow key with Shift pans the picture by this much, pixels. */
 const PAN = 40;
@@ -30,21 +29,21 @@ const takes = ({ element, key }: Typed) =>
   ((element === "button" || element === "summary") && (key === " " || key === "Enter"));
 
 /** Pans and zooms with a key in a picture; true if it did something. */
-export function lookByKey(key: string, shift: boolean, viewport: Viewport): boolean {
+export function lookByKey(key: string, shift: boolean, sight: Pick<Sight, "pan" | "zoom" | "fit">): boolean {
   const pan = PANS[key];
-  if (shift && pan) viewport.look(panned(viewport.get(), pan[0], pan[1]));
-  else if (key === "+" || key === "=") viewport.zoom(ZOOM);
-  else if (key === "-") viewport.zoom(1 / ZOOM);
-  else if (key === "0") viewport.fit();
+  if (shift && pan) sight.pan(pan[0], pan[1]);
+  else if (key === "+" || key === "=") sight.zoom(ZOOM);
+  else if (key === "-") sight.zoom(1 / ZOOM);
+  else if (key === "0") sight.fit();
   else return false;
   return true;
 }
 
 /** Handles a key; true if it did something. Ruler keys go first, then playback and zoom. */
-export function pressKey(typed: Typed, playback: PlaybackStore, viewport: Viewport, measuring: Measuring): boolean {
+export function pressKey(typed: Typed, playback: PlaybackStore, sight: Sight, measuring: Measuring): boolean {
   const { key, shift } = typed;
   if (takes(typed)) return false;
-  if (shift && typed.picture && PANS[key]) return lookByKey(key, shift, viewport);
+  if (shift && typed.picture && PANS[key]) return lookByKey(key, shift, sight);
   if ((typed.picture || key === "Escape" || (key.length === 1 && typed.element !== "input")) && measuring.key(key))
     return true;
   switch (key) {
@@ -64,6 +63,6 @@ export function pressKey(typed: Typed, playback: PlaybackStore, viewport: Viewpo
       playback.dispatch({ do: "last" });
       return true;
     default:
-      return lookByKey(key, false, viewport);
+      return lookByKey(key, false, sight);
   }
 }

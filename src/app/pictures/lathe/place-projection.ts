@@ -13,13 +13,14 @@ export interface PlaceProjection {
   readonly at: (place: Pt) => Place | null;
 }
 
-const flat = new WeakMap<Viewport, PlaceProjection>();
+/** The same with its camera: what the tools and keys of a view move. */
+export interface Sight extends PlaceProjection, Pick<Viewport, "pan" | "zoom" | "fit" | "show"> {}
 
-/** The mapping of the section view. */
-export function sectionProjection(viewport: Viewport): PlaceProjection {
-  const known = flat.get(viewport);
-  const { get, subscribe, size } = viewport,
-    seeing = known ?? { get, subscribe, size, at: (place: Pt) => toScreen(viewport.get(), place) };
+const flat = new WeakMap<Viewport, Sight>();
+
+/** The mapping of a flat picture. */
+export function sectionProjection(viewport: Viewport): Sight {
+  const seeing = flat.get(viewport) ?? { ...viewport, at: (place: Pt) => toScreen(viewport.get(), place) };
   flat.set(viewport, seeing);
   return seeing;
 }

@@ -1,6 +1,6 @@
 import { transfer } from "comlink";
 import type { Step } from "../../../kernel/time/step.ts";
-import type { MachineSide } from "../../../program/run/plane-index.ts";
+import { motionsOf, type MachineSide } from "../../../program/run/plane-index.ts";
 import type { PlaneStep } from "../../../program/tools/plane-types.ts";
 import { secondsAt, type PlayedTrack } from "../../../view/playback.ts";
 import { dayMoment } from "../../base/clock.ts";
@@ -59,7 +59,7 @@ export function knownOf<Side extends MachineSide>(
   side: Side,
 ): KnownSide<Side> | null {
   const { shown } = useOutcome.getState();
-  return shown?.run[side === "plane" ? "plane" : "steps"] === motions
+  return shown && motionsOf(shown.run, side) === motions
     ? { side, version: shown.version, moves: motions.length }
     : null;
 }

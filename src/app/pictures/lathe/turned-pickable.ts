@@ -1,3 +1,4 @@
+import { choiceOf } from "../../../program/run/path-index.ts";
 import type { Run } from "../../../program/state/run-types.ts";
 import { moveAt, positionNear } from "../../../view/pick.ts";
 import { useEditor } from "../../document/store.ts";
@@ -13,7 +14,7 @@ export const turnedPickable = (run: Run, shown: (step: number) => boolean): Pick
   },
   choose(position, place, reach = 0) {
     const rows = place && useEditor.getState().job?.contour;
-    chooseMove(run, position, rows ? elementNear(rows, place, reach) : null);
+    chooseMove(choiceOf(run, position.step), position, rows ? elementNear(rows, place, reach) : null);
   },
   point(place) {
     const onPoint = useTaskMarks.getState().told?.onPoint;

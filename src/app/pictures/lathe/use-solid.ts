@@ -3,16 +3,16 @@ import type { Run } from "../../../program/state/run-types.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import type { ChuckDrawing } from "../../../view/material/chuck.ts";
 import type { ShownWork } from "../solid/show.ts";
-import type { Zooming } from "../solid/SolidView.tsx";
 import type { PlayedScene, InitialScene } from "../../calculation/moving.ts";
+import type { Sight } from "./place-projection.ts";
 import type { LatheResult } from "./use-material.ts";
 
-/** The 3D view: its content while it is open, and its zoom once drawn. */
+/** The 3D view: its content while it is open, and its sight once drawn. */
 export interface SolidPlace {
   readonly work: ShownWork | null;
   /** Null while the section is shown. */
-  readonly drawn: Zooming | null;
-  readonly setDrawn: (drawn: Zooming | null) => void;
+  readonly drawn: Sight | null;
+  readonly setDrawn: (drawn: Sight | null) => void;
 }
 
 const NOTHING_HELD = { cut: null, seen: null } as const;
@@ -36,7 +36,7 @@ export function useSolid({
 }): SolidPlace {
   const asked = useSettings((s) => s.solid) && !measures;
   const { cut, seen } = chuck ?? NOTHING_HELD;
-  const [drawn, setDrawn] = useState<Zooming | null>(null);
+  const [drawn, setDrawn] = useState<Sight | null>(null);
   const work = useMemo(
     (): ShownWork | null =>
       asked

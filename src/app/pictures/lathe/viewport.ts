@@ -4,6 +4,7 @@ import { holds as holdsOnScreen } from "../../base/use-media.ts";
 import { pageUnit } from "../../base/unit.ts";
 import {
   fitted,
+  panned,
   seenFrom,
   turnedOver,
   zoomed,
@@ -36,6 +37,8 @@ export interface Viewport {
   readonly subscribe: (listener: () => void) => () => void;
   /** Moves the view by hand; from then on it is not fitted automatically. */
   readonly look: (camera: Camera) => void;
+  /** Shifts the picture by pixels, by hand. */
+  readonly pan: (dx: number, dy: number) => void;
   readonly zoom: (factor: number, at?: Place) => void;
   readonly fit: () => void;
   /** Zooms to a box with a margin, by hand. */
@@ -154,6 +157,7 @@ export function createViewport(xUp: boolean): Viewport {
       return () => listeners.delete(listener);
     },
     look: setByHand,
+    pan: (dx, dy) => setByHand(panned(camera, dx, dy)),
     zoom: (factor, at) => setByHand(zoomed(camera, factor, at ?? { x: size.width / 2, y: size.height / 2 })),
     fit() {
       byHand = false;

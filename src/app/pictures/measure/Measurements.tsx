@@ -1,4 +1,3 @@
-import { Suspense } from "react";
 import { measuredIn } from "../../document/edits.ts";
 import type { Viewport } from "../lathe/viewport.ts";
 import { lazyPart } from "../../base/parts.ts";
@@ -18,11 +17,7 @@ export function Measurements(props: {
   const { measuring, source } = props;
   const isMeasured = useEditor((s) => measuredIn(s).some(({ plane }) => plane === source.plane));
   if (!measuring.on && !isMeasured) return null;
-  return (
-    <Suspense>
-      <MeasureLayer {...props} />
-    </Suspense>
-  );
+  return <MeasureLayer {...props} />;
 }
 
 /** Loaded when the 3D view of a measured work is shown. */
@@ -33,11 +28,5 @@ const MeasuredElsewhere = lazyPart(async () => ({
 /** Measurements stay in the section; the 3D view says where to see them. */
 export function MeasuredInSection() {
   const count = useEditor((s) => measuredIn(s).filter(({ plane }) => plane === "ZX").length);
-  return (
-    count > 0 && (
-      <Suspense>
-        <MeasuredElsewhere count={count} />
-      </Suspense>
-    )
-  );
+  return count > 0 && <MeasuredElsewhere count={count} />;
 }

@@ -46,7 +46,7 @@ export interface MeasuredStock {
 }
 
 /** A move of the shown path: its block, and its pass in a cycle. */
-interface MeasuredMove {
+export interface MeasuredMove {
   readonly block: number;
   readonly move?: Pick<Move, "pass">;
 }

@@ -1,4 +1,5 @@
-import { Suspense, useEffect, type ComponentProps } from "react";
+import { useEffect, type ComponentProps } from "react";
+import type { MachineSide } from "../../../program/run/plane-index.ts";
 import type { Run } from "../../../program/state/run-types.ts";
 import { useChosenFinding } from "../../document/chosen-finding.ts";
 import { useFindings } from "../../findings/use-findings.ts";
@@ -13,6 +14,8 @@ import "./approach.css";
 const fetchPlane = async () => ({ default: (await import("./PlaneView.tsx")).PlaneView });
 /** Loaded for a program that mills. */
 const PlaneView = lazyPart(fetchPlane);
+
+const SIDES: readonly MachineSide[] = ["lathe", "plane"];
 
 /** Switches the picture with the chosen finding and with playback. */
 function useSides(run: Run | null, playback: PlaybackStore): void {
@@ -43,28 +46,21 @@ export function MachineView(props: ComponentProps<typeof LatheView>) {
     <div className="machine-view">
       {both && (
         <div className="machine-switch" role="group" aria-label={t.lathe.viewTools}>
-          <button
-            type="button"
-            className="button"
-            aria-pressed={!plane}
-            onClick={() => switchSide(run, playback, "lathe")}
-          >
-            {t.lathe.title}
-          </button>
-          <button
-            type="button"
-            className="button"
-            aria-pressed={plane}
-            onClick={() => switchSide(run, playback, "plane")}
-          >
-            {t.approach.view}
-          </button>
+          {SIDES.map((side) => (
+            <button
+              key={side}
+              type="button"
+              className="button"
+              aria-pressed={plane === (side === "plane")}
+              onClick={() => switchSide(run, playback, side)}
+            >
+              {side === "plane" ? t.approach.view : t.lathe.title}
+            </button>
+          ))}
         </div>
       )}
       {plane ? (
-        <Suspense>
-          <PlaneView result={result} dimmed={dimmed} playback={playback} clock={clock} onMove={onMove} />
-        </Suspense>
+        <PlaneView result={result} dimmed={dimmed} playback={playback} clock={clock} onMove={onMove} />
       ) : (
         <LatheView {...props} />
       )}

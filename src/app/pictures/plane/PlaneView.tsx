@@ -1,4 +1,5 @@
-import { useCallback, useId, useMemo, useState } from "react";
+import { useCallback, useId, useMemo } from "react";
+import { choiceOfMilled } from "../../../program/run/plane-index.ts";
 import type { ApproachRun, PlaneStep } from "../../../program/tools/plane-types.ts";
 import { planeMotionData } from "../../../view/approach/motion-data.ts";
 import { PLANE_ROLES } from "../../../view/approach/plane-scene.ts";
@@ -6,21 +7,18 @@ import { areasAt, type MilledStock } from "../../../sim/plane/milled.ts";
 import type { PlayPosition } from "../../../sim/simulation.ts";
 import { motionAt } from "../../../view/approach/plane-pick.ts";
 import { joined } from "../../../view/bounds.ts";
+import { ringData } from "../../../view/path.ts";
 import type { Clock } from "../../base/clock.ts";
 import { View } from "../View.tsx";
 import type { LatheResult } from "../lathe/use-material.ts";
-import { Hovered } from "../lathe/Chosen.tsx";
+import { FlatPicture } from "../lathe/FlatPicture.tsx";
 import { Legend, LegendSign } from "../lathe/Legend.tsx";
-import { LiveSentence } from "../lathe/LiveSentence.tsx";
 import { PlaceLines } from "../lathe/PlaceButtons.tsx";
-import { sectionProjection } from "../lathe/place-projection.ts";
 import { usePlaces, type PicturePlace } from "../lathe/places.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { useFindingFocus } from "../lathe/use-finding-focus.ts";
-import { usePlayback } from "../lathe/use-playback.ts";
-import { createViewport } from "../lathe/viewport.ts";
-import { useMeasuring } from "../measure/measuring.ts";
-import { useMeasureSource } from "../measure/source.ts";
+import { useFlatScene } from "../lathe/use-flat-scene.ts";
+import { usePlayback, useRestingText } from "../lathe/use-playback.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { DepthPicture } from "./DepthPicture.tsx";
@@ -28,17 +26,18 @@ import { FreePoints } from "./FreePoints.tsx";
 import { useMilledStock } from "./milled.ts";
 import { MilledLegend } from "./MilledLegend.tsx";
 import { MilledNotes } from "./MilledNotes.tsx";
-import { PlanePicture } from "./PlanePicture.tsx";
+import { MilledSheet } from "./MilledSheet.tsx";
+import { MillSheet } from "./MillSheet.tsx";
 import { planeOfRun } from "../../calculation/plane-run.ts";
-import { ChosenMotions } from "./PlaneMarks.tsx";
+import { ChosenMotions, PlaneLines } from "./PlaneLines.tsx";
 import { measurablePlane } from "./plane-source.ts";
 import { PointDot } from "./PointDot.tsx";
 import { PlanePoints } from "./PlanePoints.tsx";
 import { PointTable } from "./PointTable.tsx";
-import { momentSentence, PlaneReadout } from "./PlaneReadout.tsx";
+import { useMilledWords } from "./milled-words.ts";
 import { approachSpeech } from "./speech.ts";
-import { usePicking, type MovePointed, type Pickable } from "../lathe/use-picking.ts";
-import { chooseMilled, useChosenApproaches } from "../selection.ts";
+import type { MovePointed, Pickable } from "../lathe/use-picking.ts";
+import { chooseMove, useChosenApproaches } from "../selection.ts";
 import "../help/help.css";
 import "./approach.css";
 
@@ -82,11 +81,11 @@ export function PlaneView({
     t = texts.lathe,
     own = texts.approach,
     id = useId();
-  const [viewport] = useState(() => createViewport(true));
   const { run } = result,
     { plane: steps } = run,
     lengths = useLengths(run);
   const { milled, rapids } = useMilledStock(result);
+  const through = useMemo(() => ringData(rapids.flatMap(({ rings }) => rings)), [rapids]);
   const { approaches, scene } = planeOfRun(run);
   const timed = useMemo(
     () => ({
@@ -101,30 +100,27 @@ export function PlaneView({
   );
   const speech = useMemo(() => approachSpeech(lengths, "XY", NO_TIP), [lengths]);
   const isNamed = useNamedApproach(approaches, steps, playback);
-  const milledMoves = useMemo(
+  const pickable = useMemo(
     (): Pickable => ({
       find: (place, reach) => motionAt(steps, approaches, place, reach),
-      choose: ({ step, fraction }) => chooseMilled(run, { step: Math.min(step, steps.length - 1), fraction }),
+      choose({ step, fraction }) {
+        const position = { step: Math.min(step, steps.length - 1), fraction };
+        chooseMove(choiceOfMilled(run, position.step), position);
+      },
     }),
     [run, steps, approaches],
   );
-  const picking = usePicking(viewport, milledMoves, onMove);
-  const measuring = useMeasuring();
-  const stock = typeof milled === "string" ? null : milled;
+  const grown = typeof milled === "string" ? null : milled;
   const measurable = useMemo(() => measurablePlane(run), [run]),
-    areas = useMemo(() => stock && { at: areasOf(stock.stock), reached: stock.stock.reached }, [stock]);
-  const source = useMeasureSource(measurable, steps, areas, playback);
-  const bounds = useMemo(() => joined(scene.bounds, stock?.blank ?? null) ?? scene.bounds, [scene, stock]);
-  const resting = usePlayback(playback, (s) => (s.get().playing ? -1 : s.get().position.step));
-  const sentence = useCallback(
-    () => momentSentence(texts, lengths, steps, approaches, playback.shown()),
-    [texts, lengths, steps, approaches, playback],
-  );
-
-  const name = useMemo(() => own.viewPicture(resting >= 0 ? sentence() : ""), [own, resting, sentence]);
+    stock = useMemo(() => grown && { at: areasOf(grown.stock), reached: grown.stock.reached }, [grown]);
+  const bounds = useMemo(() => joined(scene.bounds, grown?.blank ?? null) ?? scene.bounds, [scene, grown]);
+  const flat = useFlatScene({ xUp: true, bounds, pickable, onMove, measurable, moves: steps, stock, playback }),
+    { viewport, hover } = flat.picking;
+  const words = useMilledWords(steps, approaches, lengths, playback),
+    rests = useRestingText(playback, words.sentence);
   const found = usePlaces("XY");
   const places = dimmed ? NOWHERE : found;
-  const focus = useFindingFocus(places, viewport, playback);
+  const focus = useFindingFocus(places, flat.sight, playback);
   const lines = {
     contour: texts.contour.title,
     rapid: t.rapid,
@@ -135,37 +131,46 @@ export function PlaneView({
   return (
     <View
       scene={{
+        name: "plane",
         title: own.view,
-        className: "plane-view",
         unit: run.program.unit,
-        viewport,
-        bounds,
-        xUp: true,
+        sight: flat.sight,
+        measured: flat.measured,
         timed,
-        measured: source,
+        words,
         dimmed,
+        picture: (pressed) => (
+          <>
+            <FlatPicture
+              viewport={viewport}
+              plane="XY"
+              name={own.viewPicture(rests)}
+              className="plane-picture"
+              material={grown && <MilledSheet viewport={viewport} steps={steps} playback={playback} milled={grown} />}
+              drawing={
+                <>
+                  {through !== "" && <path className="shape-gouge plane-rapid-through" d={through} />}
+                  <PlaneLines of={run} />
+                  <ChosenMotions run={run} />
+                </>
+              }
+              tool={<MillSheet viewport={viewport} steps={steps} playback={playback} />}
+              played={{ moves: steps, playback, hover, dataOf: planeMotionData, each: "reading" }}
+            >
+              <PlanePoints {...{ viewport, approaches, isNamed, speech, places, id }} />
+              <FreePoints viewport={viewport} places={places} speech={speech} />
+              <PlaceLines seeing={flat.sight} places={places} />
+            </FlatPicture>
+            <MilledLegend milled={milled} />
+            {pressed}
+          </>
+        ),
       }}
       playback={playback}
-      picking={{ ...picking, measuring }}
+      clock={clock}
+      picking={flat.picking}
       places={{ shown: places, ...focus }}
       layers={{
-        picture: (
-          <PlanePicture
-            viewport={viewport}
-            run={run}
-            playback={playback}
-            milled={milled}
-            rapids={rapids}
-            chosen={<ChosenMotions run={run} />}
-            hovered={<Hovered moves={steps} hover={picking.hover} dataOf={planeMotionData} />}
-            name={name}
-          >
-            <PlanePoints {...{ viewport, approaches, isNamed, speech, places, id }} />
-            <FreePoints viewport={viewport} places={places} speech={speech} />
-            <PlaceLines seeing={sectionProjection(viewport)} places={places} />
-          </PlanePicture>
-        ),
-        over: <MilledLegend milled={milled} />,
         legend: (
           <Legend lines={there.map((role) => [`plane-${role}`, lines[role]])}>
             {approaches.length > 0 &&
@@ -176,16 +181,10 @@ export function PlaneView({
               ))}
           </Legend>
         ),
-        moment: (
-          <>
-            <DepthPicture steps={steps} playback={playback} />
-            <PlaneReadout steps={steps} approaches={approaches} playback={playback} />
-          </>
-        ),
-        spoken: <LiveSentence playback={playback} clock={clock} sentence={sentence} />,
+        strip: <DepthPicture steps={steps} playback={playback} />,
         more: (
           <>
-            {stock && <MilledNotes run={run} rapids={rapids} />}
+            {grown && <MilledNotes run={run} rapids={rapids} />}
             <PointTable approaches={approaches} speech={speech} />
           </>
         ),

@@ -1,6 +1,6 @@
 import { create } from "zustand";
 import type { PathChoice } from "../../../program/run/path-index.ts";
-import { crossing, momentOn, sideOfChoice, type MachineSide } from "../../../program/run/plane-index.ts";
+import { crossing, momentOn, motionsOf, sideOfChoice, type MachineSide } from "../../../program/run/plane-index.ts";
 import type { Run } from "../../../program/state/run-types.ts";
 import { trackOf } from "../../../view/playback.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
@@ -30,7 +30,7 @@ export function shownBlock(run: Paths, step: number): number | null {
 
 /** Shows one picture. Steps refer to its path from now on, so that a seek is right before the picture is there. */
 function show(run: Paths, playback: PlaybackStore, side: MachineSide, byHand: boolean): void {
-  playback.dispatch({ do: "load", track: trackOf(side === "plane" ? run.plane : run.steps) });
+  playback.dispatch({ do: "load", track: trackOf(motionsOf(run, side)) });
   useAskedView.setState({ asked: side, byHand });
 }
 

@@ -1,4 +1,4 @@
-import { useEffect, useId, useMemo, useRef, useState } from "react";
+import { useEffect, useId, useMemo, useRef, useState, type ReactNode } from "react";
 import type { Run } from "../../../program/state/run-types.ts";
 import type { SolidTexts } from "../../../i18n/en/solid.ts";
 import { pathInSpace, segmentsInSpace } from "../../../view/solid/path-lines.ts";
@@ -7,9 +7,8 @@ import { NAMED_VIEWS } from "../../../view/solid/orbit.ts";
 import { tonedSides, type TonedSide } from "../../../view/solid/tones.ts";
 import type { Clock } from "../../base/clock.ts";
 import type { PicturePlace } from "../lathe/places.ts";
-import { PlaceButtons, PlaceLines } from "../lathe/PlaceButtons.tsx";
+import { PlaceLines } from "../lathe/PlaceButtons.tsx";
 import { pageColours, useTheme } from "../../base/use-theme-colours.ts";
-import type { Viewport } from "../lathe/viewport.ts";
 import { LoadPart } from "../load/LoadParts.tsx";
 import { useLoadDrawing } from "../load/use-drawing.ts";
 import { useLoadOf } from "../load/use-load.ts";
@@ -18,16 +17,13 @@ import { useTexts } from "../../base/settings/use-texts.ts";
 import { changeSettings, useSettings } from "../../base/settings/settings.ts";
 import { pageUnit, sizeOf } from "../../base/unit.ts";
 import { useViewBox } from "../lathe/use-view-box.ts";
-import type { PlaceProjection } from "../lathe/place-projection.ts";
+import type { PlaceProjection, Sight } from "../lathe/place-projection.ts";
 import { createEye, spaceProjection, type Eye } from "./eye.ts";
 import { listenToHands } from "./hands.ts";
 import { createShow, NOTHING_TOLD, type Show, type ShownWork } from "./show.ts";
 import type { StageLines } from "./path-stage.ts";
 import { createStage, STAGE_COLOURS, type SolidStage } from "./stage.ts";
 import "./solid.css";
-
-/** Zoom and fit of the shown view. */
-export type Zooming = Pick<Viewport, "zoom" | "fit" | "show">;
 
 interface Props {
   readonly work: ShownWork;
@@ -37,12 +33,12 @@ interface Props {
   /** Text about the moment. */
   readonly state: string;
   readonly clock: Clock;
-  /** Findings and residual material, as marks over the body, and the chosen one. */
+  /** Findings and residual material, as marks over the body. */
   readonly places: readonly PicturePlace[];
-  readonly chosen: PicturePlace | null;
-  readonly choose: (place: PicturePlace | null) => void;
-  /** Called with the zoom of the view once it is drawn, and with null if the section has to replace it. */
-  readonly onDrawn: (drawn: Zooming | null) => void;
+  /** Called with the sight of the view once it is drawn, and with null if the section has to replace it. */
+  readonly onDrawn: (drawn: Sight | null) => void;
+  /** Over the body. */
+  readonly children: ReactNode;
 }
 
 /** The turned body in space. If it cannot be drawn the view says so, and the section below stays visible. */
@@ -195,9 +191,8 @@ function SolidPicture({
   state,
   clock,
   places,
-  chosen,
-  choose,
   onDrawn,
+  children,
   t,
   again,
 }: Props & { readonly t: SolidTexts; readonly again: () => void }) {
@@ -212,13 +207,12 @@ function SolidPicture({
   const { lines, tones } = useColouredLines(run, shown);
   useEffect(() => running?.show.setLines(lines), [running, lines]);
   useEffect(() => running?.show.setTones(tones), [running, tones]);
-  useEffect(() => {
-    if (!running || trouble) return undefined;
-    const { zoom, fit, show } = running.eye;
-    onDrawn({ zoom: (factor) => zoom(factor), fit, show: (bounds) => show(bounds, xDown) });
-    return () => onDrawn(null);
-  }, [running, trouble, xDown, onDrawn]);
   const seeing = useMemo(() => running && spaceProjection(running.eye, xDown), [running, xDown]);
+  useEffect(() => {
+    if (!seeing || trouble) return undefined;
+    onDrawn(seeing);
+    return () => onDrawn(null);
+  }, [seeing, trouble, onDrawn]);
   return (
     <>
       <div
@@ -235,12 +229,8 @@ function SolidPicture({
         <p id={keys} className="unseen">
           {t.keys}
         </p>
-        {seeing && (
-          <>
-            <Marks run={run} seeing={seeing} places={places} />
-            <PlaceButtons seeing={seeing} places={places} chosen={chosen} choose={choose} />
-          </>
-        )}
+        {seeing && <Marks run={run} seeing={seeing} places={places} />}
+        {children}
         <div className="solid-foot">
           <Notes told={told} milled={run.plane.length > 0} noBlank={work.blank.length === 0} t={t} />
           <div className="solid-views" role="group" aria-label={t.views}>

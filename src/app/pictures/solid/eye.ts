@@ -11,7 +11,7 @@ import {
   type Orbit,
 } from "../../../view/solid/orbit.ts";
 import type { Clock } from "../../base/clock.ts";
-import type { PlaceProjection } from "../lathe/place-projection.ts";
+import type { Sight } from "../lathe/place-projection.ts";
 
 /** The viewpoint, followed by what draws the body. */
 export interface Eye {
@@ -121,9 +121,13 @@ export function createEye(clock: Clock, still: () => boolean): Eye {
 }
 
 /** Maps places of the section to the view of an eye, in the plane of the tool. `down`: X grows downwards. */
-export const spaceProjection = ({ get, subscribe, size }: Eye, down: boolean): PlaceProjection => ({
+export const spaceProjection = ({ get, subscribe, size, slide, zoom, fit, show }: Eye, down: boolean): Sight => ({
   get,
   subscribe,
   size,
   at: ({ z, r }) => projected(get(), size(), [down ? -r : r, 0, z]),
+  pan: slide,
+  zoom: (factor) => zoom(factor),
+  fit,
+  show: (bounds) => show(bounds, down),
 });

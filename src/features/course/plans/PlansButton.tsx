@@ -1,4 +1,4 @@
-import { Suspense, useState } from "react";
+import { useState } from "react";
 import { shownHelp } from "../../../course/progress.ts";
 import type { Task } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
@@ -43,11 +43,7 @@ export function PlansButton({ task, t }: { readonly task: Task; readonly t: Cour
           done={() => ask(false)}
         />
       )}
-      {open && (
-        <Suspense>
-          <PlansDialog task={task} t={t} done={() => setOpen(false)} />
-        </Suspense>
-      )}
+      {open && <PlansDialog task={task} t={t} done={() => setOpen(false)} />}
     </>
   );
 }

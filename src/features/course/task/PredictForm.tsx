@@ -12,6 +12,7 @@ import { useTaskProgress } from "../../../app/records/course/progress.ts";
 import { AskedAnswer } from "./AskedAnswer.tsx";
 import { useTaskView } from "./task-view.ts";
 import { setPrediction, taskOfWork } from "../../../app/document/work-task.ts";
+import { takeAnswer } from "../../../app/base/until-gone.ts";
 
 const NO_TEXTS: readonly string[] = [];
 
@@ -27,12 +28,12 @@ function usePointedBlock(question: number, asks: boolean): void {
       });
     }
     let stop = () => undefined as void;
-    let gone = false;
-    void import("./block-by-number.ts").then(({ subscribePointedBlock }) => {
-      if (!gone) stop = subscribePointedBlock(tell);
-    });
+    const end = takeAnswer(
+      () => import("./block-by-number.ts"),
+      ({ subscribePointedBlock }) => (stop = subscribePointedBlock(tell)),
+    );
     return () => {
-      gone = true;
+      end();
       stop();
     };
   }, [question, asks, isProgram]);

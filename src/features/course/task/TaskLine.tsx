@@ -1,17 +1,17 @@
 import { Suspense } from "react";
-import { lazyPart } from "../../../app/base/parts.ts";
+import { lazyWithin } from "../../../app/base/parts.ts";
 import { fetchShownTexts } from "../../../app/base/settings/use-texts.ts";
 import { useEditor } from "../../../app/document/store.ts";
 import { taskOfWork } from "../../../app/document/work-task.ts";
 import { useOpenedCourseFile } from "../../../app/records/course/opened-course-file.ts";
 
 /** Loaded with the texts of the workplace when a task is open. */
-const TaskBar = lazyPart(async () => {
+const TaskBar = lazyWithin(async () => {
   const [{ TaskBar: bar }] = await Promise.all([import("./TaskBar.tsx"), fetchShownTexts()]);
   return { default: bar };
 });
 
-const SubmissionBar = lazyPart(async () => ({
+const SubmissionBar = lazyWithin(async () => ({
   default: (await import("../teach/SubmissionBar.tsx")).SubmissionBar,
 }));
 

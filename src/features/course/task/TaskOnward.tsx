@@ -1,4 +1,4 @@
-import { Suspense, useMemo, useState } from "react";
+import { useMemo, useState } from "react";
 import { isMadeAsLearned } from "../../../course/judge/word-rule.ts";
 import { nextOpenTask } from "../../../course/task-set.ts";
 import type { Task, TaskWords } from "../../../course/task.ts";
@@ -60,11 +60,7 @@ function NextOfInstructor({ task, t }: Omit<Props, "words">) {
       <button type="button" className="button primary" aria-haspopup="dialog" onClick={() => handIn(true)}>
         <Icon name="share" /> {texts.handIn}
       </button>
-      {hands && (
-        <Suspense>
-          <HandInDialog set={set} task={set ? undefined : task.id} done={() => handIn(false)} />
-        </Suspense>
-      )}
+      {hands && <HandInDialog set={set} task={set ? undefined : task.id} done={() => handIn(false)} />}
     </>
   );
 }

@@ -20,6 +20,7 @@ import { resultLink, taughtFile } from "./taught-files.ts";
 import { useSavedTasks } from "../../../app/records/course/saved-tasks.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { LearnerFields, useLearnerEntry } from "./LearnerFields.tsx";
+import { takeAnswer } from "../../../app/base/until-gone.ts";
 import "./teach.css";
 
 /** A name, made safe for a file name. */
@@ -133,14 +134,11 @@ function HandInTasks({ set, task, done }: Props) {
   const ids = begun.map(({ id }) => id).filter((id) => !left.includes(id)),
     key = ids.join(" ");
   useEffect(() => {
-    let gone = false;
     const chosen = key.split(" ").filter((id) => id !== "");
-    void resultsToHandIn(chosen, { name: "", group: "" }, progress, language, { set }).then((result) => {
-      if (!gone) make({ key, result });
-    });
-    return () => {
-      gone = true;
-    };
+    return takeAnswer(
+      () => resultsToHandIn(chosen, { name: "", group: "" }, progress, language, { set }),
+      (result) => make({ key, result }),
+    );
   }, [key, progress, language, set]);
   const result =
     made?.key === key

@@ -1,4 +1,3 @@
-import { Suspense } from "react";
 import { lazyPart } from "../../../app/base/parts.ts";
 import { useOpenedCourseFile } from "../../../app/records/course/opened-course-file.ts";
 
@@ -7,11 +6,5 @@ const TaughtDialog = lazyPart(async () => ({ default: (await import("./TaughtDia
 /** A received task or results, until the dialog is closed. */
 export function IncomingTaught() {
   const waits = useOpenedCourseFile((s) => s.shown !== null);
-  return (
-    waits && (
-      <Suspense>
-        <TaughtDialog />
-      </Suspense>
-    )
-  );
+  return waits && <TaughtDialog />;
 }

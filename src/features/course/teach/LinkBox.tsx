@@ -1,4 +1,3 @@
-import { Suspense } from "react";
 import { formatNumber } from "../../../i18n/number.ts";
 import { downloadText } from "../../../app/base/download.ts";
 import { LONGEST_LINK, SAFE_LINK } from "../../../app/base/limits.ts";
@@ -94,11 +93,7 @@ export function LinkBox({ link, name, file, before }: Props) {
           )}
         </div>
       </section>
-      {!isTooLong && (
-        <Suspense>
-          <QrSection link={link} name={name} />
-        </Suspense>
-      )}
+      {!isTooLong && <QrSection link={link} name={name} />}
     </>
   );
 }

@@ -1,4 +1,4 @@
-import { Suspense, useState } from "react";
+import { useState } from "react";
 import { parse } from "../../../nc/parse.ts";
 import { statementLines } from "../../../nc/print.ts";
 import { LAYOUTS } from "../../../nc/style.ts";
@@ -49,17 +49,15 @@ export function OutlineField({
       {rows ? (
         <>
           <b>{label}</b>
-          <Suspense>
-            <ContourTable
-              rows={rows}
-              language={language}
-              onChange={(next) => {
-                const made = textOf(next);
-                edit({ rows: next, text: made });
-                change(made);
-              }}
-            />
-          </Suspense>
+          <ContourTable
+            rows={rows}
+            language={language}
+            onChange={(next) => {
+              const made = textOf(next);
+              edit({ rows: next, text: made });
+              change(made);
+            }}
+          />
         </>
       ) : (
         <TeachText

@@ -1,4 +1,4 @@
-import { Suspense, useEffect, useMemo, useState } from "react";
+import { useEffect, useMemo, useState } from "react";
 import { isForLearners, setForLearners, setInLanguage, type TaskSet } from "../../../course/task-set.ts";
 import { inScreenLanguage } from "../../../course/words.ts";
 import { lessonLanguageOf, SCREEN_LANGUAGES } from "../../../i18n/languages.ts";
@@ -12,6 +12,7 @@ import { pageAddress } from "../../../app/records/local-address.ts";
 import { termsOf } from "./exam-words.ts";
 import { LinkBox } from "./LinkBox.tsx";
 import { courseTasksIn, setLink, taughtFile } from "./taught-files.ts";
+import { takeAnswer } from "../../../app/base/until-gone.ts";
 
 const TaskPaper = lazyPart(async () => ({ default: (await import("./TaskPaper.tsx")).TaskPaper }));
 
@@ -20,15 +21,14 @@ function useCourseTasksIn({ id, tasks }: TaskSet): ReadonlyMap<string, string> |
   const [found, find] = useState<{ readonly in: TaskSet["tasks"]; readonly ids: ReadonlyMap<string, string> } | null>(
     null,
   );
-  useEffect(() => {
-    let gone = false;
-    void courseTasksIn({ id, tasks }).then((ids) => {
-      if (!gone) find({ in: tasks, ids });
-    });
-    return () => {
-      gone = true;
-    };
-  }, [id, tasks]);
+  useEffect(
+    () =>
+      takeAnswer(
+        () => courseTasksIn({ id, tasks }),
+        (ids) => find({ in: tasks, ids }),
+      ),
+    [id, tasks],
+  );
   return found?.in === tasks ? found.ids : null;
 }
 
@@ -94,11 +94,7 @@ export function SetHandOut({ set }: { readonly set: TaskSet }) {
           {isStripped && <p className="soft small">{t.saveOwnHint}</p>}
         </>
       )}
-      {isOnPaper && (
-        <Suspense>
-          <TaskPaper set={set} tasks={set.tasks} done={() => print(false)} />
-        </Suspense>
-      )}
+      {isOnPaper && <TaskPaper set={set} tasks={set.tasks} done={() => print(false)} />}
     </section>
   );
 }

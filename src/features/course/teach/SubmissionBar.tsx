@@ -17,6 +17,7 @@ import { useTaskView } from "../task/task-view.ts";
 import { useTaskDrawing } from "../task/use-task-drawing.ts";
 import { useTaskPicture } from "../task/use-task-picture.ts";
 import { taskOfId } from "./hand-in.ts";
+import { takeAnswer } from "../../../app/base/until-gone.ts";
 import "../task/task.css";
 import "./set.css";
 
@@ -55,15 +56,7 @@ function SubmittedTask({ task }: { readonly task: Task }) {
 export function SubmissionBar({ said, task: id }: { readonly said: string; readonly task: string }) {
   const { table: words } = useTexts("course-set");
   const [task, find] = useState<Task | null>(null);
-  useEffect(() => {
-    let gone = false;
-    void taskOfId(id).then((found) => {
-      if (!gone) find(found);
-    });
-    return () => {
-      gone = true;
-    };
-  }, [id]);
+  useEffect(() => takeAnswer(() => taskOfId(id), find), [id]);
   return (
     <section className="set-bar submission-bar" aria-label={words.submission}>
       <span className="set-place">{said}</span>

@@ -1,4 +1,4 @@
-import { Suspense, useState } from "react";
+import { useState } from "react";
 import { progressOfTask, stateOfTask } from "../../../course/progress.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { Message } from "../../../app/base/Message.tsx";
@@ -106,11 +106,7 @@ export function TaughtTasks() {
         </button>
         <NewSetButton />
       </div>
-      {changed && (
-        <Suspense>
-          <TeachDialog task={changed} done={() => change(null)} />
-        </Suspense>
-      )}
+      {changed && <TeachDialog task={changed} done={() => change(null)} />}
     </section>
   );
 }

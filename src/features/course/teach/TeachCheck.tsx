@@ -1,4 +1,4 @@
-import { Suspense, useMemo, useState } from "react";
+import { useMemo, useState } from "react";
 import { withoutAnswer } from "../../../course/task-set.ts";
 import { inScreenLanguage } from "../../../course/words.ts";
 import { formatNumber } from "../../../i18n/number.ts";
@@ -169,11 +169,7 @@ function HandOut({ task, keep }: { readonly task: Task; readonly keep: () => voi
           <Icon name="print" /> {words.paper.open}
         </button>
       </div>
-      {isOnPaper && (
-        <Suspense>
-          <TaskPaper tasks={[task]} done={() => print(false)} />
-        </Suspense>
-      )}
+      {isOnPaper && <TaskPaper tasks={[task]} done={() => print(false)} />}
     </>
   );
 }

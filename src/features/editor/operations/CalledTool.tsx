@@ -1,4 +1,4 @@
-import { Suspense, useState } from "react";
+import { useState } from "react";
 import type { Statement, StatementOf } from "../../../nc/statement.ts";
 import { definesCycle } from "../../../program/edits/operations.ts";
 import { useSession } from "../../../app/fields/blocks/session.ts";
@@ -43,15 +43,13 @@ export function CalledTool({ statement, change }: Props) {
         <Icon name="insert" /> {t.operations.chooseTool}
       </button>
       {choosing && (
-        <Suspense>
-          <ToolDialog
-            title={t.editor.kinds.toolCall}
-            taken={said}
-            line={cycle}
-            done={() => choose(false)}
-            onTake={(tool) => change({ ...statement, tool })}
-          />
-        </Suspense>
+        <ToolDialog
+          title={t.editor.kinds.toolCall}
+          taken={said}
+          line={cycle}
+          done={() => choose(false)}
+          onTake={(tool) => change({ ...statement, tool })}
+        />
       )}
     </div>
   );

@@ -1,4 +1,4 @@
-import { Suspense, useMemo, useRef, useState } from "react";
+import { useMemo, useRef, useState } from "react";
 import type { Cycle } from "../../../cycles/define.ts";
 import { cycleByNumber } from "../../../cycles/index.ts";
 import type { Site } from "../../../cycles/shape-request.ts";
@@ -106,13 +106,11 @@ function Opened({ words, behind }: { readonly words: InsertTexts; readonly behin
     const { stock } = before;
     const initialStock = stock.length > 0 ? "now" : "solid";
     return (
-      <Suspense>
-        <WhichCycle
-          done={stopInserting}
-          region={{ contour: [], first: 0, last: -1, site, stock, initialStock }}
-          behind={behind}
-        />
-      </Suspense>
+      <WhichCycle
+        done={stopInserting}
+        region={{ contour: [], first: 0, last: -1, site, stock, initialStock }}
+        behind={behind}
+      />
     );
   }
   const sitesOfCycle = (number: number): readonly Site[] => {
@@ -185,23 +183,21 @@ function Opened({ words, behind }: { readonly words: InsertTexts; readonly behin
         </div>
       )}
       {work === "undercut" && site !== "face" && (
-        <Suspense>
-          <UndercutForm
-            words={words}
-            site={site}
-            typed={undercut}
-            before={before}
-            onBack={back}
-            onInsert={(made) => {
-              insertOperation(made, behind);
-              dialog.current?.close();
-            }}
-            onCut={(job, cut, title) => {
-              insertHandOperations([{ job, cut, title }], behind);
-              dialog.current?.close();
-            }}
-          />
-        </Suspense>
+        <UndercutForm
+          words={words}
+          site={site}
+          typed={undercut}
+          before={before}
+          onBack={back}
+          onInsert={(made) => {
+            insertOperation(made, behind);
+            dialog.current?.close();
+          }}
+          onCut={(job, cut, title) => {
+            insertHandOperations([{ job, cut, title }], behind);
+            dialog.current?.close();
+          }}
+        />
       )}
       {work && work !== "undercut" && (
         <HandForm

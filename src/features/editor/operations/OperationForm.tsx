@@ -1,4 +1,4 @@
-import { Suspense, useEffect, useMemo, useRef, useState } from "react";
+import { useEffect, useMemo, useRef, useState } from "react";
 import type { Cycle } from "../../../cycles/define.ts";
 import type { Site } from "../../../cycles/shape-request.ts";
 import type { InsertTexts } from "../../../i18n/en/insert.ts";
@@ -271,9 +271,7 @@ export function OperationForm({ words, cycle, thread, site, before, onSite, onBa
       {cycle.contour === "free" && named === null && (
         <section aria-label={words.contour}>
           {undrawn && <p className="soft">{words.undrawn}</p>}
-          <Suspense>
-            <ContourTable rows={rows} onChange={setRows} language={language} inches={inches} />
-          </Suspense>
+          <ContourTable rows={rows} onChange={setRows} language={language} inches={inches} />
         </section>
       )}
       {made && (

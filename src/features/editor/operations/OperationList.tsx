@@ -1,4 +1,4 @@
-import { Suspense, useEffect, useMemo, useRef, useState, type KeyboardEvent, type ReactNode } from "react";
+import { useEffect, useMemo, useRef, useState, type KeyboardEvent, type ReactNode } from "react";
 import type { Refusal } from "../../../program/edits/operation-edits.ts";
 import { openBlock, useSession } from "../../../app/fields/blocks/session.ts";
 import { chooseOpenBlock } from "../../../app/fields/blocks/choose-block.ts";
@@ -159,20 +159,18 @@ export function OperationList({ filter }: { readonly filter: ReactNode }) {
         </ol>
       </div>
       {retooled && (
-        <Suspense>
-          <ToolDialog
-            title={titleOf(t, retooled.row)}
-            taken={retooled.finishes ? null : retooled.row.tool}
-            line={retooled.row.opens}
-            finishes={retooled.finishes}
-            done={() => retool(null)}
-            onTake={(tool) => {
-              const { unit } = retooled.row;
-              if (retooled.finishes) tell(finishOperation(unit, tool), unit + 1);
-              else tell(retoolOperation(unit, tool), unit);
-            }}
-          />
-        </Suspense>
+        <ToolDialog
+          title={titleOf(t, retooled.row)}
+          taken={retooled.finishes ? null : retooled.row.tool}
+          line={retooled.row.opens}
+          finishes={retooled.finishes}
+          done={() => retool(null)}
+          onTake={(tool) => {
+            const { unit } = retooled.row;
+            if (retooled.finishes) tell(finishOperation(unit, tool), unit + 1);
+            else tell(retoolOperation(unit, tool), unit);
+          }}
+        />
       )}
     </div>
   );

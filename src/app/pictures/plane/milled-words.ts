@@ -1,4 +1,4 @@
-import { useCallback } from "react";
+import { useMemo } from "react";
 import type { Texts } from "../../../i18n/index.ts";
 import type { Lengths } from "../../../i18n/lengths.ts";
 import type { ApproachRun, PlaneStep } from "../../../program/tools/plane-types.ts";
@@ -6,8 +6,7 @@ import type { PlayPosition } from "../../../sim/simulation.ts";
 import { spotAt } from "../../../view/approach/plane-scene.ts";
 import { isRapid } from "../../../kernel/plane/mill-motion.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
-import { Readout } from "../lathe/Readout.tsx";
-import { useLengths } from "../../calculation/lengths.ts";
+import type { MomentWords } from "../lathe/Readout.tsx";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
 /** Texts about a moment of a milling program. */
@@ -41,42 +40,31 @@ function momentText(
   };
 }
 
-/** Live position, feed and block. */
-export function PlaneReadout({
-  steps,
-  approaches,
-  playback,
-}: {
-  readonly steps: readonly PlaneStep[];
-  readonly approaches: readonly ApproachRun[];
-  readonly playback: PlaybackStore;
-}) {
-  const t = useTexts(),
-    lengths = useLengths();
-  const moment = useCallback(
-    () => momentText(t, lengths, steps, approaches, playback.shown()),
-    [t, lengths, steps, approaches, playback],
-  );
-  return (
-    <Readout
-      playback={playback}
-      moment={moment}
-      cells={[
+/** Position, feed, purpose and block of a milled moment. */
+export function useMilledWords(
+  steps: readonly PlaneStep[],
+  approaches: readonly ApproachRun[],
+  lengths: Lengths,
+  playback: PlaybackStore,
+): MomentWords {
+  const t = useTexts();
+  return useMemo(() => {
+    const texts = () => momentText(t, lengths, steps, approaches, playback.shown());
+    return {
+      cells: [
         ["x", "X"],
         ["y", "Y", "x"],
         ["z", "Z"],
         ["feed", t.lathe.feedName],
-      ]}
-    >
-      <span data-says="block" />
-    </Readout>
-  );
+      ],
+      notes: [["block"]],
+      texts,
+      sentence() {
+        const now = texts();
+        return now
+          ? [now.step, `X ${now.x}`, `Y ${now.y}`, `Z ${now.z}`, now.feed, now.block].join(". ")
+          : t.lathe.pictureEmpty;
+      },
+    };
+  }, [t, lengths, steps, approaches, playback]);
 }
-
-/** The moment in one sentence. */
-export const momentSentence = (...given: Parameters<typeof momentText>): string => {
-  const now = momentText(...given);
-  return now
-    ? [now.step, `X ${now.x}`, `Y ${now.y}`, `Z ${now.z}`, now.feed, now.block].join(". ")
-    : given[0].lathe.pictureEmpty;
-};

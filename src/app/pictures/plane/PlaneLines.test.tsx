@@ -2,13 +2,10 @@ import { act, cleanup, render } from "@testing-library/react";
 import { afterEach, beforeAll, expect, test } from "vitest";
 import { parse } from "../../../nc/parse.ts";
 import { run } from "../../../program/run/run.ts";
-import { clock } from "../../base/clock.ts";
 import { forgetOutcome, takePlanned } from "../../calculation/outcome.ts";
-import { createPlaybackStore } from "../../calculation/playback-store.ts";
-import { createViewport } from "../lathe/viewport.ts";
 import { fetchTexts } from "../../base/settings/loaded-texts.ts";
 import { whileTyping } from "../../base/typing.ts";
-import { PlanePicture } from "./PlanePicture.tsx";
+import { PlaneLines } from "./PlaneLines.tsx";
 
 beforeAll(() => fetchTexts("en"));
 afterEach(() => {
@@ -35,18 +32,9 @@ test("the lines of the path are drawn with the key, before the rest of the pictu
     after = planned(2, 25);
   takePlanned(before);
   const { container } = render(
-    <PlanePicture
-      viewport={createViewport(true)}
-      run={before.run}
-      playback={createPlaybackStore(clock)}
-      milled="noBlank"
-      rapids={[]}
-      chosen={null}
-      hovered={null}
-      name=""
-    >
-      {null}
-    </PlanePicture>,
+    <svg>
+      <PlaneLines of={before.run} />
+    </svg>,
   );
   const lead = () => container.querySelector(".plane-lead")?.getAttribute("d"),
     edge = () => container.querySelector(".plane-under");
