@@ -167,7 +167,13 @@ function putTurning(row: Row, tool: FileTool, kind: Fact<FileToolKind>): readonl
   return putHolder(row, facts, false);
 }
 
-const AXIAL: Partial<Record<FileToolKind, string>> = { drill: "DRILL", center: "CENTER", tap: "TAP", reamer: "REAM", mill: MILL };
+const AXIAL: Partial<Record<FileToolKind, string>> = {
+  drill: "DRILL",
+  center: "CENTER",
+  tap: "TAP",
+  reamer: "REAM",
+  mill: MILL,
+};
 
 function putAxial(
   row: Row,
