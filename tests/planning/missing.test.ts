@@ -39,7 +39,7 @@ const ROWS = [
   ["pulley", [9, 10], { form: "recessing", mostWidth: 2.2, leastDepth: 11 }],
   ["narrow groove in a face", [], { form: "recessing", site: "face", mostWidth: 2.4 }],
   ["circlip groove in a bore", [], { form: "recessing", site: "inside", mostWidth: 1.3 }],
-  ["deep bore of small diameter", [], { form: "boring", mostDiameter: 5, leastReach: 51 }],
+  ["deep bore of small diameter", [], { form: "boring", mostDiameter: 5.8, leastReach: 51 }],
   ["undercut F behind a shoulder", [], { form: "turning", leastEdge: 98, descends: 15 }],
   ["valley with a steep rear flank", [4, 9, 10, 11], { form: "turning", rises: 80.5, descends: 45 }],
 ] as const;

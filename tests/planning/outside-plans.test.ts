@@ -38,8 +38,8 @@ describe("a plan as a setter makes it", () => {
     [
       "one insert makes undercuts and contour",
       partOfTrade("bolt"),
-      "face roughOutside undercut undercut finishOutside thread partOff",
-      "AABBBCD",
+      "face roughOutside finishOutside thread partOff",
+      "AABCD",
     ],
     [
       "a rest of roughing over a groove holds nothing back and is recessed with it",
