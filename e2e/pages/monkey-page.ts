@@ -43,7 +43,9 @@ export function takeTarget(page: Page, wish: Wish): Promise<Target | null> {
     const named = (each: HTMLElement) =>
       (
         each.getAttribute("aria-label") ??
-        (each instanceof HTMLInputElement ? [...(each.labels ?? [])].map((l) => l.textContent).join(" ") : each.textContent)
+        (each instanceof HTMLInputElement
+          ? [...(each.labels ?? [])].map((l) => l.textContent).join(" ")
+          : each.textContent)
       )
         .replace(/\s+/g, " ")
         .trim()
@@ -62,7 +64,10 @@ export function takeTarget(page: Page, wish: Wish): Promise<Target | null> {
       const { left, top, width, height } = each.getBoundingClientRect();
       const [x, y] = [left + width / 2, top + Math.min(height / 2, 300)];
       const hit = document.elementFromPoint(x, y);
-      const isHit = hit && (each.contains(hit) || (each instanceof HTMLInputElement && [...(each.labels ?? [])].some((l) => l.contains(hit))));
+      const isHit =
+        hit &&
+        (each.contains(hit) ||
+          (each instanceof HTMLInputElement && [...(each.labels ?? [])].some((l) => l.contains(hit))));
       if (!isHit) continue;
       each.setAttribute("data-monkey", "");
       return {
@@ -72,7 +77,8 @@ export function takeTarget(page: Page, wish: Wish): Promise<Target | null> {
         what: `${each.getAttribute("role") ?? each.tagName.toLowerCase()} "${named(each)}" at ${location.hash}`,
         isField: each.matches(FIELDS),
         isFocusable: each.tabIndex >= 0,
-        options: each instanceof HTMLSelectElement ? [...each.options].filter((o) => !o.disabled).map((o) => o.value) : [],
+        options:
+          each instanceof HTMLSelectElement ? [...each.options].filter((o) => !o.disabled).map((o) => o.value) : [],
       };
     }
     return null;
@@ -110,9 +116,10 @@ export function shownFaults(page: Page): Promise<readonly string[]> {
         const look = (frame: number) => {
           const main = document.querySelector<HTMLElement>("main");
           if (main?.matches(".crash")) return done([`crashed at ${location.hash}`]);
-          const isThere = main !== null && (main.innerText.trim() !== "" || document.querySelector("dialog[open]") !== null);
+          const isThere =
+            main !== null && (main.innerText.trim() !== "" || document.querySelector("dialog[open]") !== null);
           if (isThere) return done([]);
-          if (frame > 900) return done([`empty screen at ${location.hash}`]);
+          if (frame > 900) return done([`empty screen at ${location.hash}: ${document.body.innerHTML.slice(0, 600)}`]);
           requestAnimationFrame(() => look(frame + 1));
         };
         look(0);

@@ -26,7 +26,17 @@ const PLACES = ["", "which", "works", "tools", "tools/milling", "own", "plan", "
 const GUIDES = ["guide/812", "guide/860/Q463", "glossary", "course/first-shoulder/tasks"];
 const TYPED = ["0", "-1", "12.5", "1/3", "2,4*3", "99999999", "=1+1", "<b>x", "ROUGH Ä", "中", "L X+20 Z-5", "", " "];
 const KEYS = ["Escape", "Enter", "Tab", "Shift+Tab", "ArrowDown", "ArrowUp", "End", "Home", "Delete", "Control+z"];
-const MORE_KEYS = ["Control+y", "PageDown", "PageUp", "ArrowLeft", "ArrowRight", "Space", "F2", "Control+f", "Backspace"];
+const MORE_KEYS = [
+  "Control+y",
+  "PageDown",
+  "PageUp",
+  "ArrowLeft",
+  "ArrowRight",
+  "Space",
+  "F2",
+  "Control+f",
+  "Backspace",
+];
 /** Actions before a finding that are kept with it. */
 const STEPS = 14;
 
@@ -85,7 +95,8 @@ export class Monkey {
 
   private note(what: string): void {
     this.findings.push({ what, steps: this.steps.slice(-STEPS) });
-    if (process.env["MONKEY_PRESSES"]) console.log(`press ${this.steps.length}: ${what}\n  ${this.steps.slice(-STEPS).join("\n  ")}`);
+    if (process.env["MONKEY_PRESSES"])
+      console.log(`press ${this.steps.length}: ${what}\n  ${this.steps.slice(-STEPS).join("\n  ")}`);
   }
 
   private one<T>(all: readonly T[]): T {
@@ -97,7 +108,10 @@ export class Monkey {
     const { page } = this;
     this.steps.push(`window ${width}x${height}${touch ? " touch" : ""}, ${language}`);
     await page.setViewportSize({ width, height });
-    await this.devtools.send("Emulation.setTouchEmulationEnabled", { enabled: touch, ...(touch && { maxTouchPoints: 1 }) });
+    await this.devtools.send("Emulation.setTouchEmulationEnabled", {
+      enabled: touch,
+      ...(touch && { maxTouchPoints: 1 }),
+    });
     this.touch = touch;
     await this.home();
     const tag = await page.evaluate(() => document.documentElement.lang);
@@ -154,7 +168,10 @@ export class Monkey {
     if (target.options.length > 0) {
       const option = this.one(target.options);
       this.steps.push(`choose ${option} in ${target.what}`);
-      await page.locator("[data-monkey]").selectOption(option, { timeout: 1000 }).catch(() => undefined);
+      await page
+        .locator("[data-monkey]")
+        .selectOption(option, { timeout: 1000 })
+        .catch(() => undefined);
       return null;
     }
     if (isTyping && target.isField) {
@@ -170,7 +187,10 @@ export class Monkey {
     }
     if (!this.touch && this.random() < 0.35 && target.isFocusable) {
       this.steps.push(`${(await page.locator("[data-monkey]").count()) > 0 ? "Enter on" : "?"} ${target.what}`);
-      await page.locator("[data-monkey]").focus({ timeout: 1000 }).catch(() => undefined);
+      await page
+        .locator("[data-monkey]")
+        .focus({ timeout: 1000 })
+        .catch(() => undefined);
       const before = await settle(page, false);
       await keyboard.press(this.random() < 0.7 ? "Enter" : "Space");
       return before;
@@ -212,6 +232,8 @@ export class Monkey {
     if (before !== null && before !== "body" && now === "body") this.note(`lost focus: it was on ${before}`);
     for (const fault of await shownFaults(this.page)) {
       this.note(fault);
+      if (process.env["MONKEY_PRESSES"])
+        await this.page.screenshot({ path: `test-results/monkey-${this.steps.length}.png` });
       await this.page.goto("./#/");
       await this.page.reload();
     }

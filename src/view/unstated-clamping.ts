@@ -11,8 +11,8 @@ export interface UnstatedClamping {
   readonly hatch: readonly (readonly [Pt, Pt])[];
 }
 
-/** Length of the short lines as a share of the radius, and its limits, mm. */
-const LINES = { share: 0.18, least: 1, most: 12 } as const;
+/** Length of the short lines as a share of the radius, and its limits, mm; their number has limits for any blank. */
+const LINES = { share: 0.18, least: 1, most: 12, fewest: 2, greatest: 60 } as const;
 
 /** The plane at the rear end of a blank whose clamping is not stated. */
 export function unstatedClamping(blank: readonly Ring[], { left, high }: Bounds): UnstatedClamping {
@@ -24,7 +24,7 @@ export function unstatedClamping(blank: readonly Ring[], { left, high }: Bounds)
       .map(({ r }) => r),
   );
   const long = Math.min(LINES.most, Math.max(LINES.least, high * LINES.share)),
-    count = Math.max(2, Math.round((high - low) / long));
+    count = Math.min(LINES.greatest, Math.max(LINES.fewest, Math.round((high - low) / long)));
   const apart = (high - low) / count;
   return {
     plane: [at(left, low), at(left, high)],

@@ -89,7 +89,7 @@ export function exportTools(kind: ExportKind, language: Language, t: ToolsTexts,
     json: { name: "TOOLS.json", text: () => writeTableJson(table.tools, mills), count: all },
     csv: {
       name: "TOOLS.csv",
-      text: () => writeTableCsv(table.tools, mills, decimalSign(language) === "," ? "comma" : "point"),
+      text: () => writeTableCsv(table.tools, mills, decimalSign(language)),
       count: all,
     },
     turning: { name: "TOOLTURN.TRN", text: () => writeTableText(table.tools), count: table.tools.length },

@@ -1,4 +1,4 @@
-import { cellsOfSheet, separatorOf } from "../tools/tool-table-csv.ts";
+import { csvCells, csvSeparator } from "../files/csv.ts";
 import { unitOf, type FileProperties, type FileProperty, type FileTool, type RefusedItem } from "./facts.ts";
 import { MOST_ITEMS, type ForeignContent, type ReadingContext } from "./foreign-file.ts";
 import { dinTool, isDin4000 } from "./din4000.ts";
@@ -75,9 +75,9 @@ function tall(rows: readonly (readonly string[])[], { unit, name }: ReadingConte
 export function readPropertyList(text: string, context: ReadingContext): ForeignContent | null {
   const whole = text.replace(/^\uFEFF/, "").trimStart();
   if (/^[<{[]|^ISO-10303-21|^BEGIN\s/i.test(whole)) return null;
-  const rows = cellsOfSheet(
+  const rows = csvCells(
     whole,
-    separatorOf(
+    csvSeparator(
       whole
         .slice(0, HEAD)
         .split(/[\r\n]+/)

@@ -1,4 +1,4 @@
-import { cellsOfSheet } from "../tools/tool-table-csv.ts";
+import { csvCells } from "../files/csv.ts";
 
 /** A sheet of any origin: the titles of its columns, and its lines as text. */
 export interface Sheet {
@@ -49,5 +49,5 @@ export function readSheet(text: string): Sheet | null {
   if (whole.includes("\u0000") || /^\s*[{[<]/.test(whole)) return null;
   const named = /^sep=(.)\r?\n/i.exec(whole);
   const body = named ? whole.slice(named[0].length) : whole;
-  return sheetOf(cellsOfSheet(body.slice(0, LARGEST_TEXT), named?.[1] ?? separatorIn(body)));
+  return sheetOf(csvCells(body.slice(0, LARGEST_TEXT), named?.[1] ?? separatorIn(body)));
 }

@@ -68,14 +68,24 @@ describe("tools as a sheet", () => {
     ["A;B;C\n1;2;3", "notATable"],
   ])("%j: %s", (text, problem) => expect(readTableCsv(text)).toEqual({ problem }));
 
-  test.each(["comma", "point"] as const)("what is written with a %s is read again, holders too", (manner) => {
+  /** Names that a spreadsheet would run, split or trim, and one of the marks that keep them from it. */
+  const NAMES = ["=1+1", "+A", "-B", "-5", "@x", "\tX", "\rX", 'A"B', "A;B,C", "A\r\nB", " A ", "'=1", "''", "<b>"];
+
+  test.each([",", "."])("what is written with a decimal %s is read again, holders and every name too", (decimal) => {
     const mills = [
       { T: 40, NAME: "D8,5", R: 4.25, L: 120.125, PL: 1.5, TYPE: "DRILL" as const },
-      { T: 41, NAME: 'A"B', R: 8, DR: -0.02 },
+      ...NAMES.map((NAME, i) => ({ T: 41 + i, NAME, R: 8, DR: -0.02 })),
     ];
     const limited = { DAXN: 24, DAXX: 60.5, CDX: 12, CUTDIA: 32, DMIN: 25, SUPPORT: "CURVED" } as unknown as Tool;
-    const tools = shippedTools.map((tool) => (tool.T === 8 ? { ...tool, ...limited } : tool));
-    const { rows, leftOut } = read(writeTableCsv(tools, mills, manner));
+    const tools = shippedTools.map((tool, i) => ({
+      ...tool,
+      NAME: NAMES[i] ?? tool.NAME,
+      ...(tool.T === 8 && limited),
+    }));
+    const text = writeTableCsv(tools, mills, decimal);
+    // A correction stays a number, for a spreadsheet too.
+    expect(text).toContain(`${decimal === "," ? ";" : ","}-0${decimal}02${decimal === "," ? ";" : ","}`);
+    const { rows, leftOut } = read(text);
     expect(leftOut).toEqual([]);
     const found = rows.map((cells) => readEntry({ id: "r", cells }));
     expect(found.flatMap(({ tool }) => tool ?? [])).toEqual(tools);

@@ -1,4 +1,5 @@
 import type { Tool } from "../../kernel/plan/tool.ts";
+import { csvCells, csvFormat, csvSeparator, writeCsv, type CsvCell } from "../files/csv.ts";
 import { writeHead } from "./holder-cells.ts";
 import { TABLE_NUMBER } from "./table-layout.ts";
 import {
@@ -27,42 +28,6 @@ const COLUMNS: readonly CellName[] = [...TOOL_COLUMNS, ...MILL_COLUMNS, ...LIMIT
 const titleOf = (cell: CellName): string =>
   HOLDER_CELLS.some((each) => each === cell) ? `${HOLDER}${cell.toUpperCase()}` : cell;
 const cellOfTitle = new Map(COLUMNS.map((cell) => [titleOf(cell), cell]));
-const BOM = "\uFEFF";
-
-/** Splits a sheet into cells. A quoted cell may hold anything, with doubled quotes. Never throws. */
-export function cellsOfSheet(text: string, separator: string): string[][] {
-  const lines: string[][] = [[]];
-  let cell = "";
-  let quoted = false;
-  const push = () => {
-    (lines.at(-1) as string[]).push(cell.trim());
-    cell = "";
-  };
-  for (let i = 0; i < text.length; i++) {
-    const c = text[i] as string;
-    if (quoted && c === '"' && text[i + 1] === '"') {
-      cell += c;
-      i++;
-    } else if (c === '"' && (quoted || cell.trim() === "")) {
-      quoted = !quoted;
-      if (quoted) cell = "";
-    } else if (!quoted && c === separator) push();
-    else if (!quoted && (c === "\n" || c === "\r")) {
-      if (c === "\r" && text[i + 1] === "\n") i++;
-      push();
-      lines.push([]);
-    } else cell += c;
-  }
-  push();
-  return lines.filter((line) => line.some((each) => each !== ""));
-}
-
-/** Separator of the cells: the most frequent one in the first line outside of quotes. */
-export function separatorOf(line: string): string {
-  const bare = line.replaceAll(/"[^"]*"/g, "");
-  const [first = ","] = [";", "\t", ","].sort((a, b) => bare.split(b).length - bare.split(a).length);
-  return first;
-}
 
 /** A number with a decimal point, from either decimal sign. */
 const typed = (cell: string) => (TABLE_NUMBER.test(cell) ? cell.replace(",", ".").replace(/^\+/, "") : cell);
@@ -96,8 +61,8 @@ export function readTableCsv(text: string): TableFile {
   const whole = text.replace(/^\uFEFF/, "");
   const named = /^sep=(.)\r?\n/i.exec(whole);
   const body = named ? whole.slice(named[0].length) : whole;
-  const separator = named?.[1] ?? separatorOf(body.trimStart().split(/[\r\n]/, 1)[0] ?? "");
-  const [first = [], ...lines] = cellsOfSheet(body, separator);
+  const separator = named?.[1] ?? csvSeparator(body.trimStart().split(/[\r\n]/, 1)[0] ?? "");
+  const [first = [], ...lines] = csvCells(body, separator);
   const titles = titlesIn(first);
   if (!titles) return { problem: "notATable" };
   if (lines.length === 0) return { problem: "noRows" };
@@ -110,28 +75,17 @@ export function readTableCsv(text: string): TableFile {
   };
 }
 
-/** Format of a sheet: with decimal comma for spreadsheets that expect it, or with point and comma. */
-export type SheetFormat = "comma" | "point";
-
-function quoted(text: string, separator: string): string {
-  return text.includes(separator) || /["\r\n]|^\s|\s$/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
-}
-
-/** Writes tools as a sheet, milling tools last. Nothing is rounded. */
-export function writeTableCsv(tools: readonly Tool[], mills: readonly MillTool[], manner: SheetFormat): string {
-  const separator = manner === "comma" ? ";" : ",";
-  const number = (value: string | number | undefined) =>
-    typeof value === "number" && manner === "comma" ? String(value).replace(".", ",") : String(value ?? "");
-  const line = (cell: (name: CellName) => string | number | undefined) =>
-    COLUMNS.map((name) => quoted(number(cell(name)), separator)).join(separator);
+/** Writes tools as a sheet with the decimal sign of a language, milling tools last. Nothing is rounded. */
+export function writeTableCsv(tools: readonly Tool[], mills: readonly MillTool[], decimal: string): string {
+  const line = (cell: (name: CellName) => CsvCell) => COLUMNS.map(cell);
   const ofTool = (tool: Tool) =>
     line((name) => {
       const { holder } = tool;
-      if (name === "head") return holder?.head ? writeHead(holder.head) : undefined;
+      if (name === "head") return holder?.head && writeHead(holder.head);
       if (name in (holder ?? {})) return holder?.[name as "width"];
-      return tool[name as keyof Tool] as string | number | undefined;
+      return tool[name as keyof Tool] as CsvCell;
     });
   const ofMill = (mill: MillTool) =>
     line((name) => (name === "TYPE" ? (mill.TYPE ?? MILL) : mill[name as keyof MillTool]));
-  return `${BOM}${[line(titleOf), ...tools.map(ofTool), ...mills.map(ofMill), ""].join("\r\n")}`;
+  return writeCsv([line(titleOf), ...tools.map(ofTool), ...mills.map(ofMill)], csvFormat(decimal));
 }

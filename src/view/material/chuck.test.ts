@@ -24,6 +24,14 @@ test("the plane of a tube begins at its bore", () => {
   expect(unstated?.plane).toEqual([at(-10, 4), at(-10, 9)]);
 });
 
+test("the plane of a blank of any size has a number of lines that can be drawn", () => {
+  for (const r of [0.01, 300, 5e7]) {
+    const bar = [[at(-10, 0), at(0, 0), at(0, r), at(-10, r)]];
+    const { unstated } = chuckDrawing(bar, { left: -10, right: 0, low: 0, high: r }, null);
+    expect(unstated?.hatch.length).toBeLessThanOrEqual(60);
+  }
+});
+
 test("a stated clamping is drawn where collisions are checked", () => {
   expect(chuck.unstated).toBeNull();
   const drawn = (part: string) =>

@@ -1,15 +1,6 @@
 import { expect, test } from "vitest";
 import type { HandedResult, TaskResult } from "../../../course/made/result.ts";
-import {
-  hasResult,
-  learnerCount,
-  resultsCsv,
-  resultRows,
-  sheetCell,
-  sortedRows,
-  type RerunOutcome,
-  type LearnerFile,
-} from "./result-rows.ts";
+import { hasResult, learnerCount, resultRows, sortedRows, type RerunOutcome, type LearnerFile } from "./result-rows.ts";
 
 const task = (id: string, more: Partial<TaskResult> = {}): TaskResult => ({
   id,
@@ -83,29 +74,4 @@ test("if a learner handed a task in twice the newest counts and the others stay;
 test("the same file is recognised", () => {
   expect(hasResult(inFiles(ada, zoe), { ...zoe })).toBe(true);
   expect(hasResult(inFiles(ada), { ...ada, made: ada.made + 1 })).toBe(false);
-});
-
-test.each([
-  [`=HYPERLINK("x")`, `"'=HYPERLINK(""x"")"`],
-  ["+49 7", "'+49 7"],
-  ["-1", "'-1"],
-  ["@a", "'@a"],
-  ["＝1+1", "'＝1+1"],
-  ["  =1+1", "'  =1+1"],
-  ["李雷“一”", "李雷“一”"],
-  ["a;b", `"a;b"`],
-  ["a\r\n=b", "a =b"],
-  ["Zoé", "Zoé"],
-])("%s is text in a CSV file", (text, cell) => {
-  expect(sheetCell(text, { separator: ";", decimal: "," })).toBe(cell);
-});
-
-test("a CSV file is written as the spreadsheets of a language read it", () => {
-  const rows = [
-    ["Ada", 61.7],
-    ["", null],
-    ["b,c", -3],
-  ];
-  expect(resultsCsv(["Name", "s"], rows, ",")).toBe("\uFEFFName;s\r\nAda;61,7\r\n;\r\nb,c;-3\r\n");
-  expect(resultsCsv(["Name"], [["b,c"], [-0.5]], ".")).toBe('\uFEFFName\r\n"b,c"\r\n-0.5\r\n');
 });

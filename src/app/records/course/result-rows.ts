@@ -167,38 +167,3 @@ export function sortedRows(
     typeof a === "string" && typeof b === "string" ? compare(a, b) : Number(a > b) - Number(a < b);
   return rows.toSorted((a, b) => (down ? by(value(b), value(a)) : by(value(a), value(b))));
 }
-
-/** Marks a file as UTF-8 for spreadsheets. */
-const BOM = "\uFEFF";
-
-/** Format of CSV cells. */
-interface CsvFormat {
-  readonly separator: string;
-  readonly decimal: string;
-}
-
-/**
- * One cell of a CSV file. Text that a spreadsheet would run as a formula gets an apostrophe in front, which marks it as
- * text; numbers stay numbers.
- */
-export function sheetCell(value: string | number | null, { separator, decimal }: CsvFormat): string {
-  if (value === null) return "";
-  if (typeof value === "number") return String(value).replace(".", decimal);
-  const plain = value.replace(/[\r\n\t]+/g, " ");
-  const safe = /^\s*[=+\-@|%＝＋－＠]/.test(plain) ? `'${plain}` : plain;
-  return safe.includes(separator) || /["]|^\s|\s$/.test(safe) ? `"${safe.replaceAll('"', '""')}"` : safe;
-}
-
-/**
- * A table as CSV. `decimal`: decimal sign of the language; with a comma, cells are separated by semicolons, as its
- * spreadsheets expect.
- */
-export function resultsCsv(
-  head: readonly string[],
-  rows: readonly (readonly (string | number | null)[])[],
-  decimal: string,
-): string {
-  const how = { separator: decimal === "," ? ";" : ",", decimal };
-  const lines = [head, ...rows].map((cells) => cells.map((cell) => sheetCell(cell, how)).join(how.separator));
-  return BOM + lines.map((line) => `${line}\r\n`).join("");
-}

@@ -1,6 +1,7 @@
 import { Fragment, useMemo, useState, type CSSProperties } from "react";
 import { decimalSign } from "../../../i18n/number.ts";
 import { downloadText } from "../../../app/base/download.ts";
+import { csvFormat, writeCsv } from "../../../program/files/csv.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { Message } from "../../../app/base/Message.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
@@ -15,7 +16,7 @@ import {
   type ClassLearner,
   type ClassSort,
 } from "../../../app/records/course/class-table.ts";
-import { resultsCsv, type MissedGoal, type Rerun, type ResultRow } from "../../../app/records/course/result-rows.ts";
+import type { MissedGoal, Rerun, ResultRow } from "../../../app/records/course/result-rows.ts";
 import { openSubmission } from "./submission.ts";
 
 /** Goals named in a cell; the table has no room for more. */
@@ -164,9 +165,9 @@ export function ClassTable({ title, rows, reruns }: Props) {
       ...(task.mostMissed ? [words.mostMissed(goal(task.mostMissed.goal), String(task.mostMissed.learners))] : []),
     ].join("; ");
   const save = () => {
-    const csv = resultsCsv(
-      [words.name, words.group, ...tasks.map((task) => task.title), words.passed, words.notes],
+    const csv = writeCsv(
       [
+        [words.name, words.group, ...tasks.map((task) => task.title), words.passed, words.notes],
         ...shown.map((each) => [
           each.name,
           each.group,
@@ -176,9 +177,9 @@ export function ClassTable({ title, rows, reruns }: Props) {
         ]),
         [words.all, null, ...tasks.map(missed), null, null],
       ],
-      decimalSign(language),
+      csvFormat(decimalSign(language)),
     );
-    downloadText(csv, `${title}.csv`.replace(/[\\/:*?"<>|]+/g, "-"));
+    downloadText(csv, `${title}.csv`);
   };
   return (
     <>

@@ -1,6 +1,7 @@
 import { useMemo, useRef, useState } from "react";
 import { decimalSign } from "../../../i18n/number.ts";
 import { downloadText } from "../../../app/base/download.ts";
+import { csvFormat, writeCsv } from "../../../program/files/csv.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { Message } from "../../../app/base/Message.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
@@ -11,7 +12,6 @@ import {
   learnerCount,
   plainName,
   RESULT_COLUMNS,
-  resultsCsv,
   resultRows,
   sortedRows,
   type ResultColumn,
@@ -69,8 +69,8 @@ export function ResultView({ leftOut }: { readonly leftOut: readonly FileLeftOut
       ...RESULT_COLUMNS.map((column) => plain(row, column)),
       ...(counts ? [row.earlier ? words.no : words.yes] : []),
     ]);
-    const csv = resultsCsv([...head, ...(counts ? [words.counts] : [])], cells, decimalSign(language));
-    downloadText(csv, `${title}.csv`.replace(/[\\/:*?"<>|]+/g, "-"));
+    const csv = writeCsv([[...head, ...(counts ? [words.counts] : [])], ...cells], csvFormat(decimalSign(language)));
+    downloadText(csv, `${title}.csv`);
   };
   return (
     <ModalDialog className="modal taught-wide" title={title} done={closeCourseFile}>
