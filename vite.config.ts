@@ -93,14 +93,18 @@ const startPictures = madeModules("virtual:start-pictures", "scripts/start-pictu
 /** What the list of lessons has to know of the course, without its files. */
 const courseIndex = madeModules("virtual:course-index", "scripts/course-index.ts", "courseModules");
 
-/** gallery.html: every golden and every cycle as drawings, of no weight for the page itself. */
+/** gallery.html and its styles: every golden and every cycle as drawings, of no weight for the page itself. */
 const gallery: Plugin = {
   name: "gallery",
   apply: (_, { command, isSsrBuild }) => command === "build" && !isSsrBuild,
   async generateBundle() {
     const from = new URL("scripts/gallery.ts", import.meta.url).pathname;
-    const { module } = await runnerImport<{ page: () => string }>(from, { configFile: false, logLevel: "error" });
-    this.emitFile({ type: "asset", fileName: "gallery.html", source: module.page() });
+    const { module } = await runnerImport<{ galleryFiles: () => Readonly<Record<string, string>> }>(from, {
+      configFile: false,
+      logLevel: "error",
+    });
+    for (const [fileName, source] of Object.entries(module.galleryFiles()))
+      this.emitFile({ type: "asset", fileName, source });
   },
 };
 

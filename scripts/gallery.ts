@@ -114,6 +114,7 @@ code { font-family: var(--number-font); font-weight: 600; }
 .work .rapid { stroke: var(--rapid); stroke-dasharray: 6 4; } .work .feed, .work .smooth { stroke: var(--feed); }
 .work .plunge { stroke: var(--feed); stroke-width: 2; stroke-dasharray: 0.1 4; stroke-linecap: round; }
 .work .finish { stroke: var(--feed); stroke-width: 2.5; } .work .thread { stroke: var(--feed); stroke-dasharray: 8 3 2 3; }
+.patterns { position: absolute; }
 @media print { figure { break-inside: avoid; } }
 `;
 
@@ -124,7 +125,7 @@ const ORDER: readonly Group[] = ["longitudinal", "transverse", "recessTurning", 
  * The page: for each family its cycles with their help pictures, and the golden programs that start with one of them.
  * Runs in the project folder.
  */
-export function page(): string {
+function page(): string {
   const folder = join("tests", "programs");
   const works = readdirSync(folder)
     .filter((name) => name.endsWith(".h"))
@@ -142,10 +143,10 @@ export function page(): string {
   const links = groups.map((group) => `<a href="#${group}">${escaped(cycles.groups[group])}</a>`).join("");
   return `<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'">
-<title>Turnwise: cycle gallery</title><style>${styled(RULES + pictureRules())}</style></head>
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'self'">
+<title>Turnwise: cycle gallery</title><link rel="stylesheet" href="./gallery.css"></head>
 <body>
-<svg class="help-picture" width="0" height="0" style="position: absolute" aria-hidden="true">${pictureHatches()}</svg>
+<svg class="help-picture patterns" width="0" height="0" aria-hidden="true">${pictureHatches()}</svg>
 <header><h1>Cycle gallery</h1>
 <p>Every cycle with its help picture, and ${works.length} test programs as simulated: part, residual material, path, result of the check,
 passes and time. Our reading of the manuals; verify on your control. <a href="./">Turnwise</a></p>
@@ -154,10 +155,16 @@ passes and time. Our reading of the manuals; verify on your control. <a href="./
 `;
 }
 
-/** `npm run gallery`: writes dist/gallery.html, as the build does. */
+/** The files of the gallery by name: the content policy allows no styles within a page. */
+export const galleryFiles = (): Readonly<Record<string, string>> => ({
+  "gallery.html": page(),
+  "gallery.css": styled(RULES + pictureRules()),
+});
+
+/** `npm run gallery`: writes the gallery into dist/, as the build does. */
 export function main(): number {
   mkdirSync("dist", { recursive: true });
-  writeFileSync(join("dist", "gallery.html"), page());
+  for (const [name, text] of Object.entries(galleryFiles())) writeFileSync(join("dist", name), text);
   console.log(join("dist", "gallery.html"));
   return 0;
 }

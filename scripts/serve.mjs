@@ -15,14 +15,14 @@ import { promisify } from "node:util";
 import { brotliCompress, constants, gzip } from "node:zlib";
 
 /**
- * Sources that the page may load: only its own. Style attributes come from the editor and the drawings. The page
- * contains the same policy.
+ * Sources that the page may load: only its own files. No script and no style within the page runs. The page contains
+ * the same policy.
  */
 export const contentPolicy = [
   "default-src 'none'",
   "script-src 'self'",
   "worker-src 'self'",
-  "style-src 'self' 'unsafe-inline'",
+  "style-src 'self'",
   "img-src 'self' data: blob:",
   "font-src 'self'",
   "connect-src 'self'",

@@ -19,7 +19,7 @@ const isShown = (page: Page): boolean => !page.isClosed() && page.url().startsWi
 
 /**
  * Every spec file uses this `test`, so that all of them can run with a slowed CPU, and that the last screen of a journey
- * passes axe where the journey has not looked itself. Colours are checked where nothing calculates.
+ * passes axe where the journey has not looked itself, and so that the content policy has blocked nothing. Colours are checked where nothing calculates.
  */
 export const test = plain.extend({
   context: async ({ context }, use) => {
@@ -27,7 +27,12 @@ export const test = plain.extend({
     await use(context);
   },
   page: async ({ page }, use, info) => {
+    const violations: string[] = [];
+    page.on("console", (line) => {
+      if (line.text().includes("Content Security Policy")) violations.push(line.text());
+    });
     await use(page);
+    expect(violations, "what the content policy has blocked").toEqual([]);
     if (info.status !== info.expectedStatus || !isShown(page) || (await hasAxe(page))) return;
     expect(await axeViolations(page, { but: COLOUR_RULES }), "axe on the last screen").toEqual([]);
   },

@@ -1,4 +1,5 @@
 import { strFromU8, strToU8, zipSync, type Zippable } from "fflate";
+import { safeFileName } from "../base/file-name.ts";
 import { packedFiles, unpackedFile } from "../base/unpack.ts";
 import { encode } from "../document/encoding.ts";
 import { parse } from "../../nc/parse.ts";
@@ -71,24 +72,11 @@ function unsealed(raw: unknown): unknown {
   return print === undefined || print === fingerprint(content) ? content : undefined;
 }
 
-/** File names that some systems reject. */
-const RESERVED = /^(?:CON|PRN|AUX|NUL|COM\d|LPT\d)(?:\.|$)/i;
-
-/** A name as one part of a path, on every system. */
-function pathPart(name: string): string {
-  const plain = name
-    // eslint-disable-next-line no-control-regex -- these are just what must not stand there
-    .replace(/[\u0000-\u001f\\/:*?"<>|]/g, "_")
-    .slice(0, 80)
-    .replace(/^[. ]+|[. ]+$/g, "");
-  return plain === "" || RESERVED.test(plain) ? `_${plain}` : plain;
-}
-
 /** Makes names unique, ignoring case: the second `A` becomes `A (2)`. The extension stays at the end. */
 function namer(): (name: string) => string {
   const taken = new Set<string>();
   return (name) => {
-    const [, stem = "", ending = ""] = /^(.*?)(\.[^.]{0,8})?$/s.exec(pathPart(name)) ?? [];
+    const [, stem = "", ending = ""] = /^(.*?)(\.[^.]{0,8})?$/s.exec(safeFileName(name)) ?? [];
     let made = stem + ending;
     for (let n = 2; taken.has(made.toUpperCase()); n++) made = `${stem} (${n})${ending}`;
     taken.add(made.toUpperCase());

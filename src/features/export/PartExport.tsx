@@ -85,9 +85,8 @@ function Bodies({ words: t, outcome: { run, simulation }, stem, say }: Part) {
   };
   const save = (name: BodyName, body: OfferedBody) => {
     if ("lack" in body) return;
-    const file = `${stem}_${t.file[name]}.stl`,
-      { bytes, volume, hasRings } = bodyStl(body, `${stem} ${name}`);
-    downloadBytes(bytes, file);
+    const { bytes, volume, hasRings } = bodyStl(body, `${stem} ${name}`);
+    const file = downloadBytes(bytes, `${stem}_${t.file[name]}.stl`);
     const saved = t.saved(file, lengths.volume(volume));
     say(hasRings ? `${saved} ${t.rings}` : saved);
   };
@@ -146,9 +145,7 @@ function Contours({ words: t, outcome: { run }, stem, say }: Part) {
     isTurned = contours.find(isChosen)?.plane === "ZX";
   const own = contours.length > 1 && chosen !== ALL ? `${stem}_${Number(chosen) + 1}` : stem;
   const save = (text: string, ending: string) => {
-    const file = `${own}.${ending}`;
-    downloadText(text, file);
-    say(t.savedFile(file));
+    say(t.savedFile(downloadText(text, `${own}.${ending}`)));
   };
   const name = ({ block, cycle }: OfferedContour) =>
     cycle === null ? t.milled(String(block)) : t.one(String(block), String(cycle));

@@ -4,6 +4,7 @@ import { formatNumber } from "../../i18n/number.ts";
 import type { ShownVerdict } from "../../app/findings/verdict.ts";
 import { VerdictText } from "../../app/findings/VerdictText.tsx";
 import { downloadBytes, downloadText } from "../../app/base/download.ts";
+import { safeFileName } from "../../app/base/file-name.ts";
 import { LONGEST_LINK, SAFE_LINK } from "../../app/base/limits.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { Message } from "../../app/base/Message.tsx";
@@ -95,7 +96,7 @@ function ShareOptions({ words, ready }: { readonly words: HandedTexts; readonly 
   const { work, file, link, report } = ready;
   const copied = useCopying((c) => c.state === "copied" && c.text === link);
   const stem = file.replace(/\.[^.]*$/, "");
-  const archive = `${stem}.zip`;
+  const archive = safeFileName(`${stem}.zip`);
   const isOnlyHere = isLocalAddress(pageAddress());
   const warning = warningOf(words, link, isOnlyHere);
   const sheet = {

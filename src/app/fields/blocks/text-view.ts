@@ -20,6 +20,20 @@ export interface TextView {
   readonly destroy: () => void;
 }
 
+/**
+ * Makes an editor whose styles are in a constructed sheet. CodeMirror makes one only where there is no head, and a style
+ * element in the head would be blocked by the content policy. All later editors use the same sheet.
+ */
+function withConstructedSheet<T>(make: () => T): T {
+  if (!("adoptedStyleSheets" in document)) return make();
+  Object.defineProperty(document, "head", { configurable: true, value: null });
+  try {
+    return make();
+  } finally {
+    Reflect.deleteProperty(document, "head");
+  }
+}
+
 /** Creates an editor. `onChange` is called once for each change, when it is made. */
 export function createTextView(begin: EditorState, onChange: (change: TextUpdate) => void): TextView {
   let behind: readonly Transaction[] = [];
@@ -28,15 +42,18 @@ export function createTextView(begin: EditorState, onChange: (change: TextUpdate
     behind = [];
     if (due.length > 0) view.update(due);
   };
-  const view = new EditorView({
-    state: begin,
-    dispatchTransactions(made) {
-      // An editor that is behind acts on an older text, so its own changes are dropped.
-      if (behind.length > 0) return catchUp();
-      view.update(made);
-      onChange(changeOf(made));
-    },
-  });
+  const view = withConstructedSheet(
+    () =>
+      new EditorView({
+        state: begin,
+        dispatchTransactions(made) {
+          // An editor that is behind acts on an older text, so its own changes are dropped.
+          if (behind.length > 0) return catchUp();
+          view.update(made);
+          onChange(changeOf(made));
+        },
+      }),
+  );
   return {
     get() {
       catchUp();
