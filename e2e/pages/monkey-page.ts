@@ -114,10 +114,10 @@ export function shownFaults(page: Page): Promise<readonly string[]> {
     () =>
       new Promise<readonly string[]>((done) => {
         const look = (frame: number) => {
-          const main = document.querySelector<HTMLElement>("main");
-          if (main?.matches(".crash")) return done([`crashed at ${location.hash}`]);
-          const isThere =
-            main !== null && (main.innerText.trim() !== "" || document.querySelector("dialog[open]") !== null);
+          if (document.querySelector("main.crash")) return done([`crashed at ${location.hash}`]);
+          // An exercise that begins with a question hides the workplace.
+          const parts = document.querySelectorAll<HTMLElement>("main, dialog[open], section");
+          const isThere = [...parts].some((part) => part.innerText.trim() !== "");
           if (isThere) return done([]);
           if (frame > 900) return done([`empty screen at ${location.hash}: ${document.body.innerHTML.slice(0, 600)}`]);
           requestAnimationFrame(() => look(frame + 1));

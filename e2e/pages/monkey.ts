@@ -1,6 +1,7 @@
 import type { CDPSession, Page } from "@playwright/test";
 import { LANGUAGES, type Language } from "../../src/i18n/languages.ts";
 import { settle, shownFaults, takeTarget, type Target } from "./monkey-page.ts";
+import { isPolicyMessage, onBlocked } from "./policy.ts";
 import { Turnwise } from "./turnwise.ts";
 
 /** A window of the monkey, px. */
@@ -76,7 +77,10 @@ export class Monkey {
   /** A monkey on the start page. Nothing leaves the page: downloads, files to choose and other windows end here. */
   static async on(page: Page, seed: number): Promise<Monkey> {
     const monkey = new Monkey(page, await page.context().newCDPSession(page), seed);
-    page.on("console", (line) => line.type() === "error" && monkey.note(`console: ${line.text()}`));
+    page.on("console", (line) => {
+      if (line.type() === "error" && !isPolicyMessage(line.text())) monkey.note(`console: ${line.text()}`);
+    });
+    await onBlocked(page, (what) => monkey.note(what));
     page.on("pageerror", (error) => monkey.note(`error: ${error.stack ?? error.message}`));
     page.on("dialog", (dialog) => void dialog.accept().catch(() => undefined));
     page.on("download", (download) => void download.cancel().catch(() => undefined));
@@ -85,9 +89,6 @@ export class Monkey {
     await page.addInitScript(() => {
       window.print = () => undefined;
       window.addEventListener("unhandledrejection", ({ reason }) => console.error("unhandled rejection", reason));
-      window.addEventListener("securitypolicyviolation", ({ violatedDirective, blockedURI, sample }) =>
-        console.error("content policy", violatedDirective, blockedURI, sample),
-      );
     });
     await page.goto("./");
     return monkey;

@@ -1,6 +1,7 @@
 import { expect, test as plain, type Page } from "@playwright/test";
 import { LANGUAGES } from "../../src/i18n/languages.ts";
 import { axeViolations, COLOUR_RULES, hasAxe } from "./axe.ts";
+import { onBlocked } from "./policy.ts";
 import { loadWords } from "./words.ts";
 
 // Journeys change between languages and name controls in any of them.
@@ -27,12 +28,10 @@ export const test = plain.extend({
     await use(context);
   },
   page: async ({ page }, use, info) => {
-    const violations: string[] = [];
-    page.on("console", (line) => {
-      if (line.text().includes("Content Security Policy")) violations.push(line.text());
-    });
+    const blocked: string[] = [];
+    await onBlocked(page, (what) => void blocked.push(what));
     await use(page);
-    expect(violations, "what the content policy has blocked").toEqual([]);
+    expect(blocked, "what the content policy has blocked").toEqual([]);
     if (info.status !== info.expectedStatus || !isShown(page) || (await hasAxe(page))) return;
     expect(await axeViolations(page, { but: COLOUR_RULES }), "axe on the last screen").toEqual([]);
   },
