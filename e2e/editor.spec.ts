@@ -167,6 +167,9 @@ test("the parts of the program editor pass axe, and fit", async ({ page }) => {
   const { editor, t } = await Turnwise.open(page);
   await editor.openExample("flange");
   await expect(editor.total(t.findings.verdict.title)).not.toHaveText(t.page.effect.unknown);
+  // The page's own styles outweigh those of CodeMirror, which has them in a sheet that comes later.
+  await editor.show("text");
+  await expect(editor.line("BEGIN PGM")).not.toHaveCSS("text-indent", "0px");
   for (const section of ["text", "block", "structure", "findings"] as const) {
     await editor.show(section);
     await expectFineInBothThemes(page, `the part "${section}"`);

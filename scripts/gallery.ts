@@ -12,6 +12,7 @@ import { simulate } from "../src/sim/simulate.ts";
 import type { Simulation } from "../src/sim/simulation.ts";
 import { fitted } from "../src/view/camera.ts";
 import { ringData } from "../src/view/path.ts";
+import { escapedText } from "../src/view/markup.ts";
 import { PATH_ROLES, sceneOf, type Shape } from "../src/view/scene.ts";
 import { svgText } from "../src/view/svg.ts";
 import { cyclePicture, pictureHatches, pictureRules } from "./cycle-picture.ts";
@@ -22,7 +23,6 @@ const RAPID = 10_000;
 const SIZE = { width: 520, height: 300 };
 const MARGIN = { left: 8, right: 8, top: 8, bottom: 8 };
 
-const escaped = (text: string) => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll('"', "&quot;");
 function clock(seconds: number): string {
   const whole = Math.round(seconds);
   const [hours, minutes] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60];
@@ -80,8 +80,8 @@ function work(name: string, text: string): Work | null {
     name,
     cycle,
     figure:
-      `<figure>${picture(made, simulation)}<figcaption><code>${escaped(name)}</code>` +
-      `<span class="${judged.verdict}">${escaped(verdictText(judged, left))}</span><span>${escaped(said)}</span></figcaption></figure>`,
+      `<figure>${picture(made, simulation)}<figcaption><code>${escapedText(name)}</code>` +
+      `<span class="${judged.verdict}">${escapedText(verdictText(judged, left))}</span><span>${escapedText(said)}</span></figcaption></figure>`,
   };
 }
 
@@ -89,7 +89,7 @@ function work(name: string, text: string): Work | null {
 function cycleFigure(cycle: Cycle): string {
   const drawn = cyclePicture(cycle);
   const name = `${cycle.number} ${cycles.of[cycle.number as CycleNumber].name}`;
-  return drawn === null ? "" : `<figure>${drawn}<figcaption><b>${escaped(name)}</b></figcaption></figure>`;
+  return drawn === null ? "" : `<figure>${drawn}<figcaption><b>${escapedText(name)}</b></figcaption></figure>`;
 }
 
 const RULES = `
@@ -136,11 +136,11 @@ function page(): string {
     const own = cuttingCycles.filter((c) => c.group === group);
     const programs = works.filter((w) => w.cycle.group === group);
     const goldens = `<h3>Programs</h3><div class="figures">${programs.map((w) => w.figure).join("\n")}</div>`;
-    return `<section id="${group}"><h2>${escaped(cycles.groups[group])}</h2><h3>Cycles</h3><div class="figures">${own
+    return `<section id="${group}"><h2>${escapedText(cycles.groups[group])}</h2><h3>Cycles</h3><div class="figures">${own
       .map(cycleFigure)
       .join("\n")}</div>${programs.length > 0 ? goldens : ""}</section>`;
   });
-  const links = groups.map((group) => `<a href="#${group}">${escaped(cycles.groups[group])}</a>`).join("");
+  const links = groups.map((group) => `<a href="#${group}">${escapedText(cycles.groups[group])}</a>`).join("");
   return `<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
 <meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'self'">

@@ -120,7 +120,7 @@ test("the sheet is a separate file: everything within its frame, and names as wr
   };
   const title = sheetTitleOf({ titled, drawn: part, print, words: printWords(german, "de"), t: german });
   const svg = drawingSvg(print, title, { width: 277, height: 190 });
-  expect(svg).toContain("SEAL &lt;A&amp;B> FOR");
+  expect(svg).toContain("SEAL &lt;A&amp;B&gt; FOR");
   expect(svg).toContain(`width="297mm" height="210mm"`);
   for (const width of [277, 259, 120]) {
     const { cells } = titleBlock(title, width);

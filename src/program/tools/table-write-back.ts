@@ -17,7 +17,7 @@ import {
 import { ruleOf, type NumberColumn } from "./tool-columns.ts";
 import { cellOf, hasFile, isMillEntry, readEntry, type TableOrigin, type ToolEntry } from "./tool-entry.ts";
 import { sameList, shippedList } from "./tool-list.ts";
-import { written } from "./tool-table-text.ts";
+import { inOneLine, written } from "./tool-table-text.ts";
 
 /** The imported table file with the changes of its tools. */
 export interface TableWriteBack {
@@ -67,7 +67,7 @@ function fitted(layout: TableLayout, title: Title, manner: ColumnFormat, text: s
     const words = MILL_WORDS.find((each) => each.type === text)?.words;
     return fits(numbered ? (words?.find((word) => /^\d$/.test(word)) ?? "0") : wordOfMill(text));
   }
-  if (title.name === "NAME" || title.name === "TYPE" || text.trim() === "") return fits(text.trim());
+  if (title.name === "NAME" || title.name === "TYPE" || text.trim() === "") return fits(inOneLine(text));
   const number = Number(text.trim().replace(",", "."));
   if (!Number.isFinite(number)) return fits(text.trim());
   const { kind, decimals } = ruleOf(title.name as NumberColumn);

@@ -49,10 +49,14 @@ const WIDTHS: Readonly<Record<TableColumn, number>> = {
 };
 const LINE_END = "\r\n";
 
+/** A text as one cell of a line: a name from another file may hold line ends, which would begin another row. */
+export const inOneLine = (text: string): string => text.replace(/\p{Cc}+/gu, " ").trim();
+
 /** A value as the control writes it in a column. */
 export function written(value: string | number | undefined, column: TableColumn): string {
   if (value === undefined) return "";
-  if (typeof value === "string" || column === "NAME" || column === "TYPE" || column === "TYP") return String(value);
+  if (typeof value === "string" || column === "NAME" || column === "TYPE" || column === "TYP")
+    return inOneLine(String(value));
   const {
     decimals,
     range: [min],

@@ -291,6 +291,20 @@ describe("the control's column text", () => {
       { numRuns: 1000 },
     ));
 
+  test("a name from another file begins no row and ends no table", () => {
+    const names = ["A\r\n99      X", "B\n[END]", "C\tD", "[END]", "<b>"];
+    const read = readTableText(
+      writeTableText(names.map((NAME, i) => ({ ...shippedTools[0], T: i + 1, NAME }) as Tool)),
+    );
+    expect("rows" in read && read.rows.map(({ T, NAME }) => [T, NAME])).toEqual([
+      ["1", "A 99      X"],
+      ["2", "B [END]"],
+      ["3", "C D"],
+      ["4", "[END]"],
+      ["5", "<b>"],
+    ]);
+  });
+
   test("what is finer than the columns is rounded once", () => {
     const text = writeTableText([{ ...shippedTools[0], RS: 0.79996, "T-ANGLE": 95.12345 } as Tool]);
     const read = readTableText(text);

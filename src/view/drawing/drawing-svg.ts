@@ -1,6 +1,7 @@
 import { textWidth } from "../dimensions/labels.ts";
 import { FIGURES, NEXT, nominalWidth, SMALL, STACKED, widthOf, type PrintText } from "./paper.ts";
 import { onPaperGrid as n } from "../dimensions/strokes.ts";
+import { escapedText } from "../markup.ts";
 import type { PartDrawing } from "./part-drawing.ts";
 
 /** A fact of a title block, with its label. */
@@ -25,7 +26,6 @@ const ROW = 9,
   PAD = 2,
   EDGE = 10;
 
-const escaped = (text: string) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;");
 const needs = ({ label, text }: TitleCell, size: number) =>
   Math.max(textWidth(label, LABEL), textWidth(text, size)) + PAD + PAD;
 
@@ -93,7 +93,7 @@ const STYLE = [
 ].join("");
 
 const textAt = (text: string, x: number, y: number, size: number) =>
-  `<text x="${n(x)}" y="${n(y)}" font-size="${n(size)}">${escaped(text)}</text>`;
+  `<text x="${n(x)}" y="${n(y)}" font-size="${n(size)}">${escapedText(text)}</text>`;
 
 function written(text: PrintText): string {
   const {
@@ -131,7 +131,7 @@ export function drawingSvg(
   const [wide, tall] = [n(width + EDGE + EDGE), n(height + EDGE + EDGE)];
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" width="${wide}mm" height="${tall}mm" viewBox="${-EDGE} ${-EDGE} ${wide} ${tall}">`,
-    ` <title>${escaped(title.name.text)}</title>`,
+    ` <title>${escapedText(title.name.text)}</title>`,
     ` <style>${STYLE}</style>`,
     ` <pattern id="hatch" width="1.8" height="1.8" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">` +
       `<path class="hatch" d="M0 0V1.8"/></pattern>`,

@@ -1,4 +1,5 @@
 import type { HelpDrawing } from "./picture.ts";
+import { escapedText } from "../markup.ts";
 import { px, type Mark } from "./marks.ts";
 
 /** Classes of a mark: its role, and whether it is active. */
@@ -19,8 +20,6 @@ function roleOf(m: Mark): string {
   }
 }
 
-const escaped = (text: string) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;");
-
 function element(m: Mark, indent: string): string {
   const own = `class="${classOf(m)}"${m.q ? ` data-q="${m.q}"` : ""}`;
   switch (m.kind) {
@@ -32,7 +31,7 @@ function element(m: Mark, indent: string): string {
       const line = m.underlined ? ` text-decoration="underline"` : "";
       return (
         `${indent}<text ${own} x="${px(m.place.x)}" y="${px(m.place.y)}" font-size="${m.size}"${turn}${line}>` +
-        `${escaped(m.text)}</text>`
+        `${escapedText(m.text)}</text>`
       );
     }
     case "detail":
