@@ -1,5 +1,5 @@
 import { spawn, spawnSync, type ChildProcess } from "node:child_process";
-import { chmodSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { chmodSync, existsSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { connect, createServer, type AddressInfo } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -26,16 +26,21 @@ const config = (name: string, text: string) => {
 };
 const isRoot = process.getuid?.() === 0;
 
+/** Modules of Apache where Debian and its relatives have them. */
+const APACHE = "/usr/lib/apache2/modules";
+
 /** A command that serves the site in the foreground, with the recipe as its configuration. */
 const SERVERS: Readonly<
   Record<string, { readonly binary: string; readonly start: (port: number) => readonly string[] }>
 > = {
   "serve.mjs": {
     binary: process.execPath,
+    needs: [],
     start: (port) => [projectPath("scripts/serve.mjs"), "--port", String(port), "--under", "turnwise", site()],
   },
   nginx: {
     binary: "nginx",
+    needs: ["/etc/nginx/mime.types"],
     start(port) {
       const [inHttp = "", inServer = ""] = asWritten(recipe("nginx")).split("# In the server block.");
       const paths = ["client_body", "proxy", "fastcgi", "uwsgi", "scgi"].map(
@@ -49,10 +54,11 @@ const SERVERS: Readonly<
   },
   apache: {
     binary: "apache2",
+    needs: [`${APACHE}/mod_headers.so`, `${APACHE}/mod_mpm_event.so`, "/etc/mime.types"],
     start(port) {
       put(".htaccess", recipe("apache"));
       const modules = ["mpm_event", "authz_core", "alias", "dir", "mime", "filter", "deflate", "headers"].map(
-        (name) => `LoadModule ${name}_module /usr/lib/apache2/modules/mod_${name}.so`,
+        (name) => `LoadModule ${name}_module ${APACHE}/mod_${name}.so`,
       );
       const file = config(
         "apache.conf",
@@ -70,6 +76,7 @@ const SERVERS: Readonly<
   },
   caddy: {
     binary: "caddy",
+    needs: [],
     start(port) {
       const text = asWritten(recipe("caddy")).replace("example.shop {", `http://127.0.0.1:${port} {`);
       return ["run", "--adapter", "caddyfile", "--config", config("Caddyfile", `{\nadmin off\n}\n${text}`)];
@@ -77,7 +84,8 @@ const SERVERS: Readonly<
   },
 };
 
-const isInstalled = (binary: string) => spawnSync(binary, ["-v"], { stdio: "ignore" }).error === undefined;
+const isInstalled = (binary: string, needs: readonly string[]) =>
+  spawnSync(binary, ["-v"], { stdio: "ignore" }).error === undefined && needs.every((path) => existsSync(path));
 
 beforeAll(() => {
   folder = mkdtempSync(join(tmpdir(), "turnwise-recipes-"));
@@ -128,8 +136,8 @@ const freePort = () =>
   });
 const PAUSE = 50;
 
-describe.each(Object.entries(SERVERS))("%s", (name, { binary, start }) => {
-  const missing = !isInstalled(binary);
+describe.each(Object.entries(SERVERS))("%s", (name, { binary, needs, start }) => {
+  const missing = !isInstalled(binary, needs);
   let server: ChildProcess | null = null;
   let port = 0;
   beforeAll(async () => {
