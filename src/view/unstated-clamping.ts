@@ -25,12 +25,13 @@ export function unstatedClamping(blank: readonly Ring[], { left, high }: Bounds)
   );
   const long = Math.min(LINES.most, Math.max(LINES.least, high * LINES.share)),
     count = Math.min(LINES.greatest, Math.max(LINES.fewest, Math.round((high - low) / long)));
-  const apart = (high - low) / count;
+  const apart = (high - low) / count,
+    reach = Math.min(apart, 2 * LINES.most);
   return {
     plane: [at(left, low), at(left, high)],
     hatch: Array.from({ length: count }, (_, i) => {
       const r = low + (i + 1) * apart;
-      return [at(left, r), at(left - apart, r - apart)] as const;
+      return [at(left, r), at(left - reach, r - reach)] as const;
     }),
   };
 }

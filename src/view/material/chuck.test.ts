@@ -27,8 +27,10 @@ test("the plane of a tube begins at its bore", () => {
 test("the plane of a blank of any size has a number of lines that can be drawn", () => {
   for (const r of [0.01, 300, 5e7]) {
     const bar = [[at(-10, 0), at(0, 0), at(0, r), at(-10, r)]];
-    const { unstated } = chuckDrawing(bar, { left: -10, right: 0, low: 0, high: r }, null);
+    const { unstated, all } = chuckDrawing(bar, { left: -10, right: 0, low: 0, high: r }, null);
     expect(unstated?.hatch.length).toBeLessThanOrEqual(60);
+    // They stay short, so that the picture is of the blank.
+    expect(all.left).toBeGreaterThan(-40);
   }
 });
 
