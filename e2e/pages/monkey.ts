@@ -187,13 +187,14 @@ export class Monkey {
       return key === "Tab" ? null : before;
     }
     if (!this.touch && this.random() < 0.35 && target.isFocusable) {
-      this.steps.push(`${(await page.locator("[data-monkey]").count()) > 0 ? "Enter on" : "?"} ${target.what}`);
+      const key = this.random() < 0.7 ? "Enter" : "Space";
+      this.steps.push(`${key} on ${target.what}`);
       await page
         .locator("[data-monkey]")
         .focus({ timeout: 1000 })
         .catch(() => undefined);
       const before = await settle(page, false);
-      await keyboard.press(this.random() < 0.7 ? "Enter" : "Space");
+      await keyboard.press(key);
       return before;
     }
     this.steps.push(`${this.touch ? "tap" : "click"} ${target.what}`);
