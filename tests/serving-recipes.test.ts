@@ -31,7 +31,10 @@ const APACHE = "/usr/lib/apache2/modules";
 
 /** A command that serves the site in the foreground, with the recipe as its configuration. */
 const SERVERS: Readonly<
-  Record<string, { readonly binary: string; readonly start: (port: number) => readonly string[] }>
+  Record<
+    string,
+    { readonly binary: string; readonly needs: readonly string[]; readonly start: (port: number) => readonly string[] }
+  >
 > = {
   "serve.mjs": {
     binary: process.execPath,

@@ -9,7 +9,7 @@ const MARK = "blocked by the content policy:";
 export async function onBlocked(page: Page, note: (what: string) => void): Promise<void> {
   page.on("console", (line) => line.text().startsWith(MARK) && note(line.text()));
   await page.addInitScript((mark) => {
-    addEventListener("securitypolicyviolation", ({ effectiveDirective, blockedURI, sourceFile }) => {
+    document.addEventListener("securitypolicyviolation", ({ effectiveDirective, blockedURI, sourceFile }) => {
       const isTyped = effectiveDirective === "style-src-attr" && document.activeElement?.closest(".cm-content");
       if (!isTyped) console.warn(mark, effectiveDirective, blockedURI, sourceFile);
     });
