@@ -103,10 +103,10 @@ test("typing and dialog make the same edit; programs and the tool table have his
   await expect(editor.line("Q463=+2.4")).toBeVisible();
 
   // Each program and the tool table have a history of their own, and undo says what it takes back.
-  await page.getByRole("link", { name: t.page.home, exact: true }).click();
+  await turnwise.undo();
+  await expect(editor.line("Q463=+3")).toBeVisible();
   const undo = turnwise.historyButton("undo"),
     redo = turnwise.historyButton("redo");
-  await editor.openExample("shoulder");
   await editor.line("Q463=").click();
   await editor.show("block");
   await turnwise.dialog.open("Q463");

@@ -283,6 +283,7 @@ test("the table in every language", async ({ page }) => {
     shown = Turnwise.at(page, language);
     const { tools } = shown;
     await tools.open();
+    await tools.rowButton(1).click();
     await tools.cell("RS").fill("0.5");
     await expect(tools.row(1)).toContainText(formatNumber(language, 0.5));
     await tools.direction(3).check();
