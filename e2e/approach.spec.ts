@@ -48,9 +48,7 @@ const NARROW = `0 BEGIN PGM NARROW MM
 17 END PGM NARROW MM
 `;
 
-test("a milled program shows its plane and its stock; its approach is edited in every way", async ({
-  page,
-}) => {
+test("a milled program shows its plane and its stock; its approach is edited in every way", async ({ page }) => {
   const { editor, t } = await Turnwise.open(page);
   await editor.openExample("plate");
   const view = page.getByRole("region", { name: t.approach.view });
@@ -122,7 +120,9 @@ test("a milled program shows its plane and its stock; its approach is edited in 
   await expectAccessible(page);
 });
 
-test("the view follows what turns and what mills; a mouth narrower than the tool is reported at its place", async ({ page }) => {
+test("the view follows what turns and what mills; a mouth narrower than the tool is reported at its place", async ({
+  page,
+}) => {
   const { editor, t } = await Turnwise.open(page);
   await editor.openFile("MIXED.H", new TextEncoder().encode(MIXED));
   const plane = page.getByRole("region", { name: t.approach.view });
@@ -153,4 +153,3 @@ test("the view follows what turns and what mills; a mouth narrower than the tool
   const view = page.getByRole("region", { name: t.approach.view });
   await expect(view.getByRole("button", { name: /Along element 1 the tool cuts/ })).toBeVisible();
 });
-

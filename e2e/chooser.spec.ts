@@ -42,7 +42,9 @@ test("on a phone the groups are folded, and a search passes axe", async ({ page 
     expect((await button.boundingBox())?.height).toBeGreaterThanOrEqual(TARGET);
 });
 
-test("cycles are inserted into a program with the same chooser; one that is not simulated says so", async ({ page }) => {
+test("cycles are inserted into a program with the same chooser; one that is not simulated says so", async ({
+  page,
+}) => {
   const { start, editor, dialog, t } = await Turnwise.open(page);
   const says = page.getByRole("group", { name: t.chooser.cycles }).getByRole("status");
   const called = (number: number, name: string) => t.page.start.cycle(number, name);

@@ -55,7 +55,9 @@ test("a changed infeed is listed with its effect, by keyboard, and leads to its 
   await expect(editor.line("CYCL DEF 812")).toBeInViewport();
 });
 
-test("improvements are found, compared, used one by one, and undone; a cycle work is compared too", async ({ page }) => {
+test("improvements are found, compared, used one by one, and undone; a cycle work is compared too", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { editor, t } = turnwise;
   await editor.openExample("flange");

@@ -55,9 +55,7 @@ test("a file keeps its bytes; blocks are inserted, moved and deleted by dialog; 
   await expect(page.getByRole("form").getByText(notUnderstood)).toBeVisible();
 });
 
-test("the default program runs clean, its parts lead to their blocks, pass axe, and fit", async ({
-  page,
-}) => {
+test("the default program runs clean, its parts lead to their blocks, pass axe, and fit", async ({ page }) => {
   const { editor, t } = await Turnwise.open(page);
   await editor.openExample("flange");
   await expect(editor.total(t.findings.verdict.title)).toHaveText(provedIn(t));
@@ -79,7 +77,9 @@ test("the default program runs clean, its parts lead to their blocks, pass axe, 
   }
 });
 
-test("typing and dialog make the same edit; programs and the tool table have histories of their own", async ({ page }) => {
+test("typing and dialog make the same edit; programs and the tool table have histories of their own", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { editor, dialog, tools, t } = turnwise;
   await editor.openExample("shoulder");
@@ -163,4 +163,3 @@ test("a share link opens the same program, and a reload keeps what was typed", a
   await other.page.reload();
   await expect(other.editor.line("M136 ;KEPT")).toBeVisible();
 });
-

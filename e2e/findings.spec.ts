@@ -140,4 +140,3 @@ test("residual material leads to its place and to a tool; a missing contour to t
   await dialog.active.getByRole("button", { name: t.findings.done.toContour, exact: true }).click();
   await expect(contour.add).toBeVisible();
 });
-

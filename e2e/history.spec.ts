@@ -110,4 +110,3 @@ test("every place can be reloaded at its address; that of a missing work says so
   await expect(start.button(812, true)).toBeVisible();
   await expectAccessibleAndFits(page);
 });
-

@@ -7,7 +7,9 @@ import { output } from "../src/i18n/en/output.ts";
 const UNTIED =
   "0 BEGIN PGM OLD MM\n1 BLK FORM CYLINDER Z D75 L100\n2 CYCL DEF 811  X\nQ215=+0 ;A\nQ460=+2 ;B\n3 M30\n4 END PGM OLD MM\n";
 
-test("files of both controls, labels in a language of their own, and the text if the clipboard is refused", async ({ page }) => {
+test("files of both controls, labels in a language of their own, and the text if the clipboard is refused", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { program } = turnwise;
   await turnwise.start.beginWithExample(820);
@@ -35,9 +37,7 @@ test("files of both controls, labels in a language of their own, and the text if
   await expect(dialog).toBeHidden();
 });
 
-test("the printed form is a view; the download is the text on the screen; DIN/ISO runs the same", async ({
-  page,
-}) => {
+test("the printed form is a view; the download is the text on the screen; DIN/ISO runs the same", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { editor, program, sheet, t } = turnwise;
   await turnwise.start.beginWithExample(812);
@@ -132,4 +132,3 @@ test("machine functions, line ends and name stay with the work", async ({ page }
   await turnwise.start.beginWithExample(821);
   await expect.poll(async () => (await program.shown()).join("\n")).toContain("M140 MB MAX");
 });
-

@@ -5,7 +5,9 @@ import { expectAccessibleAndFits } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("the finished part is turned around and continues as a new program; after parting off, bar or part", async ({ page }) => {
+test("the finished part is turned around and continues as a new program; after parting off, bar or part", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { editor, effect, start, t } = turnwise;
   const dialog = page.getByRole("dialog", { name: words.title, exact: true });

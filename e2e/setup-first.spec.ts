@@ -106,4 +106,3 @@ test("a proposed blank, one that the user has set, and a contour that is asked f
   await page.keyboard.press("End");
   await expect(dialog.question).toHaveText(t.dialog.done.title);
 });
-

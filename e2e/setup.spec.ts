@@ -1,7 +1,9 @@
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("an unfit tool, a start point inside the material and a Q parameter are reported and answered", async ({ page }) => {
+test("an unfit tool, a start point inside the material and a Q parameter are reported and answered", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { dialog, setup, effect, lathe, program, t } = turnwise;
   await turnwise.start.beginWithExample(852);
@@ -69,4 +71,3 @@ test("an unfit tool, a start point inside the material and a Q parameter are rep
   await turnwise.show("setup");
   await expect(value).toHaveValue("40");
 });
-

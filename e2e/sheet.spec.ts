@@ -90,4 +90,3 @@ test("the sheet of a cycle, in German on a phone; a program with errors is marke
   await sheet.open();
   await expect(sheet.preview.getByRole("heading", { name: sheet.words.stamp.faults })).toBeVisible();
 });
-

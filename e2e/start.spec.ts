@@ -52,7 +52,9 @@ test("the lathe on the start page plays, pauses, and stands still with reduced m
   await expect(tool).toHaveCount(0);
 });
 
-test("stored works come first, open, are deleted with an undo, and are found like examples and cycles", async ({ page }) => {
+test("stored works come first, open, are deleted with an undo, and are found like examples and cycles", async ({
+  page,
+}) => {
   const { t, start, dialog } = await Turnwise.open(page);
   await start.beginWithExample(852);
   await expect(dialog.question).toBeVisible();
@@ -84,4 +86,3 @@ test("stored works come first, open, are deleted with an undo, and are found lik
   await page.keyboard.press("Enter");
   await expect(dialog.question).toBeVisible();
 });
-

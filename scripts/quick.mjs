@@ -19,8 +19,9 @@ const files =
 
 const cache = join(root, "node_modules", ".cache", "turnwise");
 const bin = (...path) => join(root, "node_modules", ...path);
-/** Tests that run at most: those of a file of the kernel are nearly all. */
+/** Tests that run at most: those of a file of the kernel are nearly all. One with a document takes as long as three. */
 const MOST_TESTS = 8;
+const WITH_DOCUMENT = 3;
 
 /** For each file of src and tests, the files that import it. */
 function importers() {
@@ -43,18 +44,23 @@ function distance(test, file) {
   return (room < 0 ? ROOMS.length : room) - shared * (ROOMS.length + 1);
 }
 
-/** The tests beside the code that depend on one of the files, the nearest of each first. */
+/** The tests beside the code that depend on one of the files, the nearest first; not those of the whole page. */
 function nearest(from) {
   const by = importers();
   const of = (file) => {
     const seen = new Set([file]);
     for (const each of seen) for (const importer of by.get(each) ?? []) seen.add(importer);
-    const isTest = (each) => /\.test\.tsx?$/.test(each) && (each.startsWith("src/") || each === file);
-    return [...seen].filter(isTest).sort((a, b) => distance(a, file) - distance(b, file));
+    const isTest = (each) => /\.test\.tsx?$/.test(each) && (/^src\/(?!shell)/.test(each) || each === file);
+    return [...seen].filter(isTest).map((test) => ({ test, far: distance(test, file) }));
   };
-  const all = from.map(of);
-  const most = Math.max(1, Math.floor(MOST_TESTS / from.length));
-  return [...new Set(all.flatMap((each) => each.slice(0, most)))].slice(0, MOST_TESTS);
+  const all = from.flatMap(of).sort((a, b) => a.far - b.far);
+  let left = MOST_TESTS;
+  return [...new Set(all.map(({ test }) => test))].filter((test) => {
+    const takes = test.endsWith("x") ? WITH_DOCUMENT : 1;
+    if (takes > left) return false;
+    left -= takes;
+    return true;
+  });
 }
 const tests = files.length > 0 ? nearest(files) : [];
 const work = [
