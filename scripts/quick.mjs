@@ -50,7 +50,8 @@ function nearest(from) {
   const of = (file) => {
     const seen = new Set([file]);
     for (const each of seen) for (const importer of by.get(each) ?? []) seen.add(importer);
-    const isTest = (each) => /\.test\.tsx?$/.test(each) && (/^src\/(?!shell)/.test(each) || each === file);
+    const room = file.startsWith("src/shell/") ? /^src\// : /^src\/(?!shell)/;
+    const isTest = (each) => /\.test\.tsx?$/.test(each) && (room.test(each) || each === file);
     return [...seen].filter(isTest).map((test) => ({ test, far: distance(test, file) }));
   };
   const all = from.flatMap(of).sort((a, b) => a.far - b.far);
