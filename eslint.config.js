@@ -131,8 +131,15 @@ export default defineConfig([
       "no-restricted-syntax": ["error", ...form, held.syntax],
     },
   },
+  // The other rules of this plugin run React's compiler, which takes as long as all other rules; tests are not compiled.
   {
     files: ["src/{app,features,shell}/**/*.{ts,tsx}"],
+    ignores: ["**/*.test.{ts,tsx}"],
     ...reactHooks.configs.flat["recommended-latest"],
+  },
+  {
+    files: ["src/{app,features,shell}/**/*.test.{ts,tsx}"],
+    plugins: { "react-hooks": reactHooks },
+    rules: { "react-hooks/rules-of-hooks": "error", "react-hooks/exhaustive-deps": "warn" },
   },
 ]);

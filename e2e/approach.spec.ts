@@ -3,9 +3,52 @@ import { settledBox } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("a milled program shows its plane; its approach is edited by prompt, by dragging and by changing the form", async ({
-  page,
-}) => {
+/** Turns, mills a slot across the face with a rapid that is too low, and turns again. */
+const MIXED = `0 BEGIN PGM MIXED MM
+1 BLK FORM CYLINDER Z D62.4 L70.3 DIST+1
+2 FUNCTION MODE TURN
+3 TOOL CALL 1
+4 FUNCTION TURNDATA SPIN VCONST:OFF S700 M3
+5 M136
+6 L X+66.2 Z+3 R0 FMAX
+7 L X+58.6 FMAX
+8 L Z-20.7 F0.21
+9 L X+66.2
+10 M137
+11 FUNCTION MODE MILL
+12 TOOL DEF 1 L+0 R+5
+13 TOOL CALL 1 Z S3000
+14 L X-45 Y+0 Z+20 R0 FMAX
+15 L Z-6 R0 FMAX M3
+16 L X+0 F400
+17 L Y+14 FMAX
+18 L Z+50 FMAX
+19 M30
+20 END PGM MIXED MM
+`;
+
+/** A pocket with a 9 mm mouth, and a 10 mm tool. */
+const NARROW = `0 BEGIN PGM NARROW MM
+1 TOOL DEF 1 L+0 R+5
+2 TOOL CALL 1 Z S4000
+3 L Z+20 R0 FMAX
+4 L X-40 Y-40 R0 F500
+5 APPR LT X-30 Y-10 LEN10 RL F100
+6 L X+0 Y+0
+7 L X+10
+8 L Y-6
+9 L X+40
+10 L Y+15
+11 L X+10
+12 L Y+9
+13 L X+0
+14 L X-30 Y+19
+15 DEP LT LEN10
+16 L Z+20 R0 FMAX M2
+17 END PGM NARROW MM
+`;
+
+test("a milled program shows its plane and its stock; its approach is edited in every way", async ({ page }) => {
   const { editor, t } = await Turnwise.open(page);
   await editor.openExample("plate");
   const view = page.getByRole("region", { name: t.approach.view });
@@ -31,34 +74,9 @@ test("a milled program shows its plane; its approach is edited by prompt, by dra
   await page.getByRole("button", { name: /^APPR CT:/ }).click();
   await expect(editor.line("APPR CT")).toContainText("CCA90");
   await expectAccessible(page);
-});
 
-/** Turns, mills a slot across the face with a rapid that is too low, and turns again. */
-const MIXED = `0 BEGIN PGM MIXED MM
-1 BLK FORM CYLINDER Z D62.4 L70.3 DIST+1
-2 FUNCTION MODE TURN
-3 TOOL CALL 1
-4 FUNCTION TURNDATA SPIN VCONST:OFF S700 M3
-5 M136
-6 L X+66.2 Z+3 R0 FMAX
-7 L X+58.6 FMAX
-8 L Z-20.7 F0.21
-9 L X+66.2
-10 M137
-11 FUNCTION MODE MILL
-12 TOOL DEF 1 L+0 R+5
-13 TOOL CALL 1 Z S3000
-14 L X-45 Y+0 Z+20 R0 FMAX
-15 L Z-6 R0 FMAX M3
-16 L X+0 F400
-17 L Y+14 FMAX
-18 L Z+50 FMAX
-19 M30
-20 END PGM MIXED MM
-`;
-
-test("milled stock is drawn, and its path leads to its block", async ({ page }) => {
-  const { editor, t } = await Turnwise.open(page);
+  // Milled stock is drawn, and its path leads to its block.
+  await page.getByRole("link", { name: t.page.home, exact: true }).click();
   await editor.openExample("plate");
   const plane = page.getByRole("region", { name: t.approach.view }),
     stage = plane.getByRole("group", { name: t.approach.view });
@@ -102,7 +120,9 @@ test("milled stock is drawn, and its path leads to its block", async ({ page }) 
   await expectAccessible(page);
 });
 
-test("a program that turns and mills switches the view by selection, finding and playback", async ({ page }) => {
+test("the view follows what turns and what mills; a mouth narrower than the tool is reported at its place", async ({
+  page,
+}) => {
   const { editor, t } = await Turnwise.open(page);
   await editor.openFile("MIXED.H", new TextEncoder().encode(MIXED));
   const plane = page.getByRole("region", { name: t.approach.view });
@@ -122,31 +142,9 @@ test("a program that turns and mills switches the view by selection, finding and
   await lathe.getByRole("group", { name: t.lathe.title }).focus();
   await page.keyboard.press("Space");
   await expect(plane).toBeVisible();
-});
 
-/** A pocket with a 9 mm mouth, and a 10 mm tool. */
-const NARROW = `0 BEGIN PGM NARROW MM
-1 TOOL DEF 1 L+0 R+5
-2 TOOL CALL 1 Z S4000
-3 L Z+20 R0 FMAX
-4 L X-40 Y-40 R0 F500
-5 APPR LT X-30 Y-10 LEN10 RL F100
-6 L X+0 Y+0
-7 L X+10
-8 L Y-6
-9 L X+40
-10 L Y+15
-11 L X+10
-12 L Y+9
-13 L X+0
-14 L X-30 Y+19
-15 DEP LT LEN10
-16 L Z+20 R0 FMAX M2
-17 END PGM NARROW MM
-`;
-
-test("a mouth narrower than the tool is reported at its place, with the largest radius that fits", async ({ page }) => {
-  const { editor, t } = await Turnwise.open(page);
+  // A mouth narrower than the tool is reported at its place, with the largest radius that fits.
+  await page.getByRole("link", { name: t.page.home, exact: true }).click();
   await editor.openFile("NARROW.h", Buffer.from(NARROW));
   await editor.show("findings");
   await expect(

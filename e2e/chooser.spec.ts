@@ -5,21 +5,8 @@ import { Turnwise } from "./pages/turnwise.ts";
 /** Smallest target for a gloved finger, px. */
 const TARGET = 44;
 
-test("find a cycle by a word of another language, and again among the recent ones", async ({ page }) => {
-  const turnwise = await Turnwise.open(page);
-  const { start, dialog } = turnwise;
-  await start.search.fill("epaulement");
-  await expect(start.button(812, true)).toBeVisible();
-  await start.search.fill("812");
-  await page.keyboard.press("Enter");
-  await expect(dialog.question).toHaveText(dialog.promptOf(812, "Q215"));
-  await page.getByRole("link", { name: turnwise.t.page.home }).click();
-  await start.recent.getByRole("button", { name: /812/ }).click();
-  await expect(dialog.question).toHaveText(dialog.promptOf(812, "Q215"));
-});
-
-test("arrow keys move through the rows of a group and from its buttons to the next", async ({ page }) => {
-  const { start } = await Turnwise.open(page);
+test("cycles are found by arrow keys, by a word of another language, and among the recent ones", async ({ page }) => {
+  const { start, dialog, t } = await Turnwise.open(page);
   await start.search.focus();
   await page.keyboard.press("ArrowDown");
   await expect(page.locator(".cycle-group-head").first()).toBeFocused();
@@ -30,6 +17,16 @@ test("arrow keys move through the rows of a group and from its buttons to the ne
   await expect(page.locator(".cycle-take").first()).toBeFocused();
   await page.keyboard.press("8");
   await expect(start.search).toHaveValue("8");
+
+  // Find a cycle by a word of another language, and again among the recent ones.
+  await start.search.fill("epaulement");
+  await expect(start.button(812, true)).toBeVisible();
+  await start.search.fill("812");
+  await page.keyboard.press("Enter");
+  await expect(dialog.question).toHaveText(dialog.promptOf(812, "Q215"));
+  await page.getByRole("link", { name: t.page.home }).click();
+  await start.recent.getByRole("button", { name: /812/ }).click();
+  await expect(dialog.question).toHaveText(dialog.promptOf(812, "Q215"));
 });
 
 test("on a phone the groups are folded, and a search passes axe", async ({ page }) => {
@@ -45,21 +42,9 @@ test("on a phone the groups are folded, and a search passes axe", async ({ page 
     expect((await button.boundingBox())?.height).toBeGreaterThanOrEqual(TARGET);
 });
 
-test("a cycle is inserted into a program with the same chooser", async ({ page }) => {
-  const turnwise = await Turnwise.open(page);
-  const { editor, t } = turnwise;
-  await editor.create();
-  await editor.line("M30").click();
-  await editor.show("block");
-  await editor.insert("cycle");
-  await turnwise.start.search.fill("852");
-  await expectAccessibleAndFits(page);
-  await page.keyboard.press("Enter");
-  await expect(page.getByRole("form", { name: t.dialog.form })).toBeVisible();
-  await expect(page.getByRole("heading", { name: t.cycles.of[852].name })).toBeVisible();
-});
-
-test("a cycle that acts in a program is inserted; one that is not simulated says so", async ({ page }) => {
+test("cycles are inserted into a program with the same chooser; one that is not simulated says so", async ({
+  page,
+}) => {
   const { start, editor, dialog, t } = await Turnwise.open(page);
   const says = page.getByRole("group", { name: t.chooser.cycles }).getByRole("status");
   const called = (number: number, name: string) => t.page.start.cycle(number, name);
@@ -78,4 +63,14 @@ test("a cycle that acts in a program is inserted; one that is not simulated says
   await expect(dialog.question).toHaveText(dialog.promptOf(800, "Q497"));
   await expect(page.getByText(t.cycles.of[800].description[0] ?? "")).toBeVisible();
   await expectAccessibleAndFits(page);
+
+  // A cycle is inserted into a program with the same chooser.
+  await editor.line("M30").click();
+  await editor.show("block");
+  await editor.insert("cycle");
+  await start.search.fill("852");
+  await expectAccessibleAndFits(page);
+  await page.keyboard.press("Enter");
+  await expect(page.getByRole("form", { name: t.dialog.form })).toBeVisible();
+  await expect(page.getByRole("heading", { name: t.cycles.of[852].name })).toBeVisible();
 });

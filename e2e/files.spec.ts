@@ -65,7 +65,7 @@ test("files dropped together run together, a missing one is reported and added, 
   await expect(verdict).toHaveText(provedIn(t));
 });
 
-test("a called program is shown and edited, its caller runs again, and another program can run", async ({ page }) => {
+test("a called program is shown and edited, another one can run, and a switch skips blocks", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { editor, findings, t } = turnwise;
   const passes = editor.total(t.page.effect.passes);
@@ -113,11 +113,9 @@ test("a called program is shown and edited, its caller runs again, and another p
     await editor.files.getByRole("button", { name: t.editor.files.remove(name), exact: true }).press("Enter");
   await expect(editor.total(t.findings.verdict.title)).not.toHaveText(provedIn(t));
   await expect(editor.file("MAIN.h")).toBeFocused();
-});
 
-test("a switch of the work skips the blocks with a skip mark", async ({ page }) => {
-  const turnwise = await Turnwise.open(page);
-  const { editor, t } = turnwise;
+  // A switch of the work skips the blocks with a skip mark.
+  await page.getByRole("link", { name: t.page.home, exact: true }).click();
   const operations = editor.total(t.editor.operations);
   await editor.drop({ "defines.h": DEFINES, "MAIN.h": MAIN, "away.h": AWAY });
   await expect(operations).toHaveText("1");

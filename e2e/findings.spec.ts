@@ -52,10 +52,10 @@ Q450=+0
 8 END PGM KEPT MM
 `;
 
-test("a program that is not simulated is never called verified, and names the block where that begins", async ({
+test("what is unproved, and what has errors: said, asked before it leaves, repaired from the list", async ({
   page,
 }) => {
-  const { editor, findings, t } = await Turnwise.open(page);
+  const { editor, findings, menus, sharing, t } = await Turnwise.open(page);
   await editor.paste(KEPT);
   const proof = editor.total(t.findings.verdict.title);
   await expect(proof).toContainText(t.findings.verdict.unproved);
@@ -65,12 +65,9 @@ test("a program that is not simulated is never called verified, and names the bl
   await expect(findings.panel).toContainText(t.findings.verdict.unproved);
   await expect(findings.panel).toContainText("6");
   await expect(page.getByText(t.findings.verdict.proved)).toHaveCount(0);
-});
 
-test("a program with errors leaves only on confirmation: copying, downloading and sharing ask first", async ({
-  page,
-}) => {
-  const { editor, findings, menus, sharing, t } = await Turnwise.open(page);
+  // A program with errors leaves only on confirmation; once the missing block is inserted from the list, nothing is asked.
+  await page.getByRole("link", { name: t.page.home, exact: true }).click();
   await editor.paste(MILLING);
   await expect(editor.total(t.findings.verdict.title)).toContainText(t.findings.verdict.faults(1));
   const copy = page.getByRole("button", { name: new RegExp(`^${t.page.text.copyLong}`) });
@@ -95,11 +92,6 @@ test("a program with errors leaves only on confirmation: copying, downloading an
   await findings.answer("copy").click();
   await expect.poll(() => page.evaluate(() => navigator.clipboard.readText())).toContain("END PGM FAULT");
   await expect(page.getByRole("status").filter({ hasText: t.findings.leaving.withFaults(1) })).toBeVisible();
-});
-
-test("the missing block is inserted from the list, and then nothing is asked any more", async ({ page }) => {
-  const { editor, findings, t } = await Turnwise.open(page);
-  await editor.paste(MILLING);
   await editor.show("findings");
   await expect(findings.items.first()).toContainText(t.findings.severities.error);
   await findings.button(t.findings.insert("FUNCTION MODE TURN")).click();
@@ -108,9 +100,9 @@ test("the missing block is inserted from the list, and then nothing is asked any
   expect((await editor.downloaded()).toString()).toContain("FUNCTION MODE TURN");
 });
 
-test("residual material leads to its place in the picture, and to a tool that removes it", async ({ page }) => {
+test("residual material leads to its place and to a tool; a missing contour to the contour", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
-  const { dialog, effect, findings, lathe, program, t } = turnwise;
+  const { contour, dialog, effect, findings, lathe, program, t } = turnwise;
   await turnwise.start.beginWithExample(812);
   await effect.proved();
   await dialog.set("Q500", "0");
@@ -128,17 +120,12 @@ test("residual material leads to its place in the picture, and to a tool that re
   const tool = /\d+/.exec((await take.textContent()) ?? "")?.[0] ?? "";
   await take.click();
   await expect(program.blocks.filter({ hasText: `TOOL CALL ${tool}` })).toBeVisible();
-});
 
-test("with a missing contour the dialog does not report all prompts answered, and leads to the contour", async ({
-  page,
-}) => {
-  const turnwise = await Turnwise.open(page);
-  const { dialog, t } = turnwise;
+  // With a missing contour the dialog does not report all prompts answered, and leads to the contour.
+  await page.getByRole("link", { name: t.page.home, exact: true }).click();
   await turnwise.start.beginWithExample(820);
-  await turnwise.effect.proved();
+  await effect.proved();
   await turnwise.show("contour");
-  const { contour } = turnwise;
   await expect(contour.kind(1)).toBeVisible();
   const elements = page.getByRole("combobox", { name: new RegExp(`^${t.contour.kindOf(0).replace("0", "\\d+")}$`) });
   for (let left = (await elements.count()) - 1; left >= 0; left -= 1) {

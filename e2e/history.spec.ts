@@ -2,9 +2,9 @@ import { expectAccessibleAndFits } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("Back and Forward walk through start page, cycle, set-up and tools", async ({ page }) => {
+test("Back and Forward walk through the places; undo goes on after a reload", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
-  const { t, start, dialog, setup } = turnwise;
+  const { t, start, dialog, editor, setup } = turnwise;
   const back = page.getByRole("button", { name: t.tools.backLong });
   await start.beginWithExample(812);
   await expect(dialog.question).toHaveText(dialog.promptOf(812, "Q215"));
@@ -29,9 +29,40 @@ test("Back and Forward walk through start page, cycle, set-up and tools", async 
   await expect(dialog.question).toHaveText(dialog.promptOf(812, "Q215"));
   await page.getByRole("link", { name: t.page.home }).click();
   await expect(start.button(812, true)).toBeVisible();
+
+  // Undo goes on after a reload, in a cycle and in a program.
+  await start.beginWithExample(812);
+  await dialog.set("Q493", "51.5");
+  await dialog.set("Q494", "-44");
+  await dialog.open("Q463");
+  await dialog.type("2.4");
+  await page.reload();
+  await expect(dialog.question).toHaveText(dialog.promptOf(812, "Q463"));
+  await turnwise.undo();
+  await expect(dialog.line("Q463")).toContainText("3");
+  await turnwise.undo();
+  await turnwise.undo();
+  await expect(dialog.line("Q493")).not.toContainText("51.5");
+  await turnwise.redo();
+  await expect(dialog.line("Q493")).toContainText("51.5");
+  await page.reload();
+  await expect(dialog.line("Q493")).toContainText("51.5");
+  await turnwise.undo();
+  await expect(dialog.line("Q493")).not.toContainText("51.5");
+
+  await page.getByRole("link", { name: t.page.home }).click();
+  await page.getByRole("button", { name: t.page.programs.example(t.page.examples.flange) }).click();
+  await editor.line("M136").click();
+  await page.keyboard.press("End");
+  await page.keyboard.type(" ; END");
+  await expect(editor.line("M136")).toContainText("; END");
+  await page.reload();
+  await expect(editor.line("M136")).toContainText("; END");
+  await turnwise.undo();
+  await expect(editor.line("M136")).not.toContainText("; END");
 });
 
-test("every place can be reloaded at its address", async ({ page }) => {
+test("every place can be reloaded at its address; that of a missing work says so", async ({ page }) => {
   const turnwise = await Turnwise.open(page, { heldClock: true });
   const { t, start, dialog, setup } = turnwise;
   const again = async (address: RegExp) => {
@@ -70,48 +101,12 @@ test("every place can be reloaded at its address", async ({ page }) => {
   await findings.click();
   await again(/#\/work\/[\w-]+\/findings$/);
   await expect(findings).toHaveAttribute("aria-selected", "true");
-});
 
-test("the address of a missing work says so", async ({ page }) => {
-  const { t, start } = await Turnwise.open(page);
+  // The address of a missing work says so.
   await page.goto("./#/work/nowhere/contour");
   await expect(page.getByText(t.page.notice.workNotHere)).toBeVisible();
   await page.goto(".?clock=manual#/work/nowhere/contour");
   await expect(page.getByText(t.page.notice.workNotHere)).toBeVisible();
   await expect(start.button(812, true)).toBeVisible();
   await expectAccessibleAndFits(page);
-});
-
-test("undo goes on after a reload, in a cycle and in a program", async ({ page }) => {
-  const turnwise = await Turnwise.open(page);
-  const { t, start, dialog, editor } = turnwise;
-  await start.beginWithExample(812);
-  await dialog.set("Q493", "51.5");
-  await dialog.set("Q494", "-44");
-  await dialog.open("Q463");
-  await dialog.type("2.4");
-  await page.reload();
-  await expect(dialog.question).toHaveText(dialog.promptOf(812, "Q463"));
-  await turnwise.undo();
-  await expect(dialog.line("Q463")).toContainText("3");
-  await turnwise.undo();
-  await turnwise.undo();
-  await expect(dialog.line("Q493")).not.toContainText("51.5");
-  await turnwise.redo();
-  await expect(dialog.line("Q493")).toContainText("51.5");
-  await page.reload();
-  await expect(dialog.line("Q493")).toContainText("51.5");
-  await turnwise.undo();
-  await expect(dialog.line("Q493")).not.toContainText("51.5");
-
-  await page.getByRole("link", { name: t.page.home }).click();
-  await page.getByRole("button", { name: t.page.programs.example(t.page.examples.flange) }).click();
-  await editor.line("M136").click();
-  await page.keyboard.press("End");
-  await page.keyboard.type(" ; END");
-  await expect(editor.line("M136")).toContainText("; END");
-  await page.reload();
-  await expect(editor.line("M136")).toContainText("; END");
-  await turnwise.undo();
-  await expect(editor.line("M136")).not.toContainText("; END");
 });

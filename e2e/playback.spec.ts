@@ -25,49 +25,6 @@ const stock = (turnwise: Turnwise) =>
     return squares;
   });
 
-test("playing with a manual clock: the test advances the time, and the step of the manual is shown", async ({
-  page,
-}) => {
-  const turnwise = await Turnwise.open(page, { heldClock: true });
-  const { lathe, program, effect } = turnwise;
-  await turnwise.start.beginWithExample(812);
-  await effect.proved();
-  await lathe.button("play").click();
-  const before = await lathe.timeline.inputValue();
-  await frames(page, 6);
-  expect(await lathe.timeline.inputValue()).toBe(before);
-  await lathe.advance(5000);
-  await expect.poll(async () => Number(await lathe.timeline.inputValue())).toBeGreaterThan(Number(before));
-  await lathe.button("pause").click();
-  for (let i = 0; i < 40 && !/Step 2 of 6/.test((await lathe.running.textContent()) ?? ""); i += 1)
-    await lathe.button("forward").click();
-  await expect(lathe.running).toContainText("Step 2 of 6");
-  await expect(program.runningBlock).toContainText("CYCL CALL");
-});
-
-test("playing, stepping and seeking show the same stock", async ({ page }) => {
-  const turnwise = await Turnwise.open(page, { heldClock: true });
-  const { lathe, effect } = turnwise;
-  await turnwise.start.beginWithExample(812);
-  await effect.proved();
-  for (let i = 0; i < 12; i += 1) await lathe.button("forward").click();
-  await lathe.advance(50);
-  const stepped = await stock(turnwise);
-  const place = await lathe.timeline.inputValue();
-  await lathe.button("last").click();
-  await lathe.advance(50);
-  expect(await stock(turnwise)).not.toBe(stepped);
-  await lathe.timeline.fill(place);
-  await lathe.advance(50);
-  const sought = await stock(turnwise);
-  await lathe.button("first").click();
-  await lathe.advance(50);
-  for (let i = 0; i < 12; i += 1) await lathe.button("forward").click();
-  await lathe.advance(50);
-  expect(await stock(turnwise)).toBe(stepped);
-  expect(sought).not.toBeNull();
-});
-
 /** Shading of the material, or of another canvas: the mean of each square. */
 const shades = (turnwise: Turnwise, canvas = "canvas.material") =>
   turnwise.lathe.picture.locator(canvas).evaluate((element) => {
@@ -92,9 +49,66 @@ const shades = (turnwise: Turnwise, canvas = "canvas.material") =>
 const differing = (one: readonly number[], other: readonly number[]) =>
   one.filter((v, i) => Math.abs(v - (other[i] ?? 0)) > 6).length;
 
-test("during playback the worker paints the stock exactly as the page does when paused", async ({ page }) => {
+test("playing with a manual clock; playing, stepping and seeking show the same stock, in each view", async ({
+  page,
+}) => {
+  const turnwise = await Turnwise.open(page, { heldClock: true });
+  const { lathe, program, effect, t } = turnwise;
+  await turnwise.start.beginWithExample(812);
+  await effect.proved();
+  await lathe.button("play").click();
+  const before = await lathe.timeline.inputValue();
+  await frames(page, 6);
+  expect(await lathe.timeline.inputValue()).toBe(before);
+  await lathe.advance(5000);
+  await expect.poll(async () => Number(await lathe.timeline.inputValue())).toBeGreaterThan(Number(before));
+  await lathe.button("pause").click();
+  for (let i = 0; i < 40 && !/Step 2 of 6/.test((await lathe.running.textContent()) ?? ""); i += 1)
+    await lathe.button("forward").click();
+  await expect(lathe.running).toContainText("Step 2 of 6");
+  await expect(program.runningBlock).toContainText("CYCL CALL");
+
+  await lathe.button("first").click();
+  for (let i = 0; i < 12; i += 1) await lathe.button("forward").click();
+  await lathe.advance(50);
+  const stepped = await stock(turnwise);
+  const place = await lathe.timeline.inputValue();
+  await lathe.button("last").click();
+  await lathe.advance(50);
+  expect(await stock(turnwise)).not.toBe(stepped);
+  await lathe.timeline.fill(place);
+  await lathe.advance(50);
+  const sought = await stock(turnwise);
+  await lathe.button("first").click();
+  await lathe.advance(50);
+  for (let i = 0; i < 12; i += 1) await lathe.button("forward").click();
+  await lathe.advance(50);
+  expect(await stock(turnwise)).toBe(stepped);
+  expect(sought).not.toBeNull();
+
+  // With X down too, the stock looks the same after playing and after a reload of the view.
+  await expect(lathe.section).toHaveValue("half");
+  const seen: number[][] = [];
+  for (const view of ["half", "full", "outside"] as const) {
+    await lathe.section.selectOption(t.lathe.sections[view]);
+    if (view === "outside") await lathe.button("xDown").click();
+    for (const back of ["forward", "first", "play"] as const) await lathe.button(back).click();
+    for (let i = 0; i < 9; i += 1) await lathe.advance(3700);
+    await lathe.button("pause").click();
+    const played = await shades(turnwise);
+    for (const anew of ["zoomIn", "fit"] as const) await lathe.button(anew).click();
+    await lathe.advance(50);
+    expect(differing(played, await shades(turnwise))).toBe(0);
+    for (const before of seen) expect(differing(before, played)).toBeGreaterThan(40);
+    seen.push(played);
+  }
+});
+
+test("the worker paints the stock exactly as the paused page does; the current chip; keys of the view", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
-  const { lathe, effect } = turnwise,
+  const { lathe, effect, t } = turnwise,
     layer = lathe.picture.locator(".played canvas");
   await turnwise.start.beginWithExample(812);
   await effect.proved();
@@ -115,50 +129,9 @@ test("during playback the worker paints the stock exactly as the page does when 
     expect(differing(played, await shades(turnwise, ".sheet.material:not(.played *)"))).toBeLessThan(12);
     expect(differing(played, blank)).toBeGreaterThan(100);
   }
-});
 
-test("in each view, and with X down, the stock looks the same after playing and after a reload of the view", async ({
-  page,
-}) => {
-  const turnwise = await Turnwise.open(page, { heldClock: true });
-  const { lathe, effect, t } = turnwise;
-  await turnwise.start.beginWithExample(812);
-  await effect.proved();
-  await expect(lathe.section).toHaveValue("half");
-  const seen: number[][] = [];
-  for (const view of ["half", "full", "outside"] as const) {
-    await lathe.section.selectOption(t.lathe.sections[view]);
-    if (view === "outside") await lathe.button("xDown").click();
-    for (const back of ["forward", "first", "play"] as const) await lathe.button(back).click();
-    for (let i = 0; i < 9; i += 1) await lathe.advance(3700);
-    await lathe.button("pause").click();
-    const played = await shades(turnwise);
-    for (const anew of ["zoomIn", "fit"] as const) await lathe.button(anew).click();
-    await lathe.advance(50);
-    expect(differing(played, await shades(turnwise))).toBe(0);
-    for (const before of seen) expect(differing(before, played)).toBeGreaterThan(40);
-    seen.push(played);
-  }
-});
-
-test("keys of the lathe view, and reduced motion", async ({ page }) => {
-  const turnwise = await Turnwise.open(page);
-  const { lathe, effect, t } = turnwise;
-  await page.emulateMedia({ reducedMotion: "reduce" });
-  await turnwise.start.beginWithExample(812);
-  await effect.proved();
-  await lathe.view.getByRole("group", { name: t.lathe.title }).focus();
-  await page.keyboard.press("End");
-  await expect(lathe.picture).toHaveAccessibleName(new RegExp(t.lathe.atEnd));
-  await page.keyboard.press("Home");
-  await expect(lathe.picture).toHaveAccessibleName(new RegExp(t.lathe.atStart));
-});
-
-test("the current chip is shown at the edge and in numbers, and finished passes fade", async ({ page }) => {
-  const turnwise = await Turnwise.open(page);
-  const { lathe, effect } = turnwise;
-  await turnwise.start.beginWithExample(812);
-  await effect.proved();
+  // The current chip is shown at the edge and in numbers, and finished passes fade.
+  await lathe.button("first").click();
   const edge = lathe.picture.locator(".chip-edge"),
     measure = lathe.picture.locator(".chip-sheet text");
   const passes = (progress: "done" | "running" | "coming") => lathe.picture.locator(`.pass-${progress}`);
@@ -180,4 +153,12 @@ test("the current chip is shown at the edge and in numbers, and finished passes 
   await expect(passes("done")).toHaveCount(done + coming + 1);
   await expect(edge).toHaveAttribute("d", "");
   await expect(lathe.running).not.toContainText(/\bap /);
+
+  // Keys of the view, with reduced motion.
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await lathe.view.getByRole("group", { name: t.lathe.title }).focus();
+  await page.keyboard.press("End");
+  await expect(lathe.picture).toHaveAccessibleName(new RegExp(t.lathe.atEnd));
+  await page.keyboard.press("Home");
+  await expect(lathe.picture).toHaveAccessibleName(new RegExp(t.lathe.atStart));
 });

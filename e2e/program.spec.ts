@@ -7,7 +7,9 @@ import { output } from "../src/i18n/en/output.ts";
 const UNTIED =
   "0 BEGIN PGM OLD MM\n1 BLK FORM CYLINDER Z D75 L100\n2 CYCL DEF 811  X\nQ215=+0 ;A\nQ460=+2 ;B\n3 M30\n4 END PGM OLD MM\n";
 
-test("files of both controls, and labels in a language of their own", async ({ page }) => {
+test("files of both controls, labels in a language of their own, and the text if the clipboard is refused", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { program } = turnwise;
   await turnwise.start.beginWithExample(820);
@@ -20,13 +22,24 @@ test("files of both controls, and labels in a language of their own", async ({ p
   await expect.poll(async () => (await program.shown()).join("\n")).toContain("CYCL DEF 820 TURN CONTOUR TRANSV. ~");
   await expect(program.fileNote).toContainText(turnwise.t.page.text.files.tnc7);
   expect(await program.copy()).toContain("Q463=+3 ;MAX. CUTTING DEPTH ~");
+
+  // If the clipboard is refused, the text is offered, selected.
+  await page.evaluate(() => {
+    Object.defineProperty(navigator, "clipboard", { value: { writeText: () => Promise.reject(new Error("refused")) } });
+    document.execCommand = () => false;
+  });
+  await program.copyButton.click();
+  const dialog = page.getByRole("dialog", { name: turnwise.t.page.text.refusedTitle });
+  await expect(dialog).toBeVisible();
+  await expect(dialog.getByRole("textbox")).toHaveValue(/END PGM/);
+  await expect(dialog.getByRole("textbox")).toBeFocused();
+  await dialog.getByRole("button", { name: turnwise.t.page.close }).click();
+  await expect(dialog).toBeHidden();
 });
 
-test("the printed form of the manual is a view: copy and download give the file, which is one click away", async ({
-  page,
-}) => {
+test("the printed form is a view; the download is the text on the screen; DIN/ISO runs the same", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
-  const { program, t } = turnwise;
+  const { editor, program, sheet, t } = turnwise;
   await turnwise.start.beginWithExample(812);
   await program.chooseLayout("manual");
   await expect.poll(async () => (await program.shown()).join("\n")).not.toContain("~");
@@ -42,20 +55,31 @@ test("the printed form of the manual is a view: copy and download give the file,
   expect(await program.clipboard()).toContain("CYCL DEF 812  SHOULDER, LONG. EXT. ~");
   await page.getByRole("button", { name: t.page.text.showFile, exact: true }).click();
   await expect.poll(async () => (await program.shown()).join("\n")).toContain("~");
-});
 
-test("DIN/ISO: shown, copied and downloaded alike; reopened, it runs the same", async ({ page }) => {
-  const turnwise = await Turnwise.open(page);
-  const { editor, program, sheet, t } = turnwise;
-  await turnwise.start.beginWithExample(812);
+  // The download is the text on the screen, under the program's name.
+  await page.getByRole("textbox", { name: t.page.text.name }).fill("WELLE7");
+  const named = await program.download();
+  expect(named.suggestedFilename()).toBe("WELLE7.h");
+  const shown = await readFile(await named.path(), "utf8");
+  expect(shown).toContain("BEGIN PGM WELLE7 MM");
+  await expect
+    .poll(() => program.shown())
+    .toEqual(
+      shown
+        .trimEnd()
+        .split(/\r?\n/)
+        .map((line) => line.trimEnd()),
+    );
+
+  // DIN/ISO: shown, copied and downloaded alike; reopened, it runs the same.
   await program.chooseLayout("iso");
   await expect.poll(async () => (await program.shown()).join("\n")).toContain("G812 Q215=+0");
   await expect(program.fileNote).toContainText(t.page.text.isoUnverified);
   await expectAccessibleAndFits(page);
   const download = await program.download();
-  expect(download.suggestedFilename()).toBe("SHOULDER812.i");
+  expect(download.suggestedFilename()).toBe("WELLE7.i");
   const text = await readFile(await download.path(), "utf8");
-  expect(text).toMatch(/^%SHOULDER812 G71 \*\n/);
+  expect(text).toMatch(/^%WELLE7 G71 \*\n/);
   await expect.poll(() => program.shown()).toEqual(text.trimEnd().split("\n"));
   await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
   await expect(page.locator(".printed-program")).toHaveText(text);
@@ -71,6 +95,15 @@ test("DIN/ISO: shown, copied and downloaded alike; reopened, it runs the same", 
   const again = page.waitForEvent("download");
   await turnwise.menus.choose("export", t.page.text.asIso);
   expect(await readFile(await (await again).path(), "utf8")).toBe(text);
+
+  // A program in the printed form of the manual is reported as no NC file, and one click adds its ~.
+  await page.getByRole("link", { name: t.page.home, exact: true }).click();
+  await editor.paste(UNTIED);
+  await expect(program.fileNote).toContainText(t.page.text.untied);
+  await expectAccessibleAndFits(page);
+  await program.fileNote.getByRole("button", { name: t.page.text.tie, exact: true }).click();
+  await expect(program.fileNote).toContainText(t.page.text.files.tnc640);
+  expect(await program.copy()).toContain("CYCL DEF 811  X ~\nQ215=+0 ;A ~\nQ460=+2 ;B\n");
 });
 
 test("machine functions, line ends and name stay with the work", async ({ page }) => {
@@ -98,51 +131,4 @@ test("machine functions, line ends and name stay with the work", async ({ page }
   await page.getByRole("link", { name: t.page.home }).click();
   await turnwise.start.beginWithExample(821);
   await expect.poll(async () => (await program.shown()).join("\n")).toContain("M140 MB MAX");
-});
-
-test("a program in the printed form of the manual is reported as no NC file, and one click adds its ~", async ({
-  page,
-}) => {
-  const { editor, program, t } = await Turnwise.open(page);
-  await editor.paste(UNTIED);
-  await expect(program.fileNote).toContainText(t.page.text.untied);
-  await expectAccessibleAndFits(page);
-  await program.fileNote.getByRole("button", { name: t.page.text.tie, exact: true }).click();
-  await expect(program.fileNote).toContainText(t.page.text.files.tnc640);
-  expect(await program.copy()).toContain("CYCL DEF 811  X ~\nQ215=+0 ;A ~\nQ460=+2 ;B\n");
-});
-
-test("the download is the text on the screen, under the program's name", async ({ page }) => {
-  const turnwise = await Turnwise.open(page);
-  const { program } = turnwise;
-  await turnwise.start.beginWithExample(812);
-  await page.getByRole("textbox", { name: turnwise.t.page.text.name }).fill("WELLE7");
-  const download = await program.download();
-  expect(download.suggestedFilename()).toBe("WELLE7.h");
-  const text = await readFile(await download.path(), "utf8");
-  expect(text).toContain("BEGIN PGM WELLE7 MM");
-  await expect
-    .poll(() => program.shown())
-    .toEqual(
-      text
-        .trimEnd()
-        .split(/\r?\n/)
-        .map((line) => line.trimEnd()),
-    );
-});
-
-test("if the clipboard is refused, the text is offered, selected", async ({ page }) => {
-  await page.addInitScript(() => {
-    Object.defineProperty(navigator, "clipboard", { value: { writeText: () => Promise.reject(new Error("refused")) } });
-    document.execCommand = () => false;
-  });
-  const turnwise = await Turnwise.open(page);
-  await turnwise.start.beginWithExample(812);
-  await turnwise.program.copyButton.click();
-  const dialog = page.getByRole("dialog", { name: turnwise.t.page.text.refusedTitle });
-  await expect(dialog).toBeVisible();
-  await expect(dialog.getByRole("textbox")).toHaveValue(/END PGM/);
-  await expect(dialog.getByRole("textbox")).toBeFocused();
-  await dialog.getByRole("button", { name: turnwise.t.page.close }).click();
-  await expect(dialog).toBeHidden();
 });

@@ -22,22 +22,16 @@ test("the start, the settings and the files of a work pass axe, and fit", async 
   await expectFineInBothThemes(page, "the files of a work");
 });
 
-test("the panels of a workplace pass axe, and fit", async ({ page }) => {
+test("the panels and prompts of a workplace pass axe, and fit", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
-  await turnwise.start.beginWithExample(820);
-  await turnwise.effect.proved();
+  const { dialog, effect, start, t } = turnwise;
+  await start.beginWithExample(820);
+  await effect.proved();
   await expectFineInBothThemes(page, "the workplace");
   for (const section of ["setup", "contour", "findings", "program", "prompts"] as const) {
     await turnwise.show(section);
     await expectFineInBothThemes(page, `the panel "${section}"`);
   }
-});
-
-test("prompts pass axe, and fit", async ({ page }) => {
-  const turnwise = await Turnwise.open(page);
-  const { dialog, effect, start, t } = turnwise;
-  await start.beginWithExample(820);
-  await effect.proved();
   await dialog.open("Q463");
   await dialog.type("nothing");
   await expect(dialog.messages).not.toBeEmpty();

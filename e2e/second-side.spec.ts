@@ -5,7 +5,9 @@ import { expectAccessibleAndFits } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("the finished part of a program is turned around and continues as a new program", async ({ page }) => {
+test("the finished part is turned around and continues as a new program; after parting off, bar or part", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { editor, effect, start, t } = turnwise;
   const dialog = page.getByRole("dialog", { name: words.title, exact: true });
@@ -38,17 +40,15 @@ test("the finished part of a program is turned around and continues as a new pro
   // Turned around again, it is the third clamping.
   await ask();
   await expect(dialog).toContainText("SHOULDER812_3");
-});
 
-test("after parting off, choose bar or part to turn around; the dialog fits a phone", async ({ page }) => {
-  const turnwise = await Turnwise.open(page);
-  const { editor, t } = turnwise;
+  // After parting off, choose bar or part to turn around; the dialog fits a phone.
+  await page.keyboard.press("Escape");
+  await page.getByRole("link", { name: t.page.home, exact: true }).click();
   await page.setViewportSize({ width: 390, height: 664 });
   await editor.paste(await readFile("tests/shop/bush.h", "utf8"));
   await expect(page.getByText(t.findings.verdict.proved).first()).toBeVisible();
   await editor.show("text");
   await turnwise.menus.choose("program", t.page.text.turnRound);
-  const dialog = page.getByRole("dialog", { name: words.title, exact: true });
   await expect(dialog.getByRole("radio", { name: words.off("⌀56 × 40 mm"), exact: true })).toBeChecked();
   await expectAccessibleAndFits(page);
   await dialog.getByRole("button", { name: words.open, exact: true }).click();

@@ -13,7 +13,9 @@ const stageOf = (turnwise: Turnwise) => turnwise.lathe.view.getByRole("group", {
 
 const differing = (text: string) => text.split(/\r?\n/).filter((line, i) => line !== FLANGE.split(/\r?\n/)[i]);
 
-test("a wrong infeed is found in the picture and fixed at its prompt; nothing else changes", async ({ page }) => {
+test("a wrong infeed is found in the picture, by mouse and by keyboard, and fixed at its prompt; lines move the tool", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { editor, lathe, dialog, program } = turnwise;
   await editor.paste(WRONG);
@@ -29,14 +31,12 @@ test("a wrong infeed is found in the picture and fixed at its prompt; nothing el
   await dialog.value.press("Enter");
   await expect(editor.total(turnwise.t.page.effect.passes)).toHaveText("25");
   expect(differing(await program.copy())).toEqual([]);
-});
 
-test("the same by keyboard: from the picture to the prompt and back", async ({ page }) => {
-  const turnwise = await Turnwise.open(page);
-  const { editor, lathe, dialog, program } = turnwise;
-  await editor.paste(WRONG);
+  // The same by keyboard: from the picture to the prompt and back.
+  await turnwise.undo();
   await expect(editor.total(turnwise.t.page.effect.passes)).toHaveText("81");
   await stageOf(turnwise).focus();
+  await page.keyboard.press("Home");
   for (let i = 0; i < 200 && !/Block 21/.test((await lathe.running.textContent()) ?? ""); i += 1)
     await page.keyboard.press("ArrowRight");
   await expect(lathe.running).toContainText("Block 21");
@@ -47,13 +47,8 @@ test("the same by keyboard: from the picture to the prompt and back", async ({ p
   await page.keyboard.press("Enter");
   await expect(editor.total(turnwise.t.page.effect.passes)).toHaveText("25");
   expect(differing(await program.copy())).toEqual([]);
-});
 
-test("a line of the text moves the tool to the start of its block, and marks its path", async ({ page }) => {
-  const turnwise = await Turnwise.open(page);
-  const { editor, lathe, t } = turnwise;
-  await editor.openExample("flange");
-  await expect(editor.total(t.page.effect.passes)).toHaveText("25");
+  // A line of the text moves the tool to the start of its block, and marks its path.
   await editor.show("structure");
   await editor.filter("all");
   await editor.part("TOOL CALL 15").click();
@@ -69,7 +64,9 @@ test("a line of the text moves the tool to the start of its block, and marks its
   await expect(lathe.running).toContainText("Block 33");
 });
 
-test("in the workplace of one cycle: line, prompt, path and step are the same place", async ({ page }) => {
+test("in the workplace of one cycle: the same place everywhere, measured, compared, and its paths hidden", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { lathe, dialog, effect, program, t } = turnwise;
   await turnwise.start.beginWithExample(812);
@@ -90,29 +87,8 @@ test("in the workplace of one cycle: line, prompt, path and step are the same pl
   await page.mouse.click(at.x, at.y);
   await expect(dialog.value).toHaveAccessibleName(/^Q463/);
   await expect(lathe.running).toContainText("Step 2 of 6");
-});
 
-test("the path display is limited to the current cycle or hidden, and remembered", async ({ page }) => {
-  const turnwise = await Turnwise.open(page);
-  const { lathe, effect, t } = turnwise;
-  await turnwise.start.beginWithExample(812);
-  await effect.proved();
-  const paths = lathe.view.getByRole("combobox", { name: t.lathe.paths.title });
-  const drawn = lathe.view.locator(".lathe-paths path");
-  await expect(drawn).not.toHaveCount(0);
-  await paths.selectOption("none");
-  await expect(drawn).toHaveCount(0);
-  await page.reload();
-  await effect.proved();
-  await expect(paths).toHaveValue("none");
-  await expect(drawn).toHaveCount(0);
-});
-
-test("a drag with the ruler measures, and leaves the picture where it is", async ({ page }) => {
-  const turnwise = await Turnwise.open(page);
-  const { lathe, effect } = turnwise;
-  await turnwise.start.beginWithExample(812);
-  await effect.proved();
+  // A drag with the ruler measures, and leaves the picture where it is.
   await lathe.button("ruler").click();
   const reading = lathe.view.locator(".measure-panel");
   await expect(reading.getByRole("status")).not.toBeEmpty();
@@ -126,6 +102,49 @@ test("a drag with the ruler measures, and leaves the picture where it is", async
   await page.mouse.up();
   await expect(reading.getByRole("status")).toContainText(/20/);
   expect(await pictureAt(page, stage, -90, 20)).toEqual(from);
+  await lathe.button("ruler").click();
+
+  // A dimension in the help picture opens its prompt; a measured length goes into the open one.
+  await page.locator(".help-picture text[data-q=Q493]").click();
+  await expect(dialog.value).toHaveAccessibleName(/^Q493/);
+  await lathe.button("ruler").click();
+  const origin = await pictureAt(page, stageOf(turnwise), 0, 0);
+  await page.mouse.click(origin.x, origin.y);
+  const offer = lathe.view.getByRole("button", { name: t.lathe.takeInto("⌀0", "Q493") });
+  await offer.click();
+  await expect(dialog.value).toHaveValue("0");
+  await page.keyboard.press("ControlOrMeta+z");
+  await expect(dialog.value).toHaveValue("50");
+  await lathe.button("ruler").click();
+
+  // Two settings are compared, and the pinned one is restored in one step.
+  const words = t.page.effect.pin;
+  await effect.strip.getByRole("button", { name: words.make }).click();
+  await dialog.set("Q463", "2");
+  await dialog.set("Q505", "0.13");
+  await expect(effect.cell("passes")).toHaveText("7");
+  const card = page.getByRole("region", { name: words.title, exact: true });
+  await expect(card.getByRole("row", { name: /^Passes/ })).toHaveText(/5.*7/);
+  await expect(card.getByRole("row", { name: /^Q505/ })).toHaveText(/0\.2.*0\.13/);
+  await expect(lathe.view.locator(".lathe-pinned")).toHaveCount(1);
+  await card.getByRole("button", { name: words.back }).click();
+  await expect(effect.cell("passes")).toHaveText("5");
+  await expect(lathe.view.locator(".lathe-pinned")).toHaveCount(0);
+  await page.keyboard.press("ControlOrMeta+z");
+  await expect(effect.cell("passes")).toHaveText("7");
+  await card.getByRole("button", { name: words.letGo }).click();
+  await expect(card).toHaveCount(0);
+
+  // The path display is limited to the current cycle or hidden, and remembered.
+  const paths = lathe.view.getByRole("combobox", { name: t.lathe.paths.title });
+  const drawn = lathe.view.locator(".lathe-paths path");
+  await expect(drawn).not.toHaveCount(0);
+  await paths.selectOption("none");
+  await expect(drawn).toHaveCount(0);
+  await page.reload();
+  await effect.proved();
+  await expect(paths).toHaveValue("none");
+  await expect(drawn).toHaveCount(0);
 });
 
 test("a changed value shows the previous one, and the previous path stays for two seconds", async ({ page }) => {
@@ -147,44 +166,4 @@ test("a changed value shows the previous one, and the previous path stays for tw
   await expect(ghost).toHaveCount(0);
   await dialog.value.press("Enter");
   await expect(effect.cell("passes")).not.toHaveAttribute("data-was");
-});
-
-test("two settings compared, and the pinned one restored in one step", async ({ page }) => {
-  const turnwise = await Turnwise.open(page);
-  const { lathe, dialog, effect, t } = turnwise;
-  await turnwise.start.beginWithExample(812);
-  await effect.proved();
-  const words = t.page.effect.pin;
-  await effect.strip.getByRole("button", { name: words.make }).click();
-  await dialog.set("Q463", "2");
-  await dialog.set("Q505", "0.13");
-  await expect(effect.cell("passes")).toHaveText("7");
-  const card = page.getByRole("region", { name: words.title, exact: true });
-  await expect(card.getByRole("row", { name: /^Passes/ })).toHaveText(/5.*7/);
-  await expect(card.getByRole("row", { name: /^Q505/ })).toHaveText(/0\.2.*0\.13/);
-  await expect(lathe.view.locator(".lathe-pinned")).toHaveCount(1);
-  await card.getByRole("button", { name: words.back }).click();
-  await expect(effect.cell("passes")).toHaveText("5");
-  await expect(lathe.view.locator(".lathe-pinned")).toHaveCount(0);
-  await page.keyboard.press("ControlOrMeta+z");
-  await expect(effect.cell("passes")).toHaveText("7");
-  await card.getByRole("button", { name: words.letGo }).click();
-  await expect(card).toHaveCount(0);
-});
-
-test("a dimension in the help picture opens its prompt; a measured length goes into the open one", async ({ page }) => {
-  const turnwise = await Turnwise.open(page);
-  const { lathe, dialog, effect, t } = turnwise;
-  await turnwise.start.beginWithExample(812);
-  await effect.proved();
-  await page.locator(".help-picture text[data-q=Q493]").click();
-  await expect(dialog.value).toHaveAccessibleName(/^Q493/);
-  await lathe.button("ruler").click();
-  const at = await pictureAt(page, stageOf(turnwise), 0, 0);
-  await page.mouse.click(at.x, at.y);
-  const offer = lathe.view.getByRole("button", { name: t.lathe.takeInto("⌀0", "Q493") });
-  await offer.click();
-  await expect(dialog.value).toHaveValue("0");
-  await page.keyboard.press("ControlOrMeta+z");
-  await expect(dialog.value).toHaveValue("50");
 });

@@ -47,9 +47,9 @@ test("a shoulder from the empty page by keyboard alone, with few keys beyond its
   expect(keys).toBeLessThan(MOST_KEYS);
 });
 
-test("a groove from Z0 is cut in the proposed blank, and a forgotten minus sign is queried", async ({ page }) => {
+test("a proposed blank, one that the user has set, and a contour that is asked first", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
-  const { dialog, effect, t } = turnwise;
+  const { contour, dialog, effect, program, t } = turnwise;
   await turnwise.start.beginEmpty(852);
   await dialog.active.getByRole("button", { name: t.dialog.setup.toPrompts, exact: true }).click();
   for (const [q, value] of [
@@ -68,11 +68,9 @@ test("a groove from Z0 is cut in the proposed blank, and a forgotten minus sign 
   await dialog.active.getByRole("button").first().click();
   await effect.proved();
   await expect(effect.cell("passes")).not.toHaveText("0");
-});
 
-test("with a blank that the user has set, a value that does not fit it is queried at its prompt", async ({ page }) => {
-  const turnwise = await Turnwise.open(page);
-  const { dialog, program, t } = turnwise;
+  // With a blank that the user has set, a value that does not fit it is queried at its prompt.
+  await page.getByRole("link", { name: t.page.home, exact: true }).click();
   await turnwise.start.beginEmpty(812);
   await expect(dialog.value).toBeFocused();
   await dialog.type("60");
@@ -83,11 +81,9 @@ test("with a blank that the user has set, a value that does not fit it is querie
   await dialog.messages.getByRole("button", { name: t.dialog.takeNearest("75.5"), exact: true }).click();
   await expect(program.blocks.filter({ hasText: "BLK FORM" })).toContainText("D75.5");
   await expect(dialog.messages.getByRole("button")).toHaveCount(0);
-});
 
-test("a free contour is asked first, and the dialog does not end without it", async ({ page }) => {
-  const turnwise = await Turnwise.open(page);
-  const { dialog, contour, t } = turnwise;
+  // A free contour is asked first, and the dialog does not end without it.
+  await page.getByRole("link", { name: t.page.home, exact: true }).click();
   await turnwise.start.beginEmpty(820);
   await expect(dialog.value).toBeFocused();
   await page.keyboard.press("End");

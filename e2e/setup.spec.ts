@@ -1,9 +1,11 @@
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("a tool that cannot make the contour is reported at once, with one that can", async ({ page }) => {
+test("an unfit tool, a start point inside the material and a Q parameter are reported and answered", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
-  const { setup, effect, program, t } = turnwise;
+  const { dialog, setup, effect, lathe, program, t } = turnwise;
   await turnwise.start.beginWithExample(852);
   await effect.proved();
   await turnwise.show("setup");
@@ -14,13 +16,9 @@ test("a tool that cannot make the contour is reported at once, with one that can
   await offer.click();
   await expect(setup.tool(8)).toBeChecked();
   await effect.proved();
-});
 
-test("a start point inside the material is reported at its field, and the picture follows the blank", async ({
-  page,
-}) => {
-  const turnwise = await Turnwise.open(page);
-  const { setup, effect, lathe, t } = turnwise;
+  // A start point inside the material is reported at its field, and the picture follows the blank.
+  await page.getByRole("link", { name: t.page.home, exact: true }).click();
   await turnwise.start.beginWithExample(812);
   await effect.proved();
   await turnwise.show("setup");
@@ -43,11 +41,9 @@ test("a start point inside the material is reported at its field, and the pictur
   await expect(setup.blank("bore")).toHaveAttribute("aria-invalid", "false");
   await setup.blank("outside").fill("-3");
   await expect(setup.blank("outside")).toHaveAttribute("aria-invalid", "true");
-});
 
-test("a Q parameter in a prompt asks for its value, and the program sets it before the cycle", async ({ page }) => {
-  const turnwise = await Turnwise.open(page);
-  const { dialog, setup, effect, program, t } = turnwise;
+  // A Q parameter in a prompt asks for its value, and the program sets it before the cycle.
+  await page.getByRole("link", { name: t.page.home, exact: true }).click();
   await turnwise.start.beginWithExample(812);
   await effect.proved();
   const time = await effect.cell("time").textContent();

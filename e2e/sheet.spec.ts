@@ -4,9 +4,9 @@ import { expectAccessible, expectFineInBothThemes } from "./pages/layout-checks.
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("the setup sheet of a program: contents, saved remarks, pages", async ({ page }) => {
+test("the setup sheet of a program: contents, saved remarks, pages; of one in inches", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
-  const { editor, sheet, t } = turnwise;
+  const { editor, menus, sheet, t } = turnwise;
   await editor.openExample("flange");
   await expect(editor.total(t.editor.operations)).toHaveText("8");
   await sheet.open();
@@ -42,6 +42,28 @@ test("the setup sheet of a program: contents, saved remarks, pages", async ({ pa
   await page.emulateMedia({ media: "screen" });
   await page.goBack();
   await expect(editor.total(t.editor.operations)).toHaveText("8");
+
+  // The setup sheet of an inch program is in inches, its tools in mm; so are the effects in a comparison.
+  await page.getByRole("link", { name: t.page.home, exact: true }).click();
+  const text = readFileSync("tests/programs/shoulder-inch.h", "utf8");
+  await editor.openFile("SHOULDER.h", Buffer.from(text));
+  await sheet.open();
+  await expect(preview).toContainText(words.inch);
+  await expect(preview.getByRole("img", { name: words.drawingOf("SHOULDER_INCH") })).toContainText("⌀2.338");
+  await expect(preview).toContainText("⌀2.9528 × 3.937");
+  await expect(
+    preview.getByRole("row", { name: /812.*T1.*X⌀2\.9528 Z\+0\.0787.*0\.0118 \/ 0\.0079 inch\/rev/ }),
+  ).toBeVisible();
+  await expect(preview.getByRole("row", { name: /CNMG-80-R08.*RS 0\.8/ })).toBeVisible();
+  await sheet.close();
+
+  await page.evaluate((copied) => navigator.clipboard.writeText(copied), text.replace("Q463=+0.1181", "Q463=+0.05"));
+  await menus.choose("program", t.page.text.compare);
+  const dialog = page.getByRole("dialog", { name: compare.title, exact: true });
+  await dialog.getByRole("button", { name: compare.clipboard, exact: true }).click();
+  await expect(
+    dialog.getByText(new RegExp(String.raw`${compare.effects.infeed} 0\.0\d+ inch → 0\.\d+ inch`)).first(),
+  ).toBeVisible();
 });
 
 test("the sheet of a cycle, in German on a phone; a program with errors is marked; the workplace prints its program", async ({
@@ -67,30 +89,4 @@ test("the sheet of a cycle, in German on a phone; a program with errors is marke
   await dialog.set("Q494", "+55");
   await sheet.open();
   await expect(sheet.preview.getByRole("heading", { name: sheet.words.stamp.faults })).toBeVisible();
-});
-
-test("the setup sheet of an inch program is in inches, its tools in mm; so are the effects in a comparison", async ({
-  page,
-}) => {
-  const { editor, menus, sheet, t } = await Turnwise.open(page);
-  const text = readFileSync("tests/programs/shoulder-inch.h", "utf8");
-  await editor.openFile("SHOULDER.h", Buffer.from(text));
-  await sheet.open();
-  const { preview, words } = sheet;
-  await expect(preview).toContainText(words.inch);
-  await expect(preview.getByRole("img", { name: words.drawingOf("SHOULDER_INCH") })).toContainText("⌀2.338");
-  await expect(preview).toContainText("⌀2.9528 × 3.937");
-  await expect(
-    preview.getByRole("row", { name: /812.*T1.*X⌀2\.9528 Z\+0\.0787.*0\.0118 \/ 0\.0079 inch\/rev/ }),
-  ).toBeVisible();
-  await expect(preview.getByRole("row", { name: /CNMG-80-R08.*RS 0\.8/ })).toBeVisible();
-  await sheet.close();
-
-  await page.evaluate((copied) => navigator.clipboard.writeText(copied), text.replace("Q463=+0.1181", "Q463=+0.05"));
-  await menus.choose("program", t.page.text.compare);
-  const dialog = page.getByRole("dialog", { name: compare.title, exact: true });
-  await dialog.getByRole("button", { name: compare.clipboard, exact: true }).click();
-  await expect(
-    dialog.getByText(new RegExp(String.raw`${compare.effects.infeed} 0\.0\d+ inch → 0\.\d+ inch`)).first(),
-  ).toBeVisible();
 });

@@ -52,7 +52,9 @@ test("the lathe on the start page plays, pauses, and stands still with reduced m
   await expect(tool).toHaveCount(0);
 });
 
-test("stored works come first, open with one click, and are deleted with an undo", async ({ page }) => {
+test("stored works come first, open, are deleted with an undo, and are found like examples and cycles", async ({
+  page,
+}) => {
   const { t, start, dialog } = await Turnwise.open(page);
   await start.beginWithExample(852);
   await expect(dialog.question).toBeVisible();
@@ -68,10 +70,9 @@ test("stored works come first, open with one click, and are deleted with an undo
   await kept.getByRole("button", { name: t.page.undo }).click();
   await start.kept(name).click();
   await expect(dialog.question).toBeVisible();
-});
 
-test("one search finds an example, a cycle and a stored work", async ({ page }) => {
-  const { t, start, dialog } = await Turnwise.open(page);
+  // One search finds an example, a cycle and a stored work.
+  await page.getByRole("link", { name: t.page.home, exact: true }).click();
   await start.beginWithExample(812);
   await expect(dialog.question).toBeVisible();
   await page.getByRole("link", { name: t.page.home }).click();

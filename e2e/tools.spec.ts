@@ -2,7 +2,7 @@ import { expect, test } from "./pages/test.ts";
 import { LANGUAGES } from "../src/i18n/languages.ts";
 import { formatNumber } from "../src/i18n/number.ts";
 import { tabTo } from "./pages/keyboard.ts";
-import { expectAccessibleAndFits } from "./pages/layout-checks.ts";
+import { expectAccessible, expectAccessibleAndFits } from "./pages/layout-checks.ts";
 import { words } from "./pages/words.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -53,9 +53,9 @@ test("a new tool by keyboard alone: created, kept over a reload, offered in the 
   await expect(page.getByRole("tabpanel")).toContainText("RS -1");
 });
 
-test("undo and redo, duplicate, delete and restore the default tools", async ({ page }) => {
+test("a tool is changed, duplicated, deleted and restored; TO by its picture, and a sum", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
-  const { tools } = turnwise;
+  const { tools, t } = turnwise;
   await tools.open();
   await tools.rowButton(3).click();
   await tools.cell("RS").fill("1.2");
@@ -78,11 +78,9 @@ test("undo and redo, duplicate, delete and restore the default tools", async ({ 
   await expect(tools.rowButton(16)).toHaveCount(0);
   await page.keyboard.press("Control+z");
   await expect(tools.rowButton(16)).toBeVisible();
-});
 
-test("TO by its picture, columns unused by a type, and a sum", async ({ page }) => {
-  const { tools, t } = await Turnwise.open(page);
-  await tools.open();
+  // TO by its picture, columns unused by a type, and a sum.
+  await tools.rowButton(1).click();
   const shape = () => tools.drawing.locator("path.shape-insert").getAttribute("d");
   const before = await shape();
   await tools.direction(7).check();
@@ -278,15 +276,22 @@ test("a damaged table is set aside with a message, and the default tools are use
   await expect(tools.rowButton(15)).toBeVisible();
 });
 
-for (const language of LANGUAGES) {
-  test(`the table in ${language}`, async ({ page }) => {
-    const { tools } = await Turnwise.open(page, { language });
+test("the table in every language", async ({ page }) => {
+  let shown = await Turnwise.open(page);
+  for (const language of LANGUAGES) {
+    await shown.settings.chooseLanguage(language);
+    shown = Turnwise.at(page, language);
+    const { tools } = shown;
     await tools.open();
+    await tools.rowButton(1).click();
     await tools.cell("RS").fill("0.5");
     await expect(tools.row(1)).toContainText(formatNumber(language, 0.5));
     await tools.direction(3).check();
     await tools.duplicate.click();
     await tools.remove.click();
     await expect(tools.takeBack).toBeVisible();
-  });
-}
+    await expectAccessible(page);
+    await tools.restore();
+    await tools.close();
+  }
+});

@@ -9,7 +9,7 @@ const press = async (page: Page, ...keys: readonly string[]) => {
   for (const key of keys) await page.keyboard.press(key);
 };
 
-test("a toolbar is one Tab stop, and arrows move inside it", async ({ page }) => {
+test("a toolbar is one Tab stop; tabs and radio groups by arrows, a choice by its digit", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { lathe } = turnwise;
   await turnwise.start.beginWithExample(820);
@@ -36,11 +36,7 @@ test("a toolbar is one Tab stop, and arrows move inside it", async ({ page }) =>
   await expect(turnwise.contour.add).not.toBeFocused();
   await press(page, "ArrowLeft");
   await expect(turnwise.contour.add).toBeFocused();
-});
 
-test("tabs by arrows, Home and End", async ({ page }) => {
-  const turnwise = await Turnwise.open(page);
-  await turnwise.start.beginWithExample(820);
   const tab = page.getByRole("tab");
   await tabTo(page, page.getByRole("tab", { selected: true }), "Shift+Tab");
   for (const [key, at] of [
@@ -54,12 +50,9 @@ test("tabs by arrows, Home and End", async ({ page }) => {
     await expect(reached).toBeFocused();
     await expect(reached).toHaveAttribute("aria-selected", "true");
   }
-});
 
-test("radio groups by arrows, and a choice by its digit", async ({ page }) => {
-  const turnwise = await Turnwise.open(page);
   const { dialog, setup } = turnwise;
-  await turnwise.start.beginWithExample(820);
+  await turnwise.show("prompts");
   await dialog.open("Q215");
   await expect(dialog.choice(0)).toBeFocused();
   await press(page, "ArrowRight");

@@ -166,7 +166,7 @@ function holdsFor(text: string, changes: readonly (readonly [string, number, num
 
 test("a changed program with calls, jumps, shifts and parameters is run and proved as from scratch", () => {
   fc.assert(fc.property(movingPrograms, fc.array(edits, { minLength: 4, maxLength: 8 }), holdsFor), {
-    numRuns: Number(process.env["LAW_CASES"] ?? 20) * 4,
+    numRuns: Number(process.env["LAW_CASES"] ?? 10) * 4,
   });
 });
 

@@ -10,7 +10,7 @@ import { casesOf, situations, type Situation } from "./situation.ts";
  * Every drawn set-up is cut twice and checked against the laws of cut-laws.ts, from any start point. `npm run laws`
  * draws many more; the cases that it finds are in found/ and are always tried here.
  */
-const CASES = Number(process.env["LAW_CASES"] ?? 25);
+const CASES = Number(process.env["LAW_CASES"] ?? 10);
 
 for (const operation of [0, 1, 2, 3])
   describe.each(situations(operation))(`cycle $cycle.number, Q215 = ${operation}`, ({ cycle, arbitrary }) => {

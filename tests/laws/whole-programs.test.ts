@@ -10,7 +10,7 @@ import { areaOf, each, filled, grown, without } from "../judge/field.ts";
 import { gridOver, judge, THIN } from "../judge/judge.ts";
 import { EXPECTED_CODE, wholePrograms } from "./whole-programs.ts";
 
-const CASES = Number(process.env["LAW_CASES"] ?? 25);
+const CASES = Number(process.env["LAW_CASES"] ?? 10);
 /** Column width, mm, and the area in which both judges may differ, mm². */
 const [WIDTH, SAME] = [0.05, 0.1];
 const MEANT = [
