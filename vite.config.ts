@@ -152,10 +152,14 @@ const EARLY = [
   "src/app/records/keep-steps.ts",
   "src/app/records/files/kept-handles.ts",
   "src/app/fields/keypad/NumberKeys.tsx",
+  "src/app/base/styles/print.css",
 ].map(module);
 
+/** The styles of the lathe view, which the start page asks for without the view. */
+const LATHE = module("src/app/pictures/lathe/lathe.css");
+
 /** Where the page begins, and the worker that calculates: both in one build, so that neither brings what the other has. */
-const PAGE = module("src/shell/main.tsx"),
+const HTML = module("index.html"),
   WORKER = module("src/app/calculation/worker.ts");
 
 /** The worker as a part of the page's build; otherwise it would be a build of its own, with a second kernel. */
@@ -213,7 +217,7 @@ function neededBy(begun: readonly string[], modules: Modules, later = false): Re
 }
 
 /** In an order in which each takes none of the modules that a later one imports. */
-const PARTS = ["base", "kernel", "engine", "first", "shared", "work"] as const;
+const PARTS = ["base", "kernel", "engine", "first", "soon", "lathe", "work"] as const;
 type Part = (typeof PARTS)[number];
 type Known = Readonly<Record<"page" | "worker" | "workerLater" | "work" | "early", ReadonlySet<string>>>;
 let known: Known | null = null;
@@ -224,7 +228,7 @@ let known: Known | null = null;
  */
 function partOf(id: string, modules: Modules): Part | null {
   known ??= {
-    page: neededBy([PAGE], modules),
+    page: neededBy([HTML], modules),
     worker: neededBy([WORKER], modules),
     workerLater: neededBy([WORKER], modules, true),
     work: neededBy(WORK, modules),
@@ -236,21 +240,28 @@ function partOf(id: string, modules: Modules): Part | null {
   if (workerLater.has(id) && work.has(id)) return "kernel";
   if (worker.has(id)) return "engine";
   if (page.has(id)) return "first";
-  if (work.has(id)) return early.has(id) ? "shared" : "work";
+  if (early.has(id)) return "soon";
+  if (id === LATHE) return "lathe";
+  if (work.has(id)) return "work";
   return null;
 }
 
 const TEXTS = new RegExp(String.raw`/src/i18n/(${LANGUAGES.join("|")})/([\w-]+)\.ts$`);
-/** Texts that the start page or a dialog asks for by itself, or that have modules of their own. */
-const AWAITED = ["parts", "first", "course", "workplace", "tables"];
+/** Texts that the start page asks for by itself, with its menu; and those of a dialog or with modules of their own. */
+const FIRST = ["", "first", "parts", "course"],
+  AWAITED = ["workplace", "tables"];
 /** Other texts that are shorter than this in English share one file of their language, bytes of source. */
 const SHORT = 3600;
 
-/** What comes together later: a lesson with its tasks; what a learner reads in one language; its short texts. */
+/**
+ * What comes together: what the start page says in one language; later a lesson with its tasks, what a learner reads in
+ * one language, and its short texts.
+ */
 function laterPartOf(id: string): string | null {
   const lesson = /\/src\/course\/(?:lessons\/|tasks\/l)(\d\d)-[^/]*\.json$/.exec(id)?.[1];
   if (lesson !== undefined) return `lesson-${lesson}`;
-  const [, language, area = ""] = TEXTS.exec(id) ?? [];
+  const [, language, area = ""] = TEXTS.exec(id) ?? /virtual:cycle-menu\/(\w+)$/.exec(id) ?? [];
+  if (language !== undefined && FIRST.includes(area)) return `first-${language}`;
   if (language === undefined || AWAITED.includes(area)) return null;
   if (/^course-(?!teach)/.test(area)) return `course-${language}`;
   return statSync(module(`src/i18n/en/${area}.ts`)).size < SHORT ? `texts-${language}` : null;

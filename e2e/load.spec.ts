@@ -10,12 +10,15 @@ test.use({ reducedMotion: "no-preference" });
  * start page, which comes before or after the first button by chance.
  */
 const LIMIT = 165;
+/** Of files of any kind. */
+const MOST_REQUESTS = 25;
 
 test("the first load is small, and asks no other host", async ({ page, baseURL }) => {
   const scripts: Promise<number>[] = [];
   const foreign: string[] = [];
   const complaints: string[] = [];
   let isFirst = true;
+  let requests = 0;
   // What the browser prefetches when idle is no part of the first load.
   await page.addInitScript(() => {
     window.requestIdleCallback = () => 0;
@@ -26,6 +29,7 @@ test("the first load is small, and asks no other host", async ({ page, baseURL }
     if (!request.url().startsWith(baseURL ?? "") && !/^(data|blob):/.test(request.url())) foreign.push(request.url());
   });
   page.on("response", (response) => {
+    if (isFirst) requests += 1;
     if (isFirst && /\.js(\?|$)/.test(response.url()))
       scripts.push(response.body().then((body) => gzipSync(body).length));
   });
@@ -35,9 +39,10 @@ test("the first load is small, and asks no other host", async ({ page, baseURL }
   isFirst = false;
   await turnwise.start.beginWithExample(812);
   await turnwise.effect.proved();
-  console.log(`first load: ${size.toFixed(1)} kB`);
+  console.log(`first load: ${size.toFixed(1)} kB of scripts, ${requests} requests`);
   expect(complaints).toEqual([]);
   expect(foreign).toEqual([]);
   expect(size).toBeGreaterThan(30);
   expect(size).toBeLessThan(LIMIT);
+  expect(requests).toBeLessThanOrEqual(MOST_REQUESTS);
 });

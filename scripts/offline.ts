@@ -10,17 +10,11 @@ export interface KeptFile {
   readonly integrity: string;
 }
 
-/** Fontsource subsets that no screen language and no name in western Europe needs; the system font replaces them. */
-const SPARE_FONT = /-(?:cyrillic|cyrillic-ext|greek-ext|vietnamese)-wght-/;
-
 /**
  * True for a file of the build that the page can request; Node scripts, maps and compressed copies stay on the server.
  */
 export const isKept = (path: string): boolean =>
-  /\.(?:html|js|css|svg|png|woff2|webmanifest)$/.test(path) &&
-  path !== "sw.js" &&
-  !/(?:^|\/)\./.test(path) &&
-  !SPARE_FONT.test(path);
+  /\.(?:html|js|css|svg|png|woff2|webmanifest)$/.test(path) && path !== "sw.js" && !/(?:^|\/)\./.test(path);
 
 /** The files of the site in a folder, each with a revision for its content. */
 export function keptFiles(folder: string): readonly KeptFile[] {

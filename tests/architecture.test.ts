@@ -341,6 +341,6 @@ describe("packages", () => {
   test.each(
     Object.keys({ ...manifest.dependencies, ...manifest.devDependencies }).filter((name) => !unimported.has(name)),
   )("%s is used", (name) =>
-    expect(new RegExp(`(?:from|import|import\\()\\s*["']${name}(?:/[^"']*)?["']`).test(text)).toBe(true),
+    expect(new RegExp(`(?:from|import|import\\(|url\\()\\s*["']${name}(?:/[^"']*)?["']`).test(text)).toBe(true),
   );
 });

@@ -25,7 +25,6 @@ test.each([
   "manifest.zh.webmanifest",
   "icons/maskable-192.png",
   "assets/worker-DVUzD9Yi.js",
-  "assets/inter-greek-wght-normal-x.woff2",
   "assets/inter-latin-ext-wght-normal-x.woff2",
 ])("%s is kept", (path) => expect(isKept(path)).toBe(true));
 
@@ -38,8 +37,6 @@ test.each([
   "assets/.hidden.js",
   "assets/index-x.js.map",
   "assets/index-x.js.br",
-  "assets/inter-cyrillic-ext-wght-normal-x.woff2",
-  "assets/inter-vietnamese-wght-normal-x.woff2",
 ])("%s is not kept", (path) => expect(isKept(path)).toBe(false));
 
 test("the list names each file with its content; a changed one is another entry", () => {

@@ -2,7 +2,7 @@ import fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import { areaOf } from "../kernel/area/area.ts";
 import { difference, union } from "../kernel/area/clip.ts";
-import { hullOf } from "../kernel/cutter/holder.ts";
+import { hullOf } from "../kernel/cutter/hull.ts";
 import type { Pt, Ring } from "../kernel/geometry/point.ts";
 import { axial, radius } from "../kernel/units.ts";
 import { hullAlong } from "./sweep.ts";

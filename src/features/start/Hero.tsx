@@ -11,7 +11,6 @@ import { openText } from "../../app/fields/open/open-program.ts";
 import type { HeroProgram, Theme } from "./pictures.ts";
 import type { RunningPass } from "./running-pass.ts";
 import type { ViewBox } from "../../view/thumbnail.ts";
-import "../../app/pictures/lathe/lathe.css";
 import "./hero.css";
 
 const LivePicture = lazyPart(async () => {
@@ -32,8 +31,8 @@ function Still({ box }: { readonly box: ViewBox }) {
   useEffect(
     () =>
       takeAnswer(
-        () => DRAWINGS[theme]().catch(() => null),
-        (made) => made && take(made.drawing),
+        () => Promise.all([DRAWINGS[theme](), import("../../app/pictures/lathe/lathe.css")]).catch(() => null),
+        (made) => made && take(made[0].drawing),
         // After the first paint: its place is reserved.
         scheduleIdle,
       ),

@@ -1,5 +1,6 @@
 import { describe, expect, test } from "vitest";
-import { holderOutlines, hullOf } from "./holder.ts";
+import { holderOutlines } from "./holder.ts";
+import { hullOf } from "./hull.ts";
 import type { Ring } from "../geometry/point.ts";
 import type { Holder, TipOrientation, Tool } from "../plan/tool.ts";
 import { length } from "../units.ts";

@@ -1,13 +1,11 @@
+import { hullOf, type Corner } from "./hull.ts";
 import { correctionShift, TIP } from "./insert.ts";
 import { at, type Ring } from "../geometry/point.ts";
-import { ROUND } from "../tolerance.ts";
 import type { Holder, HolderCorner, TipOrientation, Tool } from "../plan/tool.ts";
 import { length } from "../units.ts";
 
 /** The axis of the shank: as stated for the holder, else as usual for tools of this orientation. */
 export const shankAxis = (to: TipOrientation, axis?: "X" | "Z"): "X" | "Z" => axis ?? (to <= 3 || to === 9 ? "X" : "Z");
-
-type Corner = readonly [z: number, x: number];
 
 /**
  * The shank as a box, on the side opposite to the tip. Along Z it leaves the workpiece towards +Z, unless the tip
@@ -24,26 +22,6 @@ function shank(h: Holder, to: TipOrientation): readonly Corner[] {
     [z, x],
     [h.offsetZ, x],
   ];
-}
-
-const turn = (a: Corner, b: Corner, c: Corner) => (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-
-/**
- * Convex hull of corners, counter-clockwise, without corners on a straight side; fewer than three when they lie on a
- * line.
- */
-export function hullOf(corners: readonly Corner[]): readonly Corner[] {
-  const sorted = [...corners].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
-  const side = (order: readonly Corner[]) => {
-    const out: Corner[] = [];
-    for (const c of order) {
-      while (out.length > 1 && turn(out[out.length - 2] as Corner, out[out.length - 1] as Corner, c) <= ROUND)
-        out.pop();
-      out.push(c);
-    }
-    return out.slice(0, -1);
-  };
-  return [...side(sorted), ...side(sorted.reverse())];
 }
 
 /**

@@ -3,7 +3,7 @@ import { drillShape, isDrill } from "./drill.ts";
 import { flat, type Flat } from "../geometry/flat.ts";
 import { at, part, type Pt, type Ring } from "../geometry/point.ts";
 import { JOINED, ROUND } from "../tolerance.ts";
-import type { TipOrientation, Tool } from "../plan/tool.ts";
+import { USUAL_TOOTH, type TipOrientation, type Tool } from "../plan/tool.ts";
 import { length, radians } from "../units.ts";
 
 const { beyond, heading, scaled } = flat;
@@ -11,11 +11,6 @@ const { beyond, heading, scaled } = flat;
 /** Edge length of an insert whose CUTLENGTH is empty, mm: 12, and 30 for the bar of a recessing tool. */
 const EDGE = 12;
 const BAR = 30;
-/**
- * Height of the tooth of a thread insert whose CUTLENGTH is empty, mm: that of the usual insert for pitches from 0.5 to
- * 3 mm.
- */
-export const USUAL_TOOTH = 2.5;
 /** Point angle of a thread insert whose P-ANGLE is empty, degrees: that of the metric and the unified profile. */
 const POINT_ANGLE = 60;
 

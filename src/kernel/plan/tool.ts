@@ -30,6 +30,12 @@ export interface CentreDrill {
   readonly pilot: Length;
 }
 
+/**
+ * Height of the tooth of a thread insert whose CUTLENGTH is empty, mm: that of the usual insert for pitches from 0.5 to
+ * 3 mm.
+ */
+export const USUAL_TOOTH = 2.5;
+
 /** Tip orientation 1..9, as on HEIDENHAIN lathes. */
 export type TipOrientation = 1 | 2 | 3 | 4 | 5 | 6 | 7 | 8 | 9;
 

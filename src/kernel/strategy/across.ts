@@ -1,7 +1,8 @@
 import { areaOf } from "../area/area.ts";
 import { boxAround, inBox } from "../area/box.ts";
 import { intersection } from "../area/clip.ts";
-import { holderOutlines, hullOf } from "../cutter/holder.ts";
+import { holderOutlines } from "../cutter/holder.ts";
+import { hullOf } from "../cutter/hull.ts";
 import { insertOutline } from "../cutter/insert.ts";
 import { REAL_AREA } from "../area/real-area.ts";
 import { issue, type Issue } from "../plan/issue.ts";

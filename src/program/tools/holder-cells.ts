@@ -1,4 +1,4 @@
-import { hullOf } from "../../kernel/cutter/holder.ts";
+import { hullOf } from "../../kernel/cutter/hull.ts";
 import type { Holder } from "../../kernel/plan/tool.ts";
 
 /** Corners of a head as typed: parts separated by a semicolon, corners by a blank, each as Z/X in mm. */

@@ -1,7 +1,6 @@
 import { issue, type Issue } from "../../kernel/plan/issue.ts";
-import { USUAL_TOOTH } from "../../kernel/cutter/insert.ts";
 import { fixesFinding, offerOf, withOffer } from "../../kernel/plan/offer.ts";
-import { BLADE_SUPPORTS, type BladeSupport, type DrillType, type Tool } from "../../kernel/plan/tool.ts";
+import { BLADE_SUPPORTS, USUAL_TOOTH, type BladeSupport, type DrillType, type Tool } from "../../kernel/plan/tool.ts";
 import { radians } from "../../kernel/units.ts";
 import { checkTool } from "./check-tool.ts";
 import { readText } from "../values/field.ts";
