@@ -1,3 +1,4 @@
+import { readJson } from "../../program/files/bounded.ts";
 import type { z } from "zod/mini";
 
 /*
@@ -50,7 +51,7 @@ export function storedText(key: string, area: Area = "device"): StoredText {
 /** The value of a JSON text; undefined if the text is not JSON. */
 export function jsonOf(text: string | null | undefined): unknown {
   try {
-    return JSON.parse(text ?? "");
+    return readJson(text ?? "");
   } catch {
     return undefined;
   }

@@ -1,5 +1,6 @@
-import { strFromU8, strToU8, zipSync, type Zippable } from "fflate";
-import { packedFiles, unpackedFile } from "../base/unpack.ts";
+import { strToU8, zipSync, type Zippable } from "fflate";
+import { jsonGauge, readJson } from "../../program/files/bounded.ts";
+import { packedFiles, unpackedFileText } from "../base/unpack.ts";
 import { encode } from "../document/encoding.ts";
 import { parse } from "../../nc/parse.ts";
 import { isoProgramText } from "../../nc/iso/print-iso.ts";
@@ -146,12 +147,14 @@ export function writeArchive({ works: all = [], ...given }: Partial<ArchiveConte
 /** True for bytes that may be an archive: every zip begins like this. */
 export const looksPacked = (bytes: Uint8Array): boolean => bytes[0] === 0x50 && bytes[1] === 0x4b;
 
-/** The bytes of the manifest. Nothing else of the file is ever unpacked, so its paths are harmless. */
-function manifestOf(bytes: Uint8Array, limits: ArchiveLimits): Uint8Array | ArchiveProblem {
+/** The data of the manifest. Nothing else of the file is ever unpacked, so its paths are harmless. */
+function manifestOf(bytes: Uint8Array, limits: ArchiveLimits): { readonly raw: unknown } | ArchiveProblem {
   const files = packedFiles(bytes);
   if (files.length > limits.entries) return "tooLarge";
   const manifest = files.find(({ name }) => name === MANIFEST);
-  return manifest ? (unpackedFile(manifest, limits.unpacked) ?? "tooLarge") : "notAnArchive";
+  if (!manifest) return "notAnArchive";
+  const text = unpackedFileText(manifest, limits.unpacked, jsonGauge());
+  return text === null ? "tooLarge" : { raw: readJson(text) };
 }
 
 /** The works of a manifest, and the names of those that cannot be read. */
@@ -184,7 +187,7 @@ export function readArchive(
   try {
     const manifest = manifestOf(bytes, limits);
     if (typeof manifest === "string") return { problem: manifest };
-    const raw: unknown = JSON.parse(strFromU8(manifest));
+    const { raw } = manifest;
     const format = isRecord(raw) ? String(raw["format"]) : "";
     if (!isRecord(raw) || !format.startsWith(FORMAT)) return { problem: "notAnArchive" };
     if (Number(format.slice(FORMAT.length)) > EDITION) return { problem: "newer" };
