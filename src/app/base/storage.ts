@@ -20,6 +20,17 @@ export interface StoredText {
   follow(changed: (text: string | null) => void): void;
 }
 
+/** The keys that begin with a prefix and have a text, without `turnwise/`; none if the browser refuses. */
+export function storedKeys(prefix: string, area: Area = "device"): readonly string[] {
+  try {
+    return Object.keys(storageOf(area)).flatMap((name) =>
+      name.startsWith(`turnwise/${prefix}`) ? [name.slice("turnwise/".length)] : [],
+    );
+  } catch {
+    return [];
+  }
+}
+
 /** The text under `turnwise/key`. */
 export function storedText(key: string, area: Area = "device"): StoredText {
   const name = `turnwise/${key}`;

@@ -176,7 +176,7 @@ test("everything packed is read back, including invalid text and drafts of other
     fc.property(works, fc.boolean(), (all, isWhole) => {
       const rest = isWhole ? whole : nothing;
       const found = read(writeArchive({ works: all, ...rest }));
-      expect(found).toEqual({ works: all, ...rest, unread: [], unreadParts: [] });
+      expect(found).toEqual({ works: all, ...rest, unread: [], unreadParts: [], unreadRows: [] });
     }),
     { numRuns: 60 },
   );

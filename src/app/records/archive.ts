@@ -37,6 +37,8 @@ export interface ReadArchive extends ArchiveContent {
   readonly unread: readonly string[];
   /** Damaged parts other than works. */
   readonly unreadParts: readonly PartName[];
+  /** Names of single rows of these parts that cannot be read; the others are. */
+  readonly unreadRows: readonly string[];
 }
 
 /** Why a file is rejected: another kind, altered, larger than the limits, or from a newer edition. */
@@ -114,8 +116,14 @@ function readable(job: Work): readonly WorkFile[] {
 const [EARLIEST, LATEST] = [Date.UTC(1980, 0, 2), Date.UTC(2099, 11, 30)];
 const zipTime = (time: number): number => Math.min(Math.max(Number.isFinite(time) ? time : EARLIEST, EARLIEST), LATEST);
 
-/** Packs works and other parts into one file. */
-export function writeArchive({ works: all = [], ...given }: Partial<ArchiveContent>): Uint8Array<ArrayBuffer> {
+/**
+ * Packs works and other parts into one file. `isPrinted`: with the files that a control reads; without, nothing is
+ * calculated.
+ */
+export function writeArchive(
+  { works: all = [], ...given }: Partial<ArchiveContent>,
+  isPrinted = true,
+): Uint8Array<ArrayBuffer> {
   const mtime = zipTime(Math.max(EARLIEST, ...all.map(({ savedAt }) => savedAt)));
   const beside = PART_NAMES.flatMap((name) => {
     const part = PARTS[name],
@@ -133,7 +141,7 @@ export function writeArchive({ works: all = [], ...given }: Partial<ArchiveConte
   };
   const files: Zippable = { [MANIFEST]: [strToU8(JSON.stringify(manifest)), { mtime }] };
   const folderOf = namer();
-  for (const { savedAt, job } of all) {
+  for (const { savedAt, job } of isPrinted ? all : []) {
     const folder = folderOf(job.name.replace(/\.[hH]$/, ""));
     const nameOf = namer();
     for (const { name, text, encoding } of readable(job))
@@ -174,7 +182,10 @@ function worksOf(raw: readonly unknown[]): Pick<ReadArchive, "works" | "unread">
 function contentOf(raw: Readonly<Record<string, unknown>>): ReadArchive {
   const parts = eachPart((part, name) => part.read(unsealed(raw[name])));
   const unreadParts = PART_NAMES.filter((name) => raw[name] !== undefined && parts[name] === null);
-  return { ...worksOf(Array.isArray(raw["works"]) ? raw["works"] : []), ...parts, unreadParts };
+  const unreadRows = PART_NAMES.flatMap(
+    (name) => PARTS[name].unread?.(unsealed(raw[name])).map((row) => row.name) ?? [],
+  );
+  return { ...worksOf(Array.isArray(raw["works"]) ? raw["works"] : []), ...parts, unreadParts, unreadRows };
 }
 
 /** Reads an archive, or says why not. Never throws, and never unpacks beyond the limits. */

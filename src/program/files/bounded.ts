@@ -67,13 +67,45 @@ export const measure = z.number().check(z.gte(-1e9), z.lte(1e9));
 /** An index, or the number of a tool or a cycle. */
 export const whole = z.int().check(z.gte(-1_000_000_000), z.lte(1_000_000_000));
 
-/** A list whose rows are read one by one: those that pass, and those that do not. */
-export function splitRows<T>(raw: unknown, row: z.ZodMiniType<T>): { readonly rows: T[]; readonly unread: unknown[] } {
-  const [rows, unread]: [T[], unknown[]] = [[], []];
-  for (const each of Array.isArray(raw) ? raw : []) {
-    const read = row.safeParse(each);
-    if (read.success) rows.push(read.data);
-    else unread.push(each);
-  }
-  return { rows, unread };
+const isRecord = (raw: unknown): raw is Readonly<Record<string, unknown>> =>
+  typeof raw === "object" && raw !== null && !Array.isArray(raw);
+
+/** A row that did not pass, with the name it goes by, as far as it has one. */
+export interface UnreadRow {
+  readonly name: string;
+  readonly raw: unknown;
+}
+
+const NAMED = z.object({ name: z.string().check(z.minLength(1)) });
+const NAMES = ["name", "file", "title", "id"] as const;
+
+/** The name of a row in data that may be anything. */
+function nameOfRow(raw: unknown, otherwise: string): string {
+  const names = NAMES.map((name) => NAMED.safeParse({ name: isRecord(raw) ? raw[name] : null }).data?.name);
+  return (names.find((name) => name !== undefined) ?? otherwise).slice(0, 100);
+}
+
+/**
+ * Data without the rows of one of their lists that do not pass, so that one row never costs the list. A list is an array,
+ * in which an id stands once, or an object by name.
+ */
+export function sieved(
+  raw: unknown,
+  list: string,
+  row: z.ZodMiniType<unknown>,
+): { readonly raw: unknown; readonly unread: readonly UnreadRow[] } {
+  const rows = isRecord(raw) ? raw[list] : undefined;
+  if (!isRecord(raw) || typeof rows !== "object" || rows === null) return { raw, unread: [] };
+  const ids = new Set<unknown>();
+  const unread: UnreadRow[] = [];
+  const good = Object.entries(rows).filter(([key, each]: [string, unknown]) => {
+    const id = Array.isArray(rows) && isRecord(each) ? each["id"] : undefined;
+    const passes = !ids.has(id) && row.safeParse(each).success;
+    if (id !== undefined) ids.add(id);
+    if (!passes) unread.push({ name: nameOfRow(each, key), raw: each });
+    return passes;
+  });
+  if (unread.length === 0) return { raw, unread };
+  const kept = Array.isArray(rows) ? good.map(([, each]: [string, unknown]) => each) : Object.fromEntries(good);
+  return { raw: { ...raw, [list]: kept }, unread };
 }

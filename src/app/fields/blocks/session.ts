@@ -1,11 +1,13 @@
 import { isolateHistory, redo, undo, undoDepth } from "@codemirror/commands";
-import { Annotation, EditorState, type StateCommand, type TransactionSpec } from "@codemirror/state";
+import { Annotation, EditorState, type ChangeSet, type StateCommand, type TransactionSpec } from "@codemirror/state";
 import { EditorView } from "@codemirror/view";
 import { readingOf, type Reading } from "../../../nc/reread.ts";
 import type { Program } from "../../../nc/program.ts";
 import { fileKey } from "../../../program/state/program-files.ts";
 import { calculation as calculating } from "../../calculation/calculation.ts";
 import { takeKeptSteps, textKeepers } from "../../records/keep-steps.ts";
+import { noteTyped, type JournalText } from "../../records/journal.ts";
+import { noteOpening } from "../../records/opening.ts";
 import { documentOfWork } from "../../document/documents.ts";
 import { closeStep, continuesStep, recordStep, useSteps, type HistoryStep } from "../../document/steps.ts";
 import { setProgram, useEditor } from "../../document/store.ts";
@@ -20,7 +22,7 @@ import {
   serializedState,
   type TextWithHistory as Text,
 } from "./text-with-history.ts";
-import { lineEndsOf, toEditor, type LineEnds } from "./line-ends.ts";
+import { fromEditor, lineEndsOf, toEditor, type LineEnds } from "./line-ends.ts";
 import {
   blockRange,
   cursorBlock,
@@ -72,14 +74,41 @@ const [panels, calculation, reading] = [restartable(), restartable(), restartabl
 /** The text in the editor as its file has it; null when none is open. */
 export const sessionText = (): string | null => (open ? fileText(open) : null);
 
+/** Changes of the text in the editor that the work does not have yet. */
+let unflushed: ChangeSet | null = null;
+
+/** The changes as one, in the text of the file. */
+function changeInFile({ state: { doc }, ends }: Text, changes: ChangeSet): JournalText {
+  let [from, to] = [doc.length, 0];
+  changes.iterChangedRanges((_, __, fromB, toB) => {
+    from = Math.min(from, fromB);
+    to = Math.max(to, toB);
+  });
+  const perEnd = ends === "mixed" ? 0 : ends.length - 1;
+  const after = doc.length - to + (doc.lines - doc.lineAt(to).number) * perEnd;
+  return [from + (doc.lineAt(from).number - 1) * perEnd, after, fromEditor(doc.sliceString(from, to), ends)];
+}
+
+/** Notes a change on the device at once: a long text is handed to its work only when nobody types. */
+function noteUnflushed({ transactions }: TextUpdate): void {
+  const { work } = useEditor.getState();
+  if (!open || open.work !== work) return;
+  for (const { changes } of transactions) unflushed = unflushed ? unflushed.compose(changes) : changes;
+  if (!unflushed) return;
+  noteOpening(open.work);
+  noteTyped(open.work, open.file, changeInFile(open, unflushed));
+}
+
 /** Flushes the text to saving and calculation. */
 export function flushText(): void {
   calculation.stop();
+  unflushed = null;
   const { program, work } = useEditor.getState();
   if (!open || !program || open.work !== work) return;
   const text = fileText(open);
   const before = fileOf(program, open.file)?.text;
-  if (before === undefined || before === text) return;
+  if (before === undefined) return;
+  if (before === text) return noteTyped(open.work, open.file, null);
   setProgram(withText(program, open.file, text));
 }
 
@@ -154,6 +183,7 @@ function onChange(update: TextUpdate): void {
   }
   // A short program is planned on the page, so its text is flushed at once.
   if (update.docChanged && calculating.plansOnPage(update.state.doc.length)) flushText();
+  else if (update.docChanged) noteUnflushed(update);
   if (!byDialog && !view?.get().composing) {
     const changes = numberTyped(update);
     // The number belongs to the typing before it, in one step of undo.
@@ -247,6 +277,7 @@ function putShown(): void {
   if (fileKey(shown.name) === open.file && shown.text === fileText(open)) return;
   closeStep();
   open = cacheShownText(program, open.work);
+  unflushed = null;
   view.put(open.state);
   view.get().dispatch({ effects: EditorView.scrollIntoView(open.state.selection.main.head, { y: "center" }) });
   show(true);
