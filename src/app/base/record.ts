@@ -152,8 +152,8 @@ function keep<T>(
     timer = undefined;
     const value = now();
     if (value === written) return;
-    if (isLocked) return say("notKept");
     written = value;
+    if (isLocked) return say("notKept");
     if (!text.set(isSame(value, first) ? null : JSON.stringify(write(value)))) say("notKept");
   };
   use.subscribe(() => {
