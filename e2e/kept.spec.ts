@@ -25,7 +25,9 @@ test("a work that was open when the page died is offered with its last key, and 
   // The renderer ends in the task after the key, as it does when it is killed.
   const crash = await context.newCDPSession(page);
   await page.keyboard.type(" ;41.7");
-  await crash.send("Page.crash").catch(() => undefined);
+  const died = page.waitForEvent("crash");
+  void crash.send("Page.crash").catch(() => undefined);
+  await died;
   await page.close();
 
   const next = Turnwise.at(await context.newPage());
@@ -100,7 +102,7 @@ test("rows of another device that nobody can read cost themselves only, and are 
   const unread = page.getByRole("region", { name: t.works.unread.title });
   await expect(unread.getByRole("listitem")).toHaveText([/LATER\.H.*newer/, /old\.json/]);
   // A backup with a work of that name does not write over it.
-  await page.goto("./");
+  await page.goto("./#/");
   await opener(page).setInputFiles(
     archive({
       ...manifest,

@@ -182,7 +182,9 @@ export async function readWork(work: string): Promise<SaveFile | null> {
 }
 
 /** Whether the device has anything under a name, also what this edition cannot read. */
-export const isTaken = async (work: string): Promise<boolean> => (await lookUpWork(work)) !== "none";
+export async function isTaken(work: string): Promise<boolean> {
+  return (await lookUpWork(work)) !== "none";
+}
 
 /** A save that cannot be read, as it is stored; undefined if it is gone. */
 export const readUnread = ({ store, key }: UnreadSave): Promise<unknown> =>

@@ -36,7 +36,7 @@ export async function keepWork(work: string, job: Job, savedAt = device.works.si
 export const readWork = (work: string): Promise<unknown> => Promise.resolve(device.works.get(work) ?? null);
 export const lookUpWork = (work: string): Promise<unknown> => Promise.resolve(device.works.get(work) ?? "none");
 export const isTaken = (work: string): Promise<boolean> => Promise.resolve(device.works.has(work));
-export const summaryOf = (work: string, { savedAt, job }: { savedAt: number; job: Job }): unknown => ({
+const summaryOf = (work: string, { savedAt, job }: { savedAt: number; job: Job }): unknown => ({
   work,
   savedAt,
   name: job.name,
@@ -68,3 +68,4 @@ export function emptyDevice(): void {
   localStorage.clear();
   Object.defineProperty(navigator, "locks", { value: locks, configurable: true });
 }
+export { summaryOf };

@@ -3,7 +3,7 @@ import { time } from "../base/clock.ts";
 import { create } from "zustand";
 import { notice, withdraw } from "../base/notices.ts";
 import { retryImport } from "../base/parts.ts";
-import { oneAtATime } from "../base/once.ts";
+import { increasing, oneAtATime } from "../base/once.ts";
 import { TYPING } from "../base/waits.ts";
 import { openFirstWork, flushEdits, open, openContent, useEditor } from "../document/store.ts";
 import type { Work } from "../document/work.ts";
@@ -83,9 +83,8 @@ export function forgetUnsaved(work: string): void {
   forgetMark(work);
 }
 
-let lastDate = 0;
 /** A later date than any before: the journal tells states apart by it. */
-const nextDate = (): number => (lastDate = Math.max(time(), lastDate + 1));
+const nextDate = increasing(time);
 
 const WHY = { full: "storageFull", refused: "notKept", silent: "storageSilent" } as const;
 

@@ -11,8 +11,8 @@ const mark = (work: string) => storedText(PREFIX + work);
 
 /** Works marked by this page. */
 const marked = new Set<string>();
-/** The page shows an error in place of the work: its mark outlasts the page. */
-let isBroken = false;
+/** Works over which the page has failed: their marks outlast it. */
+const broken = new Set<string>();
 
 /** Marks a work before it is opened or calculated. */
 export function noteOpening(work: string): void {
@@ -23,14 +23,13 @@ export function noteOpening(work: string): void {
 
 /** Removes the marks of this page: its works are shown, or it closes in good order. */
 export function noteShown(): void {
-  if (isBroken) return;
-  for (const work of marked) mark(work).set(null);
+  for (const work of marked) if (!broken.has(work)) mark(work).set(null);
   marked.clear();
 }
 
 /** The page has failed over a work. */
 export function noteBroken(work: string): void {
-  isBroken = true;
+  broken.add(work);
   mark(work).set("1");
 }
 

@@ -53,7 +53,7 @@ export function readJson(text: string, bounds: JsonBounds = JSON_BOUNDS): unknow
 }
 
 /** Range of times, ms since 1970: years 1 to 9999, which every calendar and every format of dates can write. */
-const TIMES = { first: Date.parse("0001-01-02"), last: Date.parse("9999-12-30") };
+const TIMES = { first: -62_135_510_400_000, last: 253_402_128_000_000 };
 
 /** A time, ms since 1970. */
 export const moment = z.number().check(z.gte(TIMES.first), z.lte(TIMES.last));

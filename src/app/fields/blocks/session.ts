@@ -74,9 +74,6 @@ const [panels, calculation, reading] = [restartable(), restartable(), restartabl
 /** The text in the editor as its file has it; null when none is open. */
 export const sessionText = (): string | null => (open ? fileText(open) : null);
 
-/** Changes of the text in the editor that the work does not have yet. */
-let unflushed: ChangeSet | null = null;
-
 /** The changes as one, in the text of the file. */
 function changeInFile({ state: { doc }, ends }: Text, changes: ChangeSet): JournalText {
   let [from, to] = [doc.length, 0];
@@ -93,16 +90,16 @@ function changeInFile({ state: { doc }, ends }: Text, changes: ChangeSet): Journ
 function noteUnflushed({ transactions }: TextUpdate): void {
   const { work } = useEditor.getState();
   if (!open || open.work !== work) return;
-  for (const { changes } of transactions) unflushed = unflushed ? unflushed.compose(changes) : changes;
-  if (!unflushed) return;
+  for (const { changes } of transactions) open.unflushed = open.unflushed?.compose(changes) ?? changes;
+  if (!open.unflushed) return;
   noteOpening(open.work);
-  noteTyped(open.work, open.file, changeInFile(open, unflushed));
+  noteTyped(open.work, open.file, changeInFile(open, open.unflushed));
 }
 
 /** Flushes the text to saving and calculation. */
 export function flushText(): void {
   calculation.stop();
-  unflushed = null;
+  if (open) open.unflushed = null;
   const { program, work } = useEditor.getState();
   if (!open || !program || open.work !== work) return;
   const text = fileText(open);
@@ -205,7 +202,13 @@ function textOf({ name, text }: WorkFile, work: string): Text {
   const held = texts.get(textKey({ work, file }));
   if (held && fileText(held) === text) return held;
   const ends = lineEndsOf(text);
-  return { work, file, ends, state: EditorState.create({ doc: toEditor(text, ends), extensions: extensionsOf(ends) }) };
+  return {
+    work,
+    file,
+    ends,
+    unflushed: null,
+    state: EditorState.create({ doc: toEditor(text, ends), extensions: extensionsOf(ends) }),
+  };
 }
 
 /** Returns the text of the shown file and caches it. */
@@ -277,7 +280,6 @@ function putShown(): void {
   if (fileKey(shown.name) === open.file && shown.text === fileText(open)) return;
   closeStep();
   open = cacheShownText(program, open.work);
-  unflushed = null;
   view.put(open.state);
   view.get().dispatch({ effects: EditorView.scrollIntoView(open.state.selection.main.head, { y: "center" }) });
   show(true);

@@ -1,5 +1,5 @@
 import { historyField } from "@codemirror/commands";
-import { EditorState, type Extension } from "@codemirror/state";
+import { EditorState, type ChangeSet, type Extension } from "@codemirror/state";
 import { fromEditor, type LineEnds } from "./line-ends.ts";
 
 /**
@@ -11,6 +11,8 @@ export interface TextWithHistory {
   readonly file: string;
   readonly ends: LineEnds;
   state: EditorState;
+  /** Changes that its work does not have yet. */
+  unflushed: ChangeSet | null;
 }
 
 /** Key of a text in the cache. */
