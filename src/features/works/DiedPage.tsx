@@ -7,6 +7,7 @@ import { takeAnswer } from "../../app/base/until-gone.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import type { WorkElsewhere } from "../../app/place/place.ts";
 import { newestState, openWork } from "../../app/records/keep.ts";
+import "./works.css";
 
 /** Longest text that is shown to be copied by hand; a browser takes seconds over a longer one. */
 const LONGEST_SHOWN = 200_000;

@@ -1,12 +1,12 @@
 import { isolateHistory, redo, undo, undoDepth } from "@codemirror/commands";
-import { Annotation, EditorState, type ChangeSet, type StateCommand, type TransactionSpec } from "@codemirror/state";
+import { Annotation, EditorState, type StateCommand, type TransactionSpec } from "@codemirror/state";
 import { EditorView } from "@codemirror/view";
 import { readingOf, type Reading } from "../../../nc/reread.ts";
 import type { Program } from "../../../nc/program.ts";
 import { fileKey } from "../../../program/state/program-files.ts";
 import { calculation as calculating } from "../../calculation/calculation.ts";
 import { takeKeptSteps, textKeepers } from "../../records/keep-steps.ts";
-import { noteTyped, type JournalText } from "../../records/journal.ts";
+import { noteTyped } from "../../records/journal.ts";
 import { noteOpening } from "../../records/opening.ts";
 import { documentOfWork } from "../../document/documents.ts";
 import { closeStep, continuesStep, recordStep, useSteps, type HistoryStep } from "../../document/steps.ts";
@@ -16,13 +16,14 @@ import { changesBetween, type TextChange } from "./block-edits.ts";
 import { editorExtensions } from "./editor-extensions.ts";
 import { forgetHalfTyped, watchText } from "./half-typed.ts";
 import {
+  changeInFile,
   fileText,
   textKey,
   restoredState,
   serializedState,
   type TextWithHistory as Text,
 } from "./text-with-history.ts";
-import { fromEditor, lineEndsOf, toEditor, type LineEnds } from "./line-ends.ts";
+import { lineEndsOf, toEditor, type LineEnds } from "./line-ends.ts";
 import {
   blockRange,
   cursorBlock,
@@ -73,18 +74,6 @@ const [panels, calculation, reading] = [restartable(), restartable(), restartabl
 
 /** The text in the editor as its file has it; null when none is open. */
 export const sessionText = (): string | null => (open ? fileText(open) : null);
-
-/** The changes as one, in the text of the file. */
-function changeInFile({ state: { doc }, ends }: Text, changes: ChangeSet): JournalText {
-  let [from, to] = [doc.length, 0];
-  changes.iterChangedRanges((_, __, fromB, toB) => {
-    from = Math.min(from, fromB);
-    to = Math.max(to, toB);
-  });
-  const perEnd = ends === "mixed" ? 0 : ends.length - 1;
-  const after = doc.length - to + (doc.lines - doc.lineAt(to).number) * perEnd;
-  return [from + (doc.lineAt(from).number - 1) * perEnd, after, fromEditor(doc.sliceString(from, to), ends)];
-}
 
 /** Notes a change on the device at once: a long text is handed to its work only when nobody types. */
 function noteUnflushed({ transactions }: TextUpdate): void {
