@@ -77,10 +77,9 @@ export const sessionText = (): string | null => (open ? fileText(open) : null);
 
 /** Notes a change on the device at once: a long text is handed to its work only when nobody types. */
 function noteUnflushed({ transactions }: TextUpdate): void {
-  const { work } = useEditor.getState();
-  if (!open || open.work !== work) return;
+  if (!open || open.work !== useEditor.getState().work) return;
   for (const { changes } of transactions) open.unflushed = open.unflushed?.compose(changes) ?? changes;
-  if (!open.unflushed) return;
+  if (open.unflushed === null) return;
   noteOpening(open.work);
   noteTyped(open.work, open.file, changeInFile(open, open.unflushed));
 }
@@ -93,9 +92,8 @@ export function flushText(): void {
   if (!open || !program || open.work !== work) return;
   const text = fileText(open);
   const before = fileOf(program, open.file)?.text;
-  if (before === undefined) return;
-  if (before === text) return noteTyped(open.work, open.file, null);
-  setProgram(withText(program, open.file, text));
+  if (before === text) noteTyped(open.work, open.file, null);
+  else if (before !== undefined) setProgram(withText(program, open.file, text));
 }
 
 /** One undo or redo step of a text. A text that is not in the editor is shown. */
