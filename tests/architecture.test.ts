@@ -112,6 +112,11 @@ describe("what one file keeps to itself", () => {
     expect(keys.length).toBeGreaterThan(18);
   });
 
+  test("only program/files/bounded.ts parses JSON, within its bounds", () => {
+    const parses = all.filter((s) => !/\.test\.tsx?$/.test(s.path) && /\bJSON\.parse\b/.test(code(s.text)));
+    expect(parses.map((s) => s.path)).toEqual(["src/program/files/bounded.ts"]);
+  });
+
   test("every record goes into archives", () => {
     const records = all.flatMap((s) =>
       [...s.text.matchAll(/^export const (\w+) = record\(/gm)].map(([, name = ""]) => name),

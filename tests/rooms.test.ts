@@ -132,6 +132,8 @@ describe.each(Object.entries(FOLDERS))("folders of %s", (layer, folders) => {
 /** All mutable module variables, each with the reason why it is no store: only its own file may access it. */
 const STATE: Readonly<Record<string, string>> = {
   "src/app/calculation/advice.ts: newest": "the program whose variants are tried one after the other, in the worker",
+  "src/app/base/database.ts: unanswered":
+    "the call that the browser has not answered; notices say what follows from it",
   "src/app/base/random-id.ts: pageDrawCount": "goes on counting where the device keeps nothing",
   "src/app/calculation/played-milling.ts: asked": "the outcome whose milling was asked for, until its answer is here",
   "src/app/fields/blocks/choose-block.ts: isChosen": "spans one call: a block opened from the picture is marked there",

@@ -1,4 +1,5 @@
 import { z } from "zod/mini";
+import { moment } from "../program/files/bounded.ts";
 import { resultShape } from "./made/result.ts";
 import { setSchema, type TaskSet } from "./task-set.ts";
 
@@ -16,8 +17,8 @@ export const examShape = z.object({
   name: z.string().check(z.maxLength(200)),
   group: z.string().check(z.maxLength(200)),
   /** ms since 1970: the start, and the latest moment seen since: a clock that is set back gains nothing. */
-  begun: z.number(),
-  seen: z.number(),
+  begun: moment,
+  seen: moment,
   /** Checks of each task by its id: how many, and how the last one went: whether it passed, and the goals met. */
   checks: z.record(z.string().check(z.maxLength(100)), z.object({ count, passed: z.boolean(), met: count, of: count })),
   /** What was handed in, and whether time had run out; null while it goes on. */

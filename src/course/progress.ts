@@ -1,4 +1,5 @@
 import { z } from "zod/mini";
+import { amount, measure, moment } from "../program/files/bounded.ts";
 
 /*
  * A learner's progress in the course. It is stored by the ids of lessons and tasks, so that lessons added or removed in
@@ -14,17 +15,17 @@ const STAGES = 3;
 const count = z.int().check(z.gte(0), z.lte(1_000_000));
 const stage = z.int().check(z.gte(0), z.lte(STAGES));
 
-const taskProgress = z.object({
+export const taskProgress = z.object({
   /** Number of answers checked. */
   tries: count,
   /** Number of hints shown, and whether the solution was shown, both before the task was passed. */
   hints: stage,
   solution: z.boolean(),
   /** The best way in which it was passed, and when for the first time, ms since 1970; null while not passed. */
-  passed: z.nullable(z.object({ way: z.enum(WAYS_PASSED), when: z.number() })),
+  passed: z.nullable(z.object({ way: z.enum(WAYS_PASSED), when: moment })),
   /** Shortest machining time of a passing answer, s, and greatest score; null without one. */
-  seconds: z.nullable(z.number()),
-  score: z.nullable(z.number()),
+  seconds: z.nullable(amount),
+  score: z.nullable(measure),
   /** The help shown in a repeated attempt: one started over after a pass with help. Null while there is none. */
   repeat: z._default(z.nullable(z.object({ hints: stage, solution: z.boolean() })), null),
   /** Whether a repeated attempt passed without help. `passed` keeps saying how the first one did. */
@@ -36,7 +37,7 @@ export type TaskProgress = z.output<typeof taskProgress>;
  * A question on a page: the last answer, when it was given, ms since 1970 (0: not known), and the number of answers. A
  * question without an answer has no entry.
  */
-const answered = z.object({ last: z.enum(["right", "wrong"]), answers: count, when: z._default(z.number(), 0) });
+const answered = z.object({ last: z.enum(["right", "wrong"]), answers: count, when: z._default(moment, 0) });
 export type AnsweredQuestion = z.output<typeof answered>;
 
 /** A page of a lesson from 1, or the tasks behind the last one. */

@@ -1,4 +1,5 @@
 import { z } from "zod/mini";
+import { moment } from "../program/files/bounded.ts";
 import type { LessonLanguage } from "../i18n/languages.ts";
 import { progressOfTask, type CourseProgress } from "./progress.ts";
 import { taskSchema, type Task } from "./task.ts";
@@ -36,7 +37,7 @@ export const setSchema = z.object({
   words: inLanguages(z.object({ title: words, about: z.optional(words) })),
   tasks: z.array(taskSchema).check(z.maxLength(SET_LIMITS.tasks)),
   /** Until when it is to be handed in, ms since 1970. */
-  due: z.optional(z.number()),
+  due: z.optional(moment),
   help: z._default(z.enum(SET_HELP), "all"),
   exam: z.optional(exam),
 });

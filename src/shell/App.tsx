@@ -33,7 +33,7 @@ import { fetchSheetPage } from "../features/sheet/index.ts";
 import { StartPage } from "../features/start/first.ts";
 import { fetchToolPage } from "../features/tools/index.ts";
 import { fetchWhichCycle } from "../features/which/index.ts";
-import { fetchRestoreDialog, fetchOtherTabPage, fetchWorksPage } from "../features/works/index.ts";
+import { fetchDiedPage, fetchRestoreDialog, fetchOtherTabPage, fetchWorksPage } from "../features/works/index.ts";
 
 /** Fetches a part together with the texts that it needs. */
 const withTexts =
@@ -56,6 +56,7 @@ const CourseEntrance = lazyWithin(async () => ({ default: (await fetchCourseEntr
 const fetchCourse = withTexts(fetchCoursePage);
 const CoursePage = lazyPart(async () => ({ default: (await fetchCourse()).CoursePage }));
 const ElsewherePage = lazyWithin(async () => ({ default: (await fetchOtherTabPage()).OtherTabPage }));
+const DiedPage = lazyWithin(async () => ({ default: (await fetchDiedPage()).DiedPage }));
 /** Fetched with their texts when somebody asks. */
 const ChooseProgram = lazyPart(async () => ({ default: (await fetchChooseProgram()).ChooseProgram }));
 const fetchDrawing = withTexts(fetchDrawingDialog);
@@ -106,7 +107,7 @@ function OpenWork() {
 
 function Elsewhere() {
   const of = usePlace(workElsewhere);
-  return of && <ElsewherePage of={of} />;
+  return of && (of.cause === "died" ? <DiedPage of={of} /> : <ElsewherePage of={of} />);
 }
 
 const PAGES: Readonly<Record<Page["page"], ComponentType>> = {

@@ -2,7 +2,9 @@ import { Component, type ErrorInfo, type ReactNode } from "react";
 import { noteFault } from "../app/records/reports.ts";
 import { lazyPart } from "../app/base/parts.ts";
 import { unsavedWorks } from "../app/records/keep.ts";
+import { noteBroken } from "../app/records/opening.ts";
 import { rememberWork } from "../app/records/tab.ts";
+import { useEditor } from "../app/document/store.ts";
 import { texts } from "../app/base/settings/loaded-texts.ts";
 import { useSettings } from "../app/base/settings/settings.ts";
 import { fetchCrashHelp } from "../features/works/index.ts";
@@ -43,6 +45,8 @@ export class CrashGuard extends Component<{ readonly children: ReactNode }, Stat
   }
 
   override componentDidCatch(error: unknown, { componentStack }: ErrorInfo): void {
+    const { work } = useEditor.getState();
+    if (work !== null) noteBroken(work);
     noteFault(error, componentStack ?? "");
   }
 

@@ -14,7 +14,7 @@ export function Notices() {
   const line = (key: (typeof notices)[number] | "damaged", text: string) => (
     <p key={key} className="notice">
       <Icon name="info" /> <span>{text}</span>
-      {(key === "notKept" || key === "storageFull") && <DownloadUnkept />}
+      {(key === "notKept" || key === "storageFull" || key === "storageSilent") && <DownloadUnkept />}
       <button
         type="button"
         className="button icon plain"

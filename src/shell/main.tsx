@@ -16,6 +16,7 @@ import { followMissing, retryImport } from "../app/base/parts.ts";
 import "./slots.ts";
 import { startAutosave, useSavedWorks } from "../app/records/keep.ts";
 import { resume } from "./resume.ts";
+import { watchOpening } from "./watch-opening.ts";
 import { followAppearance } from "../app/base/settings/appearance.ts";
 import { fetchTexts } from "../app/base/settings/loaded-texts.ts";
 import { useSettings } from "../app/base/settings/settings.ts";
@@ -65,6 +66,7 @@ void resume(askedWork).then(async () => {
   resumePrompt();
   // A missing work has already been announced.
   if (asked && !(asked.page === "work" && asked.work !== useEditor.getState().work)) await goTo(asked);
+  watchOpening();
   startAutosave();
   void startKeepingExtras();
   void retryImport(() => import("../app/base/styles/print.css"));

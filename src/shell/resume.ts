@@ -2,18 +2,27 @@ import { openFirstWork } from "../app/document/store.ts";
 import { findWorks, readWork, type WorkSummary } from "../app/records/device.ts";
 import { showElsewhere } from "../app/place/place.ts";
 import { notice } from "../app/base/notices.ts";
-import { claimWithRetries, keepState, noteWritten, unsavedWorks, useSavedWorks } from "../app/records/keep.ts";
+import {
+  claimWithRetries,
+  keepState,
+  noteWritten,
+  settleJournals,
+  showFound,
+  useSavedWorks,
+} from "../app/records/keep.ts";
+import { isSilent } from "../app/base/database.ts";
+import { diedOpen, noteOpening } from "../app/records/opening.ts";
 import { readSave } from "../app/records/save-file.ts";
-import { storePending, readPending, rememberedWork, rememberWork } from "../app/records/tab.ts";
+import { takePending, rememberedWork, rememberWork } from "../app/records/tab.ts";
 
-/** Saves what the previous page could not save in time; what still cannot be saved is left for the next page. */
+/** Saves what the previous page could not save in time. */
 async function writeUnsaved(): Promise<void> {
-  for (const { work, file: raw } of readPending()) {
+  for (const { work, file: raw } of takePending()) {
     const file = readSave(raw);
     const kept = file && (await readWork(work));
     if (file && (!kept || kept.savedAt <= file.savedAt)) await keepState(work, file.job);
   }
-  if (unsavedWorks().length === 0) storePending([]);
+  await settleJournals();
 }
 
 /** The work requested by the address: its key, null for the start page; undefined if the address names none. */
@@ -33,17 +42,25 @@ function firstWork(asked: AskedWork, works: readonly WorkSummary[]): WorkSummary
 export async function resume(asked: AskedWork = undefined): Promise<void> {
   await writeUnsaved();
   const found = await findWorks();
-  useSavedWorks.setState({ works: found.works, damaged: found.setAside });
-  if (!found.available) notice("notKept");
+  showFound(found);
+  if (!found.available) {
+    notice(isSilent() ? "storageSilent" : "notKept");
+    // The work may be there: its address stays, and it opens once the storage answers.
+    openFirstWork(null, null);
+    return useSavedWorks.setState({ ready: true });
+  }
   if (found.newer > 0) notice("newerWorks");
-  const last = firstWork(asked, found.works);
+  const last = firstWork(asked, useSavedWorks.getState().works);
   const free = last !== undefined && (await claimWithRetries(last.work));
-  const file = free && (await readWork(last.work));
+  // What was open when the page died may be the cause: it is offered, and opened only on request.
+  const died = free && diedOpen(last.work);
+  const file = free && !died && (await readWork(last.work));
   if (last && file) {
-    noteWritten(last.work, file.job);
+    noteOpening(last.work);
+    noteWritten(last.work, file);
     rememberWork(last.work);
     openFirstWork(file.job, last.work);
   } else openFirstWork(null, null);
-  if (last && !free) showElsewhere({ work: last.work, name: last.name, cause: "isOpen" });
+  if (last && (!free || died)) showElsewhere({ work: last.work, name: last.name, cause: died ? "died" : "isOpen" });
   useSavedWorks.setState({ ready: true });
 }

@@ -10,6 +10,12 @@ export const dayText = (day: Date): string =>
 /** Local time of day: 14:05. */
 export const timeText = (day: Date): string => `${two(day.getHours())}:${two(day.getMinutes())}`;
 
+/** Writes day and time, ms since 1970, in a language; a dash for a time that is unknown or in no calendar. */
+export function momentWriter(language: Language): (at: number) => string {
+  const format = new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" });
+  return (at) => (at === 0 || Number.isNaN(new Date(at).getTime()) ? "–" : format.format(at));
+}
+
 /** Writes minutes and seconds in the words of a language; from an hour on, hours and minutes. */
 export type DurationWords = (minutes: number, seconds: string) => string;
 

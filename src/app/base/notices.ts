@@ -4,7 +4,10 @@ import { create } from "zustand";
 export type Notice =
   | "notKept"
   | "storageFull"
+  | "storageSilent"
   | "newerWorks"
+  | "newerData"
+  | "rowsAside"
   | "copyOfOtherTab"
   | "engineFailed"
   | "linkDamaged"

@@ -22,6 +22,12 @@ export function oneAtATime(job: () => Promise<void>): () => Promise<void> {
     }));
 }
 
+/** Whole numbers of a source, each greater than the one before. */
+export function increasing(source: () => number): () => number {
+  let last = 0;
+  return () => (last = Math.max(source(), last + 1));
+}
+
 /** Numbers that never repeat: 1, 2, … */
 export function counter(): () => number {
   let last = 0;

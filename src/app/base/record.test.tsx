@@ -1,6 +1,8 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { z } from "zod/mini";
+import { useNotices } from "./notices.ts";
 import { record } from "./record.ts";
+import { asideRows, forgetAside } from "./set-aside.ts";
 
 const said: string[] = [];
 const lengths = (version = 3) =>
@@ -8,6 +10,7 @@ const lengths = (version = 3) =>
     key: "lengths",
     version,
     schema: z.object({ mm: z.array(z.number()) }),
+    rows: { of: "mm", each: z.number() },
     upgrades: { 1: (all) => all.map((each) => each * 25.4), 2: (all) => all.toReversed() },
     from: ({ mm }): readonly number[] => mm,
     to: (mm) => ({ mm }),
@@ -18,6 +21,7 @@ const kept = () => localStorage.getItem("turnwise/lengths");
 
 beforeEach(() => {
   localStorage.clear();
+  useNotices.setState({ notices: [] });
   said.length = 0;
 });
 afterEach(() => vi.restoreAllMocks());
@@ -34,19 +38,35 @@ test("it starts with the stored value, and each change is stored; the initial va
   expect(kept()).toBeNull();
 });
 
-test("data of older versions are upgraded step by step; those of a newer one are set aside and reported", () => {
+test("data of older versions are upgraded step by step; those of a newer one are left alone", () => {
   const here = lengths();
   expect(here.read({ version: 1, mm: [2, 1] })).toEqual([25.4, 50.8]);
   expect(here.read({ version: 2, mm: [2, 1] })).toEqual([1, 2]);
   for (const raw of [{ version: 4, mm: [] }, { version: 0, mm: [] }, { version: 1.5, mm: [] }, { mm: [] }, null])
     expect(here.read(raw)).toBeNull();
   localStorage.setItem("turnwise/lengths", '{"version":4,"mm":[1]}');
+  const later = lengths();
+  expect(later.now()).toEqual([7.3]);
+  later.put([5.5]);
+  dispatchEvent(new Event("pagehide"));
+  expect([said, kept(), useNotices.getState().notices]).toEqual([["notKept"], '{"version":4,"mm":[1]}', ["newerData"]]);
+});
+
+test("damaged data are set aside, beside what was set aside before, and a damaged row without the others", () => {
+  localStorage.setItem("turnwise/lengths/damaged", "once [");
+  localStorage.setItem("turnwise/lengths", '{"version":3,"mm":[41.7,"x",3.1]}');
+  expect(lengths().now()).toEqual([41.7, 3.1]);
+  expect([said, kept()]).toEqual([[], '{"version":3,"mm":[41.7,3.1]}']);
+  localStorage.setItem("turnwise/lengths", '{"version":3}');
   expect(lengths().now()).toEqual([7.3]);
-  expect([said, kept(), localStorage.getItem("turnwise/lengths/damaged")]).toEqual([
-    ["damaged"],
-    null,
-    '{"version":4,"mm":[1]}',
+  expect([said, kept()]).toEqual([["damaged"], null]);
+  expect(asideRows().map(({ record: of, name, raw }) => [of, name, raw])).toEqual([
+    ["lengths", "lengths", "once ["],
+    ["lengths", "1", "x"],
+    ["lengths", "lengths", { version: 3 }],
   ]);
+  asideRows().forEach(() => asideRows().slice(0, 1).forEach(forgetAside));
+  expect(localStorage.length).toBe(0);
 });
 
 test("changes of another tab are taken over, also a cleared storage", () => {

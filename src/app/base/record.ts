@@ -1,10 +1,16 @@
 import { create, type StoreApi, type UseBoundStore } from "zustand";
 import { z } from "zod/mini";
+import { sieved, type UnreadRow } from "../../program/files/bounded.ts";
+import { setAside } from "./set-aside.ts";
 import { jsonOf, storedText } from "./storage.ts";
+import { notice } from "./notices.ts";
 import { isSameData } from "./same.ts";
 import { TYPING } from "./waits.ts";
 
-/** A stored value. `trouble`: the stored data could not be read and were set aside, or the device refuses changes. */
+/**
+ * A stored value. `trouble`: the stored data could not be read and were set aside, or the device refuses changes, also
+ * because a newer edition wrote them.
+ */
 export interface Recorded<T> {
   readonly list: T;
   readonly trouble: "none" | "damaged" | "notKept";
@@ -17,6 +23,8 @@ export interface Declaration<T, K> {
   readonly version: number;
   /** Schema of this version and of all earlier ones that can be read. */
   readonly schema: z.ZodMiniType<K>;
+  /** Its list, whose rows are read one by one: one that does not pass is set aside, and the others are used. */
+  readonly rows?: { readonly of: string; readonly each: z.ZodMiniType<unknown> };
   /** Upgrades a value from the version of this number to the next. */
   readonly upgrades?: Readonly<Record<number, (value: T) => T>>;
   readonly from: (kept: K) => T;
@@ -50,8 +58,12 @@ export interface KeptRecord<T> {
   isSame(one: T, other: T): boolean;
   /** Data for storage and backup. */
   write(value: T): object;
-  /** A value from untrusted data; null if they are damaged or of a newer version. */
+  /** A value from untrusted data, without the rows that do not pass; null if they are damaged or of a newer version. */
   read(raw: unknown): T | null;
+  /** The rows that do not pass. */
+  unread(raw: unknown): readonly UnreadRow[];
+  /** Whether untrusted data are of a newer version. */
+  isNewer(raw: unknown): boolean;
 }
 
 /** A record of any type. */
@@ -70,7 +82,7 @@ const versioned = z.object({ version: z.int() });
 
 /** Declares a stored value: loads it, stores each change a moment later, and takes over changes of other tabs. */
 export function record<T, K>(declared: Declaration<T, K>): KeptRecord<T> {
-  const { key, version, schema, upgrades = {}, from, to, first, isSame = isSameData, undo, say } = declared;
+  const { key, version, schema, rows, upgrades = {}, from, to, first, isSame = isSameData, undo, say } = declared;
   const { document = key } = declared;
   const use = create<Recorded<T>>(() => ({ list: first, trouble: "none" }));
   const now = () => use.getState().list;
@@ -82,9 +94,12 @@ export function record<T, K>(declared: Declaration<T, K>): KeptRecord<T> {
     undo?.(put);
   };
   const write = (value: T) => ({ version, ...to(value) });
+  const sieve = (raw: unknown) => (rows ? sieved(raw, rows.of, rows.each) : { raw, unread: [] });
+  const isNewer = (raw: unknown) => (versioned.safeParse(raw).data?.version ?? 0) > version;
+  const unread = (raw: unknown) => (isNewer(raw) ? [] : sieve(raw).unread);
   const read = (raw: unknown): T | null => {
     const head = versioned.safeParse(raw),
-      kept = schema.safeParse(raw);
+      kept = schema.safeParse(sieve(raw).raw);
     if (!head.success || !kept.success) return null;
     let value = from(kept.data);
     for (let { version: of } = head.data; of !== version; of++) {
@@ -94,7 +109,7 @@ export function record<T, K>(declared: Declaration<T, K>): KeptRecord<T> {
     }
     return value;
   };
-  const made: KeptRecord<T> = { key, document, first, use, now, put, replace, isSame, write, read };
+  const made: KeptRecord<T> = { key, document, first, use, now, put, replace, isSame, write, read, unread, isNewer };
   if (undo) undone.push(made);
   keep(made, (trouble) => {
     use.setState({ trouble });
@@ -105,19 +120,27 @@ export function record<T, K>(declared: Declaration<T, K>): KeptRecord<T> {
 
 /** Stores a record on the device and follows other tabs. */
 function keep<T>(
-  { key, first, use, now, replace, isSame, write, read }: KeptRecord<T>,
+  { key, first, use, now, replace, isSame, write, read, unread, isNewer }: KeptRecord<T>,
   say: (trouble: "damaged" | "notKept") => void,
 ): void {
-  const text = storedText(key),
-    aside = storedText(`${key}/damaged`);
+  const text = storedText(key);
+  /** A newer edition wrote it: it is left alone. */
+  let isLocked = false;
   const takeOver = (kept: string | null) => {
-    const value = kept === null ? first : read(jsonOf(kept));
-    if (value !== null) {
-      if (!isSame(value, now())) replace(value);
+    const raw = jsonOf(kept);
+    isLocked = isNewer(raw);
+    if (isLocked) return notice("newerData");
+    const value = kept === null ? first : read(raw);
+    if (value === null) {
+      say("damaged");
+      if (setAside(key, [{ name: key, raw: raw ?? kept }])) text.set(null);
       return;
     }
-    say("damaged");
-    if (aside.set(kept)) text.set(null);
+    if (!isSame(value, now())) replace(value);
+    const rows = unread(raw);
+    if (rows.length === 0) return;
+    notice("rowsAside");
+    if (setAside(key, rows)) text.set(JSON.stringify(write(value)));
   };
   const found = text.get();
   if (found === undefined) return;
@@ -130,6 +153,7 @@ function keep<T>(
     const value = now();
     if (value === written) return;
     written = value;
+    if (isLocked) return say("notKept");
     if (!text.set(isSame(value, first) ? null : JSON.stringify(write(value)))) say("notKept");
   };
   use.subscribe(() => {

@@ -1,3 +1,4 @@
+import { readJson } from "../../program/files/bounded.ts";
 import type { z } from "zod/mini";
 
 /*
@@ -17,6 +18,17 @@ export interface StoredText {
   set(text: string | null): boolean;
   /** Calls back with each text that another tab stores. */
   follow(changed: (text: string | null) => void): void;
+}
+
+/** The keys that begin with a prefix and have a text, without `turnwise/`; none if the browser refuses. */
+export function storedKeys(prefix: string, area: Area = "device"): readonly string[] {
+  try {
+    return Object.keys(storageOf(area)).flatMap((name) =>
+      name.startsWith(`turnwise/${prefix}`) ? [name.slice("turnwise/".length)] : [],
+    );
+  } catch {
+    return [];
+  }
 }
 
 /** The text under `turnwise/key`. */
@@ -50,7 +62,7 @@ export function storedText(key: string, area: Area = "device"): StoredText {
 /** The value of a JSON text; undefined if the text is not JSON. */
 export function jsonOf(text: string | null | undefined): unknown {
   try {
-    return JSON.parse(text ?? "");
+    return readJson(text ?? "");
   } catch {
     return undefined;
   }

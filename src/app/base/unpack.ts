@@ -1,41 +1,62 @@
 import { Inflate, strFromU8 } from "fflate";
+import { LARGEST_PROGRAM } from "./limits.ts";
 
 /** Packed bytes per step; a byte unpacks to about a thousand at most. */
 const CHUNK = 1024;
 
 /**
- * Unpacks deflated bytes piece by piece and stops once they exceed `most`. Returns the number of unpacked bytes: more
- * than `most` if it stopped. `take` gets each piece up to the limit; `dictionary` is that of the packing. Throws on
- * damaged bytes.
+ * What packed bytes may unpack to, bytes: programs of equal blocks shrink to a hundredth, only a trap to less. Small
+ * ones may shrink as far as they like.
+ */
+const mostOf = (packed: Uint8Array, most: number): number => Math.min(most, LARGEST_PROGRAM + 200 * packed.length);
+
+/**
+ * Unpacks deflated bytes piece by piece and stops once they exceed `most`, or once `take` refuses a piece (false).
+ * Returns the number of unpacked bytes: more than `most` if it stopped. `take` gets each piece up to the limit;
+ * `dictionary` is that of the packing. Throws on damaged bytes.
  */
 export function inflateUpTo(
   packed: Uint8Array,
-  most: number,
-  take: (piece: Uint8Array) => void,
+  limit: number,
+  take: (piece: Uint8Array) => boolean | void,
   dictionary: Uint8Array | null = null,
 ): number {
+  const most = mostOf(packed, limit);
   let size = 0;
   let complete = false;
   const inflate = new Inflate(dictionary ? { dictionary } : {}, (piece, final) => {
     size += piece.length;
     complete = final;
-    if (size <= most) take(piece);
+    if (size <= most && take(piece) === false) size = Infinity;
   });
   for (let at = 0; at < packed.length && !complete && size <= most; at += CHUNK)
     inflate.push(packed.subarray(at, at + CHUNK), at + CHUNK >= packed.length);
   if (!complete && size <= most) throw new Error("the packed bytes break off");
-  return size;
+  return size > most ? Infinity : size;
 }
 
-/** The text that was deflated as UTF-8; null when it is longer than `most` bytes. Throws on damaged bytes. */
-export function unpackedText(packed: Uint8Array, most: number, dictionary: Uint8Array | null = null): string | null {
+/** Measures a text that arrives in pieces; false once it is not to be used. */
+type Gauge = (piece: string) => boolean;
+
+/**
+ * The text that was deflated as UTF-8; null when it is longer than `most` bytes or beyond its gauge. Throws on damaged
+ * bytes.
+ */
+export function unpackedText(
+  packed: Uint8Array,
+  most: number,
+  dictionary: Uint8Array | null = null,
+  gauge: Gauge = () => true,
+): string | null {
   const decoder = new TextDecoder("utf-8", { ignoreBOM: true });
   let text = "";
   const size = inflateUpTo(
     packed,
     most,
     (piece) => {
-      text += decoder.decode(piece, { stream: true });
+      const more = decoder.decode(piece, { stream: true });
+      text += more;
+      return gauge(more);
     },
     dictionary,
   );
@@ -99,9 +120,19 @@ export function packedFiles(bytes: Uint8Array): PackedFile[] {
   });
 }
 
+/**
+ * The text of a file of a zip in UTF-8; null when it is longer than `most` bytes or beyond its gauge. Throws on damaged
+ * bytes.
+ */
+export function unpackedFileText({ isDeflated, packed }: PackedFile, most: number, gauge: Gauge): string | null {
+  if (isDeflated) return unpackedText(packed, most, null, gauge);
+  const text = packed.length > most ? null : new TextDecoder("utf-8", { ignoreBOM: true }).decode(packed);
+  return text !== null && gauge(text) ? text : null;
+}
+
 /** The bytes of a file of a zip; null when they are more than declared or than `most`. Throws on damaged bytes. */
 export function unpackedFile({ size, isDeflated, packed }: PackedFile, most = size): Uint8Array | null {
-  if (size > most) return null;
+  if (size > mostOf(packed, most)) return null;
   if (!isDeflated) return packed.length > size ? null : packed;
   const out = new Uint8Array(size);
   let at = 0;

@@ -55,6 +55,14 @@ export const TYPING = {
   keep: 80,
 } as const;
 
+/** When a work has been opened or changed without harm to the page. */
+export const OPENING = {
+  /** After the frame of its result: the body and the lists are drawn in the frames that follow. */
+  drawn: 300,
+  /** Without a result, as of a program that is not complete: longer than a slow device fetches the planner. */
+  withoutResult: 10_000,
+} as const;
+
 /** Delay before a calculation is announced. */
 export const ANNOUNCE_AFTER = {
   /** The mark of a shorter check would only flicker. */

@@ -26,6 +26,7 @@ export const ownRecord = record({
   key: "own-cycles",
   version: 1,
   schema: z.object({ cycles: z.array(cycle).check(uniqueIds) }),
+  rows: { of: "cycles", each: cycle },
   from: ({ cycles }): OwnList => cycles,
   to: (cycles) => ({ cycles }),
   first: NONE,

@@ -26,6 +26,7 @@ export const sheetRecord = record({
   key: "tool-sheets",
   version: 1,
   schema: z.object({ sheets: z.array(sheet) }),
+  rows: { of: "sheets", each: sheet },
   from: ({ sheets }) => sheets as readonly AssignedSheet[],
   to: (sheets) => ({ sheets }),
   first: NONE,

@@ -5,5 +5,8 @@ const cellText = z.string().check(z.maxLength(500));
 const cells = z.partialRecord(z.enum([...TOOL_COLUMNS, ...MILL_COLUMNS, ...BESIDE_CELLS]), cellText);
 
 export const toolRow = z.object({ id: cellText, cells });
+/** Most rows of a tool table, far above what a magazine and its store hold. */
+const MOST_TOOLS = 20_000;
+
 /** Rows of a tool table from untrusted data. */
-export const toolRows = z.array(toolRow);
+export const toolRows = z.array(toolRow).check(z.maxLength(MOST_TOOLS));

@@ -1,4 +1,5 @@
 import { z } from "zod/mini";
+import { whole } from "../../program/files/bounded.ts";
 import { HOLDER_CELLS } from "../../program/tools/tool-columns.ts";
 import { hasFile, tableOrigin } from "../../program/tools/tool-entry.ts";
 import { readList, sameList, shippedList, type ToolList, type ToolListReading } from "../../program/tools/tool-list.ts";
@@ -11,7 +12,7 @@ import { toolRow } from "./tool-rows.ts";
 
 /** Imported files; a row refers to its file by the index in this list, and to its line. */
 const origin = z.object({ name: z.string(), text: z.string(), encoding: z.enum(["utf-8", "windows-1252"]) });
-const row = z.extend(toolRow, { line: z.optional(z.tuple([z.number(), z.number()])) });
+const row = z.extend(toolRow, { line: z.optional(z.tuple([whole, whole])) });
 const table = z.object({ origins: z.optional(z.array(origin)), rows: z.array(row).check(uniqueIds) });
 
 /** A table as plain data, with each imported file once. */
@@ -52,6 +53,7 @@ export const toolRecord = record({
   key: "tools",
   version: 2,
   schema: table,
+  rows: { of: "rows", each: row },
   // In tables of version 1 the shipped tools had no holders.
   upgrades: { 1: (list) => list.map(withShippedHolder) },
   from: listOf,

@@ -1,3 +1,4 @@
+import { readJson } from "../../program/files/bounded.ts";
 import { createContext, memo, useContext, useMemo, type ReactNode } from "react";
 import { Tab, TabList, TabPanel, Tabs } from "react-aria-components/Tabs";
 import { useActions } from "../base/actions.ts";
@@ -27,7 +28,7 @@ const Frame = memo(function Frame({
   readonly heads: string;
   readonly open: WorkSection;
 }) {
-  const all = JSON.parse(heads) as readonly Head[];
+  const all = readJson(heads) as readonly Head[];
   return (
     <Tabs className="sections" selectedKey={open} onSelectionChange={(key) => showSection(key as WorkSection)}>
       <TabList className="tabs" aria-label={name}>

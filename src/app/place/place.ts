@@ -28,11 +28,14 @@ export type Entrance =
   /** The list of lessons where `lesson` is null. */
   | { readonly page: "course"; readonly lesson: string | null; readonly at: LessonPage };
 
-/** A requested work that another tab has: it was open there, or that tab took it over. */
+/**
+ * A requested work that is not shown: it is open in another tab, that tab took it over, or it was open here when the
+ * page died.
+ */
 export interface WorkElsewhere {
   readonly work: string;
   readonly name: string;
-  readonly cause: "isOpen" | "wasTaken";
+  readonly cause: "isOpen" | "wasTaken" | "died";
 }
 /** The page of an open work. */
 export type WorkPage = { readonly page: "work" } | { readonly page: "elsewhere"; readonly of: WorkElsewhere };

@@ -176,7 +176,7 @@ test("everything packed is read back, including invalid text and drafts of other
     fc.property(works, fc.boolean(), (all, isWhole) => {
       const rest = isWhole ? whole : nothing;
       const found = read(writeArchive({ works: all, ...rest }));
-      expect(found).toEqual({ works: all, ...rest, unread: [], unreadParts: [] });
+      expect(found).toEqual({ works: all, ...rest, unread: [], unreadParts: [], unreadRows: [] });
     }),
     { numRuns: 60 },
   );
@@ -202,7 +202,18 @@ test("a file of an earlier edition is read as before; a damaged part is named an
     forms: { content: { version: 1, forms: { x: { form: {}, print: "", at: 3 } } } },
     results: { print: "0", content: {} },
   };
-  expect(read(packed(broken))).toMatchObject({ worked, forms: null, results: null, unreadParts: ["forms", "results"] });
+  expect(read(packed(broken))).toMatchObject({
+    worked,
+    forms: {},
+    results: null,
+    unreadParts: ["results"],
+    unreadRows: ["x"],
+  });
+  const far = { file: "far.json", result: { ...result, made: 1e20 } };
+  const rows = { ...manifest, results: { content: { version: 1, files: [far, ...results] } } };
+  expect(read(packed(rows))).toMatchObject({ results, unreadParts: [], unreadRows: ["far.json"] });
+  const undated = { work: "w", content: { version: 3, savedAt: 1e20, job: jobs[0] } };
+  expect(read(packed({ ...manifest, works: [undated] })).works).toMatchObject([{ savedAt: 0 }]);
 });
 
 test("every path stays inside its folder, and no two are equal on any system", () => {
@@ -281,6 +292,12 @@ test("a file that is no archive, damaged, too large or newer gives its reason", 
   expect(problem(packed({ format: "turnwise-archive/2" }))).toEqual({ problem: "newer" });
   expect(problem(good.subarray(0, good.length - 40))).toEqual({ problem: "damaged" });
   expect(problem(zipSync({ "turnwise.json": strToU8("{") }))).toEqual({ problem: "damaged" });
+  // Small when packed; unpacked, more than a tab holds or deeper than anything is read.
+  const trap = (text: string) => zipSync({ "turnwise.json": strToU8(text) });
+  expect(problem(trap("[".repeat(30_000_000)))).toEqual({ problem: "tooLarge" });
+  expect(problem(trap(`{"format":"turnwise-archive/1","works":${"[".repeat(101)}${"]".repeat(101)}}`))).toEqual({
+    problem: "tooLarge",
+  });
   for (const limits of [{ packed: 100 }, { unpacked: 100 }, { entries: 1 }, { works: 0 }])
     expect(problem(good, limits)).toEqual({ problem: "tooLarge" });
 });

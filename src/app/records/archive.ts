@@ -1,6 +1,7 @@
-import { strFromU8, strToU8, zipSync, type Zippable } from "fflate";
+import { strToU8, zipSync, type Zippable } from "fflate";
 import { safeFileName } from "../base/file-name.ts";
-import { packedFiles, unpackedFile } from "../base/unpack.ts";
+import { jsonGauge, readJson } from "../../program/files/bounded.ts";
+import { packedFiles, unpackedFileText } from "../base/unpack.ts";
 import { encode } from "../document/encoding.ts";
 import { parse } from "../../nc/parse.ts";
 import { isoProgramText } from "../../nc/iso/print-iso.ts";
@@ -37,6 +38,8 @@ export interface ReadArchive extends ArchiveContent {
   readonly unread: readonly string[];
   /** Damaged parts other than works. */
   readonly unreadParts: readonly PartName[];
+  /** Names of single rows of these parts that cannot be read; the others are. */
+  readonly unreadRows: readonly string[];
 }
 
 /** Why a file is rejected: another kind, altered, larger than the limits, or from a newer edition. */
@@ -101,8 +104,14 @@ function readable(job: Work): readonly WorkFile[] {
 const [EARLIEST, LATEST] = [Date.UTC(1980, 0, 2), Date.UTC(2099, 11, 30)];
 const zipTime = (time: number): number => Math.min(Math.max(Number.isFinite(time) ? time : EARLIEST, EARLIEST), LATEST);
 
-/** Packs works and other parts into one file. */
-export function writeArchive({ works: all = [], ...given }: Partial<ArchiveContent>): Uint8Array<ArrayBuffer> {
+/**
+ * Packs works and other parts into one file. `isPrinted`: with the files that a control reads; without, nothing is
+ * calculated.
+ */
+export function writeArchive(
+  { works: all = [], ...given }: Partial<ArchiveContent>,
+  isPrinted = true,
+): Uint8Array<ArrayBuffer> {
   const mtime = zipTime(Math.max(EARLIEST, ...all.map(({ savedAt }) => savedAt)));
   const beside = PART_NAMES.flatMap((name) => {
     const part = PARTS[name],
@@ -120,7 +129,7 @@ export function writeArchive({ works: all = [], ...given }: Partial<ArchiveConte
   };
   const files: Zippable = { [MANIFEST]: [strToU8(JSON.stringify(manifest)), { mtime }] };
   const folderOf = namer();
-  for (const { savedAt, job } of all) {
+  for (const { savedAt, job } of isPrinted ? all : []) {
     const folder = folderOf(job.name.replace(/\.[hH]$/, ""));
     const nameOf = namer();
     for (const { name, text, encoding } of readable(job))
@@ -134,12 +143,14 @@ export function writeArchive({ works: all = [], ...given }: Partial<ArchiveConte
 /** True for bytes that may be an archive: every zip begins like this. */
 export const looksPacked = (bytes: Uint8Array): boolean => bytes[0] === 0x50 && bytes[1] === 0x4b;
 
-/** The bytes of the manifest. Nothing else of the file is ever unpacked, so its paths are harmless. */
-function manifestOf(bytes: Uint8Array, limits: ArchiveLimits): Uint8Array | ArchiveProblem {
+/** The data of the manifest. Nothing else of the file is ever unpacked, so its paths are harmless. */
+function manifestOf(bytes: Uint8Array, limits: ArchiveLimits): { readonly raw: unknown } | ArchiveProblem {
   const files = packedFiles(bytes);
   if (files.length > limits.entries) return "tooLarge";
   const manifest = files.find(({ name }) => name === MANIFEST);
-  return manifest ? (unpackedFile(manifest, limits.unpacked) ?? "tooLarge") : "notAnArchive";
+  if (!manifest) return "notAnArchive";
+  const text = unpackedFileText(manifest, limits.unpacked, jsonGauge());
+  return text === null ? "tooLarge" : { raw: readJson(text) };
 }
 
 /** The works of a manifest, and the names of those that cannot be read. */
@@ -159,7 +170,10 @@ function worksOf(raw: readonly unknown[]): Pick<ReadArchive, "works" | "unread">
 function contentOf(raw: Readonly<Record<string, unknown>>): ReadArchive {
   const parts = eachPart((part, name) => part.read(unsealed(raw[name])));
   const unreadParts = PART_NAMES.filter((name) => raw[name] !== undefined && parts[name] === null);
-  return { ...worksOf(Array.isArray(raw["works"]) ? raw["works"] : []), ...parts, unreadParts };
+  const unreadRows = PART_NAMES.flatMap(
+    (name) => PARTS[name].unread?.(unsealed(raw[name])).map((row) => row.name) ?? [],
+  );
+  return { ...worksOf(Array.isArray(raw["works"]) ? raw["works"] : []), ...parts, unreadParts, unreadRows };
 }
 
 /** Reads an archive, or says why not. Never throws, and never unpacks beyond the limits. */
@@ -172,7 +186,7 @@ export function readArchive(
   try {
     const manifest = manifestOf(bytes, limits);
     if (typeof manifest === "string") return { problem: manifest };
-    const raw: unknown = JSON.parse(strFromU8(manifest));
+    const { raw } = manifest;
     const format = isRecord(raw) ? String(raw["format"]) : "";
     if (!isRecord(raw) || !format.startsWith(FORMAT)) return { problem: "notAnArchive" };
     if (Number(format.slice(FORMAT.length)) > EDITION) return { problem: "newer" };

@@ -1,7 +1,8 @@
 import { beforeEach, expect, test, vi } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job/job.ts";
-import { findWorks, forgetWork, keepWork, readWork } from "./device.ts";
+import { onLateAnswer } from "../base/database.ts";
+import { findWorks, forgetWork, isTaken, keepWork, readUnread, readWork } from "./device.ts";
 import { SAVE_VERSION } from "./save-file.ts";
 
 /** Storage in memory: stores by name, an error for every access, and how many values are in memory at once. */
@@ -9,11 +10,12 @@ const device = vi.hoisted(() => ({
   stores: new Map<string, Map<string, unknown>>(),
   fault: null as Error | null,
   silent: false,
+  late: [] as (() => void)[],
 }));
 vi.mock("idb-keyval", () => {
   const answer = <T>(work: () => T): Promise<T> =>
     device.silent
-      ? new Promise(() => undefined)
+      ? new Promise<T>((resolve) => device.late.push(() => resolve(structuredClone(work()))))
       : device.fault
         ? Promise.reject(device.fault)
         : Promise.resolve(structuredClone(work()));
@@ -84,7 +86,7 @@ test("no space and a refusal give different results, and nothing is thrown", asy
   expect(await keepWork("w", job)).toBe("full");
   device.fault = new DOMException("not allowed", "SecurityError");
   expect(await keepWork("w", job)).toBe("refused");
-  expect(await findWorks()).toEqual({ works: [], setAside: 0, newer: 0, available: false });
+  expect(await findWorks()).toEqual({ works: [], setAside: 0, newer: 0, unread: [], available: false });
   expect(await readWork("w")).toBeNull();
   await forgetWork("w");
 });
@@ -96,7 +98,16 @@ test("damaged saves are set aside unchanged, saves of a newer edition stay in pl
   expect(await findWorks()).toMatchObject({ setAside: 1, newer: 1, works: [{ work: "good" }] });
   expect([...works().keys()].sort()).toEqual(["good", "newer"]);
   expect([...aside().values()]).toEqual([{ broken: true }]);
-  expect(await findWorks()).toMatchObject({ setAside: 0, newer: 1 });
+  const { unread } = await findWorks();
+  expect(unread.map(({ store, isNewer }) => [store, isNewer])).toEqual([
+    ["damaged", false],
+    ["works", true],
+  ]);
+  expect([await keepWork("newer", job), await readUnread(unread[1]!)]).toMatchObject([
+    "newer",
+    { version: SAVE_VERSION + 1 },
+  ]);
+  expect([await isTaken("newer"), await isTaken("good"), await isTaken("free")]).toEqual([true, true, false]);
 });
 
 test("saves set aside by an earlier edition that are readable now return under their names and replace no other", async () => {
@@ -122,5 +133,14 @@ test("a device that never answers counts as one without storage", async () => {
   const asked = findWorks();
   await vi.runAllTimersAsync();
   expect(await asked).toMatchObject({ works: [], available: false });
+  // Nothing else waits once it is known to be silent.
+  expect(await keepWork("w", job)).toBe("silent");
+  const hear = vi.fn();
+  onLateAnswer(hear);
+  device.silent = false;
+  for (const answer of device.late) answer();
+  await vi.runAllTimersAsync();
+  expect(hear).toHaveBeenCalled();
+  expect(await keepWork("w", job)).toBe("kept");
   vi.useRealTimers();
 });

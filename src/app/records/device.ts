@@ -1,8 +1,9 @@
 import { z } from "zod/mini";
 import { time } from "../base/clock.ts";
-import { database } from "../base/database.ts";
+import { amount, moment, whole } from "../../program/files/bounded.ts";
+import { database, isSilent } from "../base/database.ts";
 import { isProgram, textsOf, type Work } from "../document/work.ts";
-import { isNewer, readSave, SAVE_VERSION, type SaveFile } from "./save-file.ts";
+import { isNewer, nameIn, readSave, SAVE_VERSION, type SaveFile } from "./save-file.ts";
 
 /** Summary of a saved work for lists; the work itself stays on the device until it is opened. */
 export interface WorkSummary {
@@ -18,6 +19,16 @@ export interface WorkSummary {
   readonly task?: string | undefined;
 }
 
+/** A save that this edition cannot read. It stays as it is until the operator deletes it. */
+export interface UnreadSave {
+  readonly store: "works" | "damaged";
+  readonly key: string;
+  /** As far as it can be found in the data. */
+  readonly name: string;
+  /** Written by a newer edition, which can read it. */
+  readonly isNewer: boolean;
+}
+
 /** Everything found on the device. Only the operator deletes any of it. */
 export interface FoundWorks {
   /** Newest first. */
@@ -26,37 +37,36 @@ export interface FoundWorks {
   readonly setAside: number;
   /** Saves of a newer edition, which this one cannot read and leaves untouched. */
   readonly newer: number;
-  /** False when the browser keeps nothing (private window, storage refused). */
+  /** Saves that cannot be read: damaged ones, also of earlier times, and those of a newer edition. */
+  readonly unread: readonly UnreadSave[];
+  /** False when the browser keeps nothing (private window, storage refused, no answer). */
   readonly available: boolean;
 }
 
-/** Result of writing: kept, no space left, or refused. */
-export type KeepState = "kept" | "full" | "refused";
+/** Result of writing: kept, no space left, refused, no answer, or a save of a newer edition is in its place. */
+export type KeepState = "kept" | "full" | "refused" | "silent" | "newer";
 
 /** Works, damaged saves, and a summary of each work, so that a long list need not read all texts. */
 const [works, aside, heads] = [database("works"), database("damaged"), database("heads")];
 
-/** Timeout of the storage, ms, so that the page opens even if it does not answer. */
-const PATIENCE = 4000;
+/** Works whose save this page has read or written: nothing newer is in their place. */
+const own = new Set<string>();
 
-/** Rejects if the storage does not answer in time. */
-function inTime<T>(answer: Promise<T>): Promise<T> {
-  return new Promise((resolve, reject) => {
-    const timer = setTimeout(() => reject(new Error("no answer from the device")), PATIENCE);
-    answer.then(resolve, reject).finally(() => clearTimeout(timer));
-  });
-}
-
-/** Moves saves that were set aside, and that this edition can read, back to the works. */
-async function bringBack(): Promise<void> {
-  for (const key of await inTime(aside.keys())) {
-    const raw = await inTime(aside.get(key));
-    if (!readSave(raw)) continue;
-    const own = String(key).replace(/^\d+ /, "");
-    const free = (await inTime(works.get(own))) === undefined;
-    await works.set(free ? own : String(key), raw);
+/** Moves saves that were set aside, and that this edition can read, back to the works; returns the others. */
+async function bringBack(): Promise<UnreadSave[]> {
+  const unread: UnreadSave[] = [];
+  for (const key of await aside.keys()) {
+    const raw = await aside.get(key);
+    const plain = String(key).replace(/^\d+ /, "");
+    if (!readSave(raw)) {
+      unread.push({ store: "damaged", key: String(key), name: nameIn(raw) ?? plain, isNewer: false });
+      continue;
+    }
+    const free = (await works.get(plain)) === undefined;
+    await works.set(free ? plain : String(key), raw);
     await aside.del(key);
   }
+  return unread;
 }
 
 const sizeOf = (job: Work): number =>
@@ -65,25 +75,25 @@ const sizeOf = (job: Work): number =>
     : JSON.stringify(job).length;
 
 type Head = Omit<WorkSummary, "work">;
-const headOf = ({ savedAt, job }: SaveFile): Head => ({
+const headOf = ({ savedAt, job }: Pick<SaveFile, "savedAt" | "job">): Head => ({
   savedAt,
   name: job.name,
   cycle: isProgram(job) ? null : job.cycle,
   size: sizeOf(job),
   ...(job.task && { task: job.task.id }),
 });
-const headShape = z.object({
-  savedAt: z.number(),
-  name: z.string(),
-  cycle: z.nullable(z.number()),
-  size: z.number(),
-  task: z.optional(z.string()),
+/** The list entry of a work. */
+export const summaryOf = (work: string, file: Pick<SaveFile, "savedAt" | "job">): WorkSummary => ({
+  work,
+  ...headOf(file),
 });
+const name = z.string().check(z.maxLength(500));
+const headShape = z.object({ savedAt: moment, name, cycle: z.nullable(whole), size: amount, task: z.optional(name) });
 
 /** Summaries by work; a work without one is read in full. */
 async function knownHeads(): Promise<ReadonlyMap<string, Head>> {
   try {
-    const all = await inTime(heads.entries());
+    const all = await heads.entries();
     return new Map(
       all.flatMap(([work, raw]) => {
         const read = headShape.safeParse(raw);
@@ -111,27 +121,32 @@ async function noteHead(work: string, head: Head | null): Promise<void> {
 export async function findWorks(): Promise<FoundWorks> {
   const found: WorkSummary[] = [];
   const fresh: [string, Head][] = [];
+  const unread: UnreadSave[] = [];
   let [setAside, newer, available] = [0, 0, true];
   try {
-    await bringBack();
+    unread.push(...(await bringBack()));
     const known = await knownHeads();
-    for (const key of await inTime(works.keys())) {
+    for (const key of await works.keys()) {
       const work = String(key);
       const head = known.get(work);
       if (head) {
         found.push({ work, ...head });
         continue;
       }
-      const raw = await inTime(works.get(key));
+      const raw = await works.get(key);
       const file = readSave(raw);
       if (file) {
         found.push({ work, ...headOf(file) });
         fresh.push([work, headOf(file)]);
-      } else if (isNewer(raw)) newer += 1;
-      else if (raw !== undefined) {
-        await aside.set(`${time()} ${String(key)}`, raw);
+      } else if (isNewer(raw)) {
+        newer += 1;
+        unread.push({ store: "works", key: work, name: nameIn(raw) ?? work, isNewer: true });
+      } else if (raw !== undefined) {
+        const name = `${time()} ${work}`;
+        await aside.set(name, raw);
         await works.del(key);
         setAside += 1;
+        unread.push({ store: "damaged", key: name, name: nameIn(raw) ?? work, isNewer: false });
       }
     }
     // Without a summary the work is read in full the next time.
@@ -139,32 +154,59 @@ export async function findWorks(): Promise<FoundWorks> {
   } catch {
     available = false;
   }
-  return { works: found.sort((a, b) => b.savedAt - a.savedAt), setAside, newer, available };
+  return { works: found.sort((a, b) => b.savedAt - a.savedAt), setAside, newer, unread, available };
+}
+
+/** What the device has under the name of a work: it, nothing, something unreadable, or no answer. */
+export type FoundWork = SaveFile | "none" | "unreadable" | "newer" | "noAnswer";
+
+export async function lookUpWork(work: string): Promise<FoundWork> {
+  try {
+    const raw = await works.get(work);
+    own.delete(work);
+    if (raw === undefined) return "none";
+    const file = readSave(raw);
+    if (file) own.add(work);
+    // The next listing reads this work in full and sets it aside.
+    else await noteHead(work, null);
+    return file ?? (isNewer(raw) ? "newer" : "unreadable");
+  } catch {
+    return "noAnswer";
+  }
 }
 
 /** One saved work; null when there is none, or none that can be read. */
 export async function readWork(work: string): Promise<SaveFile | null> {
-  try {
-    const raw = await inTime(works.get(work));
-    const file = readSave(raw);
-    // The next listing reads this work in full and sets it aside.
-    if (!file && raw !== undefined) await noteHead(work, null);
-    return file;
-  } catch {
-    return null;
-  }
+  const found = await lookUpWork(work);
+  return typeof found === "string" ? null : found;
 }
+
+/** Whether the device has anything under a name, also what this edition cannot read. */
+export async function isTaken(work: string): Promise<boolean> {
+  return (await lookUpWork(work)) !== "none";
+}
+
+/** A save that cannot be read, as it is stored; undefined if it is gone. */
+export const readUnread = ({ store, key }: UnreadSave): Promise<unknown> =>
+  (store === "works" ? works : aside).get(key).catch(() => undefined);
+
+/** Deletes a save that cannot be read, at the operator's request only. */
+export const forgetUnread = ({ store, key }: UnreadSave): Promise<void> =>
+  (store === "works" ? works : aside).del(key).catch(() => undefined);
 
 const isFull = (error: unknown) => error instanceof Error && error.name === "QuotaExceededError";
 
-/** Saves a work, dated now or at another time. */
+/** Saves a work, dated now or at another time. Never over a save of a newer edition. */
 export async function keepWork(work: string, job: Work, savedAt = time()): Promise<KeepState> {
   try {
     const file: SaveFile = { version: SAVE_VERSION, savedAt, job };
+    if (!own.has(work) && isNewer(await works.get(work))) return "newer";
     await works.set(work, file);
+    own.add(work);
     await noteHead(work, headOf(file));
     return "kept";
   } catch (error) {
+    if (isSilent()) return "silent";
     return isFull(error) ? "full" : "refused";
   }
 }
@@ -173,6 +215,7 @@ export async function keepWork(work: string, job: Work, savedAt = time()): Promi
 export async function forgetWork(work: string): Promise<void> {
   try {
     await works.del(work);
+    own.delete(work);
     await noteHead(work, null);
   } catch {
     return;

@@ -30,6 +30,22 @@ function common(
   return [start, end];
 }
 
+/** Characters that are compared at once: the engine compares whole pieces far faster than one by one. */
+const PIECE = 4096;
+
+/** The same of two texts. */
+function commonText(a: string, b: string): readonly [number, number] {
+  const most = Math.min(a.length, b.length);
+  let start = 0;
+  while (start + PIECE <= most && a.slice(start, start + PIECE) === b.slice(start, start + PIECE)) start += PIECE;
+  while (start < most && a.charCodeAt(start) === b.charCodeAt(start)) start++;
+  const tail = (of: string, end: number) => of.slice(of.length - end - PIECE, of.length - end);
+  let end = 0;
+  while (end + PIECE <= most - start && tail(a, end) === tail(b, end)) end += PIECE;
+  while (end < most - start && a.charCodeAt(a.length - 1 - end) === b.charCodeAt(b.length - 1 - end)) end++;
+  return [start, end];
+}
+
 function betweenObjects(a: { readonly [key: string]: Json }, b: { readonly [key: string]: Json }): Difference {
   const fields: [string, Difference][] = [];
   for (const [key, value] of Object.entries(b)) {
@@ -59,7 +75,7 @@ function betweenLists(a: readonly Json[], b: readonly Json[]): Difference {
 export function differenceOf(a: Json, b: Json): Difference {
   if (a === b) return 0;
   if (typeof a === "string" && typeof b === "string") {
-    const [start, end] = common(a, b, (i, j) => a.charCodeAt(i) === b.charCodeAt(j));
+    const [start, end] = commonText(a, b);
     return { text: [start, end, b.slice(start, b.length - end)] };
   }
   if (isList(a) && isList(b)) return betweenLists(a, b);

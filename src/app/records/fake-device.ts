@@ -23,6 +23,7 @@ export const findWorks = (): Promise<FoundWorks> =>
       .sort((a, b) => b.savedAt - a.savedAt),
     setAside: device.setAside,
     newer: device.newer,
+    unread: [],
     available: device.refuses !== "refused",
   });
 
@@ -33,6 +34,15 @@ export async function keepWork(work: string, job: Job, savedAt = device.works.si
 }
 
 export const readWork = (work: string): Promise<unknown> => Promise.resolve(device.works.get(work) ?? null);
+export const lookUpWork = (work: string): Promise<unknown> => Promise.resolve(device.works.get(work) ?? "none");
+export const isTaken = (work: string): Promise<boolean> => Promise.resolve(device.works.has(work));
+const summaryOf = (work: string, { savedAt, job }: { savedAt: number; job: Job }): unknown => ({
+  work,
+  savedAt,
+  name: job.name,
+  cycle: job.cycle,
+  size: 7,
+});
 export const forgetWork = (work: string): Promise<boolean> => Promise.resolve(device.works.delete(work));
 
 /** The locks of the browser, with the works that other tabs hold. */
@@ -55,5 +65,7 @@ export function emptyDevice(): void {
   device.taken.clear();
   Object.assign(device, { refuses: null, slow: null, setAside: 0, newer: 0 });
   sessionStorage.clear();
+  localStorage.clear();
   Object.defineProperty(navigator, "locks", { value: locks, configurable: true });
 }
+export { summaryOf };

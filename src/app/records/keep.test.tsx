@@ -4,7 +4,9 @@ import type { Job } from "../../program/job/job.ts";
 import { takePlace } from "../document/setup-edits.ts";
 import { openFirstWork, useEditor } from "../document/store.ts";
 import { device, emptyDevice, someJob as job } from "./fake-device.ts";
-import { refreshWorks, startAutosave, startWork, unsavedWorks, useSavedWorks } from "./keep.ts";
+import { noteShown } from "./opening.ts";
+import { usePlace, workElsewhere } from "../place/place.ts";
+import { openWork, refreshWorks, startAutosave, startWork, unsavedWorks, useSavedWorks } from "./keep.ts";
 import { resume } from "../../shell/resume.ts";
 
 vi.mock("./device.ts", () => import("./fake-device.ts"));
@@ -79,62 +81,70 @@ test("a reload returns to the work of this tab, or to its start page", async () 
   expect(useEditor.getState().job).toBeNull();
 });
 
-test("a state not written before the page closed is there after a reload, unless a newer one is", async () => {
+/** What a page leaves on the device when it ends without a word. */
+const journal = (work: string | null) => localStorage.getItem(`turnwise/journal/${work}`);
+const leaves = (work: string | null, text: string | null) =>
+  localStorage.setItem(`turnwise/journal/${work}`, text ?? "");
+
+test("each change is on the device at once, and the next page has it, unless a newer state was saved", async () => {
   const stop = startAutosave();
   startWork(job);
+  await settle();
   takePlace("tool", "8");
-  dispatchEvent(new Event("pagehide"));
   const { work } = useEditor.getState();
-  device.works.clear();
+  const left = journal(work);
   stop();
+  await settle();
+  expect(journal(work)).toBeNull();
   device.works.clear();
+  leaves(work, left);
   await resume();
   expect(useEditor.getState()).toMatchObject({ work, job: { tool: 8 } });
-  sessionStorage.setItem("turnwise/pending", JSON.stringify([{ work, file: { version: 1, savedAt: -1, job } }]));
+  expect(journal(work)).toBeNull();
+  device.works.set(work ?? "", { savedAt: 9e12, job: { ...job, tool: 9 } });
+  leaves(work, left);
   await resume();
-  expect(useEditor.getState()).toMatchObject({ work, job: { tool: 8 } });
+  expect(useEditor.getState()).toMatchObject({ work, job: { tool: 9 } });
 });
 
-test("a page that closes during writing stores that state for the next page, and another work too", async () => {
+test("a change during writing is on the device, whether or not the state before it was written", async () => {
   let done: () => void = () => undefined;
   device.slow = new Promise((resolve) => (done = resolve));
   const stop = startAutosave();
-  startWork({ ...job, name: "FIRST" });
   startWork(job);
-  takePlace("tool", "8");
   document.dispatchEvent(new Event("visibilitychange"));
-  dispatchEvent(new Event("pagehide"));
-  expect(device.works.size).toBe(0);
-  const left = sessionStorage.getItem("turnwise/pending") ?? "";
+  takePlace("tool", "8");
+  const { work } = useEditor.getState();
+  const left = journal(work);
   done();
+  await settle();
   stop();
   await settle();
-  device.works.clear();
-  sessionStorage.setItem("turnwise/pending", left);
-  await resume();
-  expect(useEditor.getState()).toMatchObject({ job: { tool: 8 } });
-  expect([...device.works.values()].map((file) => (file.job as Job).name).sort()).toEqual([job.name, "FIRST"].sort());
-  expect(sessionStorage.getItem("turnwise/pending")).toBeNull();
+  const [, { from = null } = {}] = (JSON.parse(left ?? "") as { links: { from: number | null }[] }).links;
+  for (const savedAt of [null, from]) {
+    openFirstWork(null, null);
+    device.works.clear();
+    if (savedAt !== null) device.works.set(work ?? "", { savedAt, job });
+    leaves(work, left);
+    await resume();
+    expect(useEditor.getState()).toMatchObject({ job: { tool: 8 } });
+  }
 });
 
-test("of a work that the device refused, only the newest state is stored for the next page", async () => {
-  device.refuses = "full";
-  const stop = startAutosave();
-  startWork(job);
-  takePlace("tool", "5");
-  document.dispatchEvent(new Event("visibilitychange"));
-  await settle();
-  takePlace("tool", "6");
-  dispatchEvent(new Event("pagehide"));
-  const { work } = useEditor.getState();
-  const left = JSON.parse(sessionStorage.getItem("turnwise/pending") ?? "[]") as {
-    work: string;
-    file: { job: unknown };
-  }[];
-  expect(left.filter((behind) => behind.work === work)).toMatchObject([{ file: { job: { tool: 6 } } }]);
-  device.refuses = null;
-  stop();
-  await refreshWorks();
+test("a work that was open when the page died is offered, and opens on request", async () => {
+  device.works.set("poison", { savedAt: 1, job });
+  localStorage.setItem("turnwise/opening/poison", "1");
+  sessionStorage.setItem("turnwise/work", "poison");
+  await resume();
+  expect([useEditor.getState().job, workElsewhere(usePlace.getState())]).toEqual([
+    null,
+    { work: "poison", name: job.name, cause: "died" },
+  ]);
+  await openWork("poison");
+  expect(useEditor.getState().work).toBe("poison");
+  noteShown();
+  await resume();
+  expect(useEditor.getState().work).toBe("poison");
 });
 
 test("a device without storage, and damaged saves, give a notice and stop nothing", async () => {

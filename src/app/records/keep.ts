@@ -3,11 +3,33 @@ import { time } from "../base/clock.ts";
 import { create } from "zustand";
 import { notice, withdraw } from "../base/notices.ts";
 import { retryImport } from "../base/parts.ts";
-import { oneAtATime } from "../base/once.ts";
+import { increasing, oneAtATime } from "../base/once.ts";
 import { TYPING } from "../base/waits.ts";
 import { openFirstWork, flushEdits, open, openContent, useEditor } from "../document/store.ts";
 import type { Work } from "../document/work.ts";
-import { findWorks, keepWork, readWork, type WorkSummary } from "./device.ts";
+import {
+  findWorks,
+  keepWork,
+  lookUpWork,
+  readWork,
+  summaryOf,
+  type FoundWorks,
+  type UnreadSave,
+  type WorkSummary,
+} from "./device.ts";
+import {
+  forgetJournal,
+  journalWorks,
+  leaveJournal,
+  noteState,
+  noteStored,
+  readJournal,
+  stateAfter,
+  writeLarge,
+  type Stored,
+} from "./journal.ts";
+import { forgetMark, noteOpening } from "./opening.ts";
+import { onLateAnswer } from "../base/database.ts";
 import { persistOnce } from "../base/persist.ts";
 import { readSave, SAVE_VERSION } from "./save-file.ts";
 import { showElsewhere } from "../place/place.ts";
@@ -16,7 +38,6 @@ import {
   requestWork,
   claimNew,
   claimWork,
-  storePending,
   onLost,
   ownedWorks,
   owns,
@@ -31,38 +52,68 @@ export interface SavedWorks {
   readonly works: readonly WorkSummary[];
   /** Damaged saves that were set aside when the page opened. */
   readonly damaged: number;
+  /** All saves that cannot be read. */
+  readonly unread: readonly UnreadSave[];
   /** False until the device was read. */
   readonly ready: boolean;
 }
 
-export const useSavedWorks = create<SavedWorks>(() => ({ works: [], damaged: 0, ready: false }));
+export const useSavedWorks = create<SavedWorks>(() => ({ works: [], damaged: 0, unread: [], ready: false }));
 
 /** Dismisses the notice about damaged saves. */
 export const dismissDamaged = (): void => useSavedWorks.setState({ damaged: 0 });
 
-/** Last saved state of each work. */
-const written = new Map<string, Work>();
+/** Last saved state of each work, and the one that is being saved. */
+const written = new Map<string, Stored>();
+const writing = new Map<string, Stored>();
 /** Records a state that was read from the device. */
-export const noteWritten = (work: string, job: Work): void => void written.set(work, job);
+export function noteWritten(work: string, stored: Stored): void {
+  written.set(work, stored);
+  noteState(work, stored.job, stored);
+}
 /** Last state of each work that could not be saved; it is retried, and can be downloaded. */
 const unsaved = new Map<string, Work>();
 export const unsavedWorks = (): readonly Work[] => [...unsaved.values()];
 export const unsavedNames = (): readonly string[] => [...unsaved.keys()];
-/** Drops an unsaved state. */
-export const forgetUnsaved = (work: string): void => void unsaved.delete(work);
+/** Drops what is not saved of a work that is deleted. */
+export function forgetUnsaved(work: string): void {
+  unsaved.delete(work);
+  pending.delete(work);
+  forgetJournal(work);
+  forgetMark(work);
+}
 
-/** Saves one state of a work. If that fails, it shows a notice and keeps the state in memory. */
+/** A later date than any before: the journal tells states apart by it. */
+const nextDate = increasing(time);
+
+const WHY = { full: "storageFull", refused: "notKept", silent: "storageSilent" } as const;
+
+/**
+ * Saves one state of a work. If that fails, it shows a notice and keeps the state in memory; where a newer edition has
+ * saved the work meanwhile, the state becomes a work of its own.
+ */
 export async function keepState(work: string, job: Work): Promise<void> {
-  const done = await keepWork(work, job);
+  const state = { savedAt: nextDate(), job };
+  writing.set(work, state);
+  const done = await keepWork(work, job, state.savedAt);
+  writing.delete(work);
+  const newest = pending.get(work) ?? job;
+  if (done === "newer") {
+    notice("newerWorks");
+    forgetJournal(work);
+    if (useEditor.getState().work === work) return continueWithCopy(openContent() ?? newest);
+    return keepState(randomId(), newest);
+  }
   if (done !== "kept") {
     unsaved.set(work, job);
-    return notice(done === "full" ? "storageFull" : "notKept");
+    noteState(work, newest, written.get(work));
+    return notice(WHY[done]);
   }
-  written.set(work, job);
+  written.set(work, state);
+  noteStored(work, newest, state);
   persistOnce();
   if (!unsaved.delete(work) || unsaved.size > 0) return;
-  withdraw("storageFull");
-  withdraw("notKept");
+  for (const why of Object.values(WHY)) withdraw(why);
 }
 
 /** Retries unsaved states when there may be space again. */
@@ -110,19 +161,20 @@ async function reclaimReleased(work: string, first: Work, wait: () => void): Pro
   reclaiming.add(work);
   const before = written.get(work);
   const free = await claimWork(work);
-  const kept = free ? (await readWork(work))?.job : undefined;
+  const stored = free ? await readWork(work) : null,
+    kept = stored?.job;
   const { fingerprint } = await retryImport(() => import("./difference.ts"));
   reclaiming.delete(work);
   const job = openContent();
   if (useEditor.getState().work !== work || !job) return;
-  const isKnown = free && (!kept || !before || fingerprint(kept) === fingerprint(before));
+  const isKnown = free && (!kept || !before || fingerprint(kept) === fingerprint(before.job));
   if (isKnown) {
     pending.set(work, job);
     wait();
   } else if (job !== first) continueWithCopy(job);
-  else if (kept) {
-    written.set(work, kept);
-    openFirstWork(kept, work);
+  else if (stored) {
+    noteWritten(work, stored);
+    openFirstWork(stored.job, work);
   } else closeForOtherTab(work, job, "isOpen");
 }
 
@@ -131,12 +183,13 @@ async function handOverToTab(work: string): Promise<Work | null> {
   flushEdits();
   const job = openContent();
   if (job && useEditor.getState().work === work) {
-    if (written.get(work) !== job) pending.set(work, job);
+    if (written.get(work)?.job !== job) pending.set(work, job);
     closeForOtherTab(work, job, "wasTaken");
   }
   while (pending.has(work)) await writePending();
   const state = unsaved.get(work) ?? null;
   unsaved.delete(work);
+  forgetJournal(work);
   return state;
 }
 
@@ -145,7 +198,8 @@ function onTakenByTab(work: string): void {
   const job = openContent();
   const isOpen = useEditor.getState().work === work;
   pending.delete(work);
-  if (job && isOpen && written.get(work) !== job) continueWithCopy(job);
+  leaveJournal(work);
+  if (job && isOpen && written.get(work)?.job !== job) continueWithCopy(job);
   else if (job && isOpen) closeForOtherTab(work, job, "wasTaken");
 }
 
@@ -170,8 +224,10 @@ export function startAutosave(): () => void {
     known = name;
     if (!job || !work) return;
     if (!owns(work)) return void reclaimReleased(work, job, wait);
+    noteOpening(work);
+    noteState(work, job, written.get(work), writing.get(work));
     // Undo and redo may return to a saved state while another one is pending.
-    if (written.get(work) === job && !pending.has(work)) return;
+    if (written.get(work)?.job === job && !pending.has(work)) return;
     pending.set(work, job);
     wait();
   });
@@ -183,19 +239,15 @@ export function startAutosave(): () => void {
   };
   const leave = () => {
     flushEdits();
-    const savedAt = time();
-    storePending(
-      [...new Map([...unsaved, ...pending])].map(([work, job]) => ({
-        work,
-        file: { version: SAVE_VERSION, savedAt, job },
-      })),
-    );
+    writeLarge();
     void writePending();
   };
   // The browser asks before it closes a page with an unsaved work.
   const ask = (event: Event) => {
-    if (unsaved.size > 0) event.preventDefault();
+    flushEdits();
+    if (unsaved.size > 0 || writeLarge().length > 0) event.preventDefault();
   };
+  onLateAnswer(() => void refreshWorks());
   addEventListener("beforeunload", ask);
   addEventListener("pagehide", leave);
   document.addEventListener("visibilitychange", rest);
@@ -228,16 +280,41 @@ export function startWork(job: Work): void {
   const work = randomId();
   rememberWork(work);
   claimNew(work);
+  noteOpening(work);
   open(job, work);
 }
 
 /** Newest state of a work, saved or not; null if there is none of this name. */
-export const newestState = async (work: string): Promise<Work | null> =>
-  pending.get(work) ?? unsaved.get(work) ?? (await readWork(work))?.job ?? null;
+export async function newestState(work: string): Promise<Work | null> {
+  const held = pending.get(work) ?? unsaved.get(work);
+  if (held) return held;
+  const stored = await readWork(work);
+  if (stored && owns(work) && useEditor.getState().work !== work) noteWritten(work, stored);
+  return stored?.job ?? null;
+}
+
+/** Saves what the journal of a page that ended has of a work. The tab has the lock of the work. */
+async function settleJournal(work: string): Promise<void> {
+  const entry = pending.has(work) || unsaved.has(work) ? null : readJournal(work);
+  if (!entry) return;
+  const found = await lookUpWork(work);
+  if (found === "noAnswer") return;
+  const stored = typeof found === "string" ? null : found;
+  const job = stateAfter(entry, stored);
+  if (!job) return forgetJournal(work);
+  if (stored) written.set(work, stored);
+  await keepState(found === "unreadable" ? randomId() : work, job);
+}
+
+/** The same for all works that no other tab has. */
+export async function settleJournals(): Promise<void> {
+  for (const work of journalWorks()) if (await claimWork(work)) await settleJournal(work);
+}
 
 /** Opens a saved work; false if there is none of this name. If another tab has it, a message is shown instead. */
 export async function openWork(work: string): Promise<boolean> {
   const free = await claimWithRetries(work);
+  if (free) await settleJournal(work);
   const job = await newestState(work);
   if (!job) {
     await refreshWorks();
@@ -248,7 +325,7 @@ export async function openWork(work: string): Promise<boolean> {
     showElsewhere({ work, name: job.name, cause: "isOpen" });
     return true;
   }
-  if (!pending.has(work) && !unsaved.has(work)) written.set(work, job);
+  noteOpening(work);
   open(job, work);
   return true;
 }
@@ -278,6 +355,20 @@ export async function copyWork(work: string, nameOf: (name: string) => string): 
 export async function refreshWorks(): Promise<void> {
   await writePending();
   await retryUnsaved();
-  const found = await findWorks();
-  useSavedWorks.setState((k) => ({ ...k, works: found.works, damaged: k.damaged + found.setAside }));
+  showFound(await findWorks());
+}
+
+/** Shows what was found on the device, with the works that only this page has. */
+export function showFound({ works, unread, setAside, available }: FoundWorks): void {
+  const inMemory = [...unsaved].map(([work, job]) => summaryOf(work, { savedAt: time(), job }));
+  useSavedWorks.setState((k) => {
+    const listed = available ? works : k.works;
+    const others = listed.filter(({ work }) => !unsaved.has(work));
+    return {
+      ...k,
+      works: [...inMemory, ...others],
+      damaged: k.damaged + setAside,
+      unread: available ? unread : k.unread,
+    };
+  });
 }

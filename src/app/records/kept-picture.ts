@@ -1,13 +1,14 @@
 import { z } from "zod/mini";
+import { measure } from "../../program/files/bounded.ts";
 import { storedData } from "../base/storage.ts";
 import type { Thumbnail } from "../../view/thumbnail.ts";
 
 /** Most thumbnails, and characters of one path. */
 const MOST = { works: 100, path: 6000 };
 
-const box = z.tuple([z.number(), z.number(), z.number(), z.number()]);
+const box = z.tuple([measure, measure, measure, measure]);
 const path = z.string().check(z.maxLength(MOST.path), z.regex(/^[MLZ\d .-]*$/));
-const milled = z.object({ stock: z.nullable(box), ways: z.array(z.object({ d: path, wide: z.number() })) });
+const milled = z.object({ stock: z.nullable(box), ways: z.array(z.object({ d: path, wide: measure })) });
 /** Thumbnails by work. Losing them loses no work. */
 const KEPT = storedData<Readonly<Record<string, Thumbnail>>>(
   "pictures",

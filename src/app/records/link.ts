@@ -1,3 +1,4 @@
+import { readJson } from "../../program/files/bounded.ts";
 import { deflateSync, strToU8 } from "fflate";
 import { unpackedText } from "../base/unpack.ts";
 import { fileNameOf } from "../base/file-name.ts";
@@ -47,7 +48,7 @@ export type ReadLink =
 
 function workIn(mark: string, text: string): Work | null {
   if (mark === TEXT_MARK) return { name: fileNameOf(text), text, encoding: "utf-8" };
-  const raw: unknown = JSON.parse(text);
+  const raw = readJson(text);
   if (mark === PROGRAM_MARK) return plainWork(raw, EARLIER_VERSION);
   const work = typeof raw === "object" && raw !== null && "work" in raw ? raw.work : null;
   return mark === WORK_MARK ? plainWork(work, EARLIER_VERSION) : plainWork(work);

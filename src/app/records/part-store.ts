@@ -1,4 +1,5 @@
 import { z } from "zod/mini";
+import { measure } from "../../program/files/bounded.ts";
 import { CLAMPING_KINDS } from "../../program/clamping/words.ts";
 import type { ClampingChanges } from "../../planning/working-plan.ts";
 import { newPart, type FinishedPart } from "../../planning/part/finished-part.ts";
@@ -32,7 +33,7 @@ export type PartList = readonly StoredPart[];
 const MOST_KEYS = 200;
 const text = z.string().check(z.maxLength(500));
 const rows = z.array(contourRow).check(z.maxLength(2000));
-const number = z.optional(z.number());
+const number = z.optional(measure);
 const mark = z.object({
   thread: z.optional(text),
   undercut: z.optional(text),
@@ -47,7 +48,7 @@ const rules = z.object({
   insideBeforeOutside: number,
   thinBeforeLong: number,
   tolerancedLast: number,
-  allowance: z.optional(z.object({ diameter: z.number(), z: z.number() })),
+  allowance: z.optional(z.object({ diameter: measure, z: measure })),
 });
 const part = z.object({
   name: text,
@@ -64,12 +65,12 @@ const part = z.object({
   unmachinedBehind: z.boolean(),
   rules,
 });
-const excluded = z.array(z.number()).check(z.maxLength(2000));
+const excluded = z.array(measure).check(z.maxLength(2000));
 const key = z.string().check(z.maxLength(2000));
 const decisions = z.optional(
   z.object({
     keep: z.array(key).check(z.maxLength(MOST_KEYS)),
-    hand: z.record(key, z.record(z.string(), z.number())),
+    hand: z.record(key, z.record(z.string(), measure)),
   }),
 );
 const stored = z.object({
@@ -89,6 +90,7 @@ export const partRecord = record({
   document: PARTS,
   version: 1,
   schema: z.object({ parts: z.array(stored).check(uniqueIds) }),
+  rows: { of: "parts", each: stored },
   from: ({ parts }) => parts as PartList,
   to: (parts) => ({ parts }),
   first: NONE,

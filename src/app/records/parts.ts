@@ -1,3 +1,4 @@
+import type { UnreadRow } from "../../program/files/bounded.ts";
 import { mergedExams } from "../../course/exam.ts";
 import { mergedProgress } from "../../course/progress.ts";
 import { readOwn, type OwnEntry } from "../../program/edits/own-cycle.ts";
@@ -36,6 +37,8 @@ export interface Part<T> {
   /** Data to archive; `read` gets data that anybody may have written, and returns null if they are damaged. */
   write(value: T): object;
   read(raw: unknown): T | null;
+  /** The rows that `read` leaves out. */
+  unread?(raw: unknown): readonly UnreadRow[];
   /** True if there is nothing to archive. */
   isEmpty(value: T): boolean;
   isSame(one: T, other: T): boolean;
@@ -52,6 +55,7 @@ const ofRecord = <T>(record: KeptRecord<T>, more: Pick<Part<T>, "group" | "merge
   current: record.now,
   write: record.write,
   read: record.read,
+  unread: record.unread,
   isEmpty: (value) => record.isSame(value, record.first),
   isSame: record.isSame,
   apply: (value) => editRecord(record, () => value),

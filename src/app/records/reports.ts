@@ -1,5 +1,6 @@
 import { create } from "zustand";
 import { z } from "zod/mini";
+import { amount, moment } from "../../program/files/bounded.ts";
 import { parseAddress } from "../place/address.ts";
 import { time } from "../base/clock.ts";
 import { storedData } from "../base/storage.ts";
@@ -8,8 +9,8 @@ import { isMissing } from "../base/parts.ts";
 /** A fault of the page, stored on this device. It is never sent by itself, and contains no program. */
 const shape = z.object({
   /** Milliseconds since 1970, of the last time. */
-  at: z.number(),
-  count: z.number(),
+  at: moment,
+  count: amount,
   message: z.string(),
   stack: z.string(),
   version: z.string(),

@@ -1,5 +1,7 @@
 import { NC_LANGUAGES } from "../../nc/nc-languages.ts";
 import { z } from "zod/mini";
+import { measure, moment, whole } from "../../program/files/bounded.ts";
+import { LARGEST_PROGRAM } from "../base/limits.ts";
 import type { MeasuredPlace, Measurement } from "../../kernel/plan/measured.ts";
 import { askedQuestions, otherNumbers } from "../../course/made/other-numbers.ts";
 import { at } from "../../kernel/geometry/point.ts";
@@ -32,11 +34,13 @@ export interface SaveFile {
 
 const PARAMETER_NAME = new RegExp(`^${NUMBER_PARAMETER}$`);
 const text = z.string().check(z.maxLength(500));
+/** Most rows of a contour and files of a program, far above what an operator makes. */
+const MOST = { rows: 5000, files: 5000 };
 /** Defaults of fields that older saves do not have. */
 const later = { text: z._default(text, ""), flag: z._default(z.boolean(), false) };
 const remarks = z.optional(z.string().check(z.maxLength(LONGEST_REMARKS)));
 const point = z.pipe(
-  z.object({ z: z.number(), r: z.number() }),
+  z.object({ z: measure, r: measure }),
   z.transform(({ z: along, r }) => at(along, r)),
 );
 const segment = z.union([
@@ -47,7 +51,7 @@ const measuredPlace = z.object({
   at: point,
   spot: z.enum(["corner", "centre", "edge", "path", "free"]),
   edge: z.optional(
-    z.object({ of: z.enum(["contour", "blank", "stock"]), chain: z.int(), element: z.int(), shape: text, segment }),
+    z.object({ of: z.enum(["contour", "blank", "stock"]), chain: whole, element: whole, shape: text, segment }),
   ),
 });
 const measurement = z.object({
@@ -58,10 +62,10 @@ const measurement = z.object({
   text: z.optional(point),
   moment: z.optional(
     z.object({
-      step: z.int(),
-      fraction: z.number(),
-      block: z.optional(z.number()),
-      pass: z.optional(z.number()),
+      step: whole,
+      fraction: measure,
+      block: z.optional(measure),
+      pass: z.optional(measure),
       print: text,
     }),
   ),
@@ -105,10 +109,10 @@ const ofWork = { ...handedOn, task: z.optional(task), name: text, remarks, mater
 const output = z.custom<NcOutput>(isNcOutput);
 const job = z.object({
   ...ofWork,
-  cycle: z.int(),
+  cycle: whole,
   drafts: z.record(z.string().check(z.regex(/^\d+$/)), z.record(z.string(), text)),
   parameters: z._default(z.record(z.string().check(z.regex(PARAMETER_NAME)), text), {}),
-  tool: z.nullable(z.number()),
+  tool: z.nullable(measure),
   blank: z.object({ outside: text, bore: text, length: text, allowance: text }),
   start: z.object({ x: text, z: text }),
   proposals: z.optional(z.partialRecord(z.enum(SETUP_PLACES), text)),
@@ -116,17 +120,21 @@ const job = z.object({
   spindle: z.object({ mode: z.enum(["constant", "surface"]), speed: text, cuttingSpeed: text, limit: text }),
   perRevolution: z.boolean(),
   rapid: text,
-  contour: z.array(contourRow),
+  contour: z.array(contourRow).check(z.maxLength(MOST.rows)),
   layout: z.enum(JOB_LAYOUTS),
   output,
   ncLanguage: z.enum(NC_LANGUAGES),
 });
-const textFile = { name: text, text: z.string(), encoding: z.enum(["utf-8", "windows-1252"]) };
+const textFile = {
+  name: text,
+  text: z.string().check(z.maxLength(LARGEST_PROGRAM)),
+  encoding: z.enum(["utf-8", "windows-1252"]),
+};
 const workFile = z.object(textFile);
 const program = z.object({
   ...ofWork,
   ...textFile,
-  files: z.optional(z.array(workFile)),
+  files: z.optional(z.array(workFile).check(z.maxLength(MOST.files))),
   skipMarked: z.optional(z.boolean()),
   output: z.optional(output),
 });
@@ -143,7 +151,9 @@ type Complete = [
 export const complete: Complete = [true, true, true, true, true, true, true];
 
 const work = z.union([job, program]);
-const file = z.object({ version: z.literal(SAVE_VERSION), savedAt: z.number(), job: work });
+/** A date that no clock shows costs the date, not the work. */
+export const UNDATED = 0;
+const file = z.object({ version: z.literal(SAVE_VERSION), savedAt: z.catch(moment, UNDATED), job: work });
 
 /** From version n to n + 1. A saved work passes all steps from its own version to the present one. */
 export type Upgrades = Readonly<
@@ -215,3 +225,9 @@ export const isNewer = (raw: unknown): boolean =>
   "version" in raw &&
   typeof raw.version === "number" &&
   raw.version > SAVE_VERSION;
+
+/** The name of a work in data that may be anything; null if there is none. */
+export function nameIn(raw: unknown): string | null {
+  const name = z.object({ job: z.object({ name: z.string() }) }).safeParse(raw).data?.job.name;
+  return name === undefined || name === "" ? null : name.slice(0, 100);
+}

@@ -8,7 +8,7 @@ import { once } from "../base/once.ts";
  */
 const OPEN = storedText("work", "tab");
 
-/** States that could not be written before the page closed. */
+/** States that a page of an earlier edition could not write before it closed. */
 const PENDING = storedText("pending", "tab");
 
 const LOCK = "turnwise ";
@@ -34,23 +34,15 @@ export function rememberWork(work: string | null): void {
 }
 
 /** The last state of a work in the save format. */
-export interface PendingState {
+interface PendingState {
   readonly work: string;
   readonly file: unknown;
 }
 
-/**
- * Stores unsaved states for the next page of this tab, replacing earlier ones, since saving takes longer than closing.
- * Without space for all, the largest are left out.
- */
-export function storePending(states: readonly PendingState[]): void {
-  const parts = states.map((state) => JSON.stringify(state)).sort((a, b) => a.length - b.length);
-  while (!PENDING.set(parts.length > 0 ? `[${parts.join(",")}]` : null) && parts.length > 0) parts.pop();
-}
-
-/** States left by the previous page. */
-export function readPending(): readonly PendingState[] {
+/** Takes the states that a page of an earlier edition left in this tab. */
+export function takePending(): readonly PendingState[] {
   const raw = jsonOf(PENDING.get());
+  PENDING.set(null);
   return Array.isArray(raw) ? raw.filter(isBehind) : [];
 }
 

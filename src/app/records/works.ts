@@ -4,7 +4,7 @@ import { time } from "../base/clock.ts";
 import { WORKS } from "../document/documents.ts";
 import { recordStep } from "../document/steps.ts";
 import { isProgram, textsOf, type Work } from "../document/work.ts";
-import { forgetWork, keepWork, readWork } from "./device.ts";
+import { forgetWork, isTaken, keepWork, readWork } from "./device.ts";
 import { forgetUnsaved, keepState, newestState, refreshWorks } from "./keep.ts";
 import { claimWork, owns, releaseWork, announceChange } from "./tab.ts";
 
@@ -76,10 +76,11 @@ function comingAndGoing(works: readonly StoredWork[]) {
           }),
         ),
       ),
-    /** Restores them. If that fails they stay in memory, with a notice. */
+    /** Restores them, beside what has their names by now. If that fails they stay in memory, with a notice. */
     restore: () =>
       Promise.all(
-        [...states.values()].map(async ({ work, job, savedAt }) => {
+        [...states.values()].map(async ({ work: own, job, savedAt }) => {
+          const work = (await isTaken(own)) ? randomId() : own;
           if ((await keepWork(work, job, savedAt)) !== "kept") await keepState(work, job);
         }),
       ),

@@ -1,4 +1,5 @@
 import { z } from "zod/mini";
+import { amount, measure, moment } from "../../program/files/bounded.ts";
 import { WAYS_PASSED } from "../progress.ts";
 import { RULES } from "../judge/judgement.ts";
 import { askedQuestions, otherNumbers } from "./other-numbers.ts";
@@ -22,12 +23,12 @@ const taskResult = z.object({
   hints: count,
   /** Whether the stored answer was shown. */
   solution: z.boolean(),
-  passed: z.nullable(z.object({ way: z.enum(WAYS_PASSED), when: z.number() })),
+  passed: z.nullable(z.object({ way: z.enum(WAYS_PASSED), when: moment })),
   /** Shortest machining time of a passing answer, s; greatest score. */
-  seconds: z.nullable(z.number()),
-  score: z.nullable(z.number()),
+  seconds: z.nullable(amount),
+  score: z.nullable(measure),
   /** Time that the task was open and visible, s, and the number of changes made. */
-  worked: z.number(),
+  worked: amount,
   steps: count,
   /** The last program; null where none was stored. */
   program: z.nullable(text(LONGEST)),
@@ -50,11 +51,11 @@ export const resultShape = z.object({
   /** The class of the learner, as typed. */
   group: z.optional(text(200)),
   /** ms since 1970. */
-  made: z.number(),
+  made: moment,
   /** The set that the tasks belong to, and when it was due, ms since 1970. */
-  set: z.optional(z.object({ id: text(100), title: text(2000), due: z.optional(z.number()) })),
+  set: z.optional(z.object({ id: text(100), title: text(2000), due: z.optional(moment) })),
   /** Start of the exam, ms since 1970, and what ended it. */
-  exam: z.optional(z.object({ begun: z.number(), by: z.enum(["learner", "time"]) })),
+  exam: z.optional(z.object({ begun: moment, by: z.enum(["learner", "time"]) })),
   tasks: z.array(taskResult).check(z.maxLength(500)),
 });
 export type HandedResult = z.output<typeof resultShape>;

@@ -1,4 +1,5 @@
 import { z } from "zod/mini";
+import { measure } from "../../program/files/bounded.ts";
 import { materialId, type Task } from "../task.ts";
 import { inLanguages, type InLanguages } from "../words.ts";
 import { FAULT_KINDS, type FaultKind } from "./faults.ts";
@@ -77,7 +78,7 @@ const LONGEST = 100_000,
 const text = z.string().check(z.maxLength(LONGEST));
 const many = <S extends z.core.$ZodType>(schema: S) => z.array(schema).check(z.maxLength(MOST));
 const rule = z.object({ on: z.boolean(), text });
-const finite = z.number();
+const finite = measure;
 const wordsShape = z.object({ title: text, ask: text, hints: z.tuple([text, text, text]) });
 
 /** A form as stored. */

@@ -1,3 +1,4 @@
+import { readJson } from "../../program/files/bounded.ts";
 import { Fragment, useEffect, useMemo, useRef, useState } from "react";
 import { handValuesOf, settableValues, type SettableValue } from "../../planning/hand-values.ts";
 import type { Action, HandValues } from "../../planning/types.ts";
@@ -79,7 +80,7 @@ export function StepValues({ words, step, index, canChange, preview, onSet }: Pr
   const isChanged = isValid && !isSameData(next, now);
   const question = isChanged ? JSON.stringify(next) : "";
   // The same object while the values are the same.
-  const asked = useMemo(() => (question === "" ? null : (JSON.parse(question) as HandValues)), [question]);
+  const asked = useMemo(() => (question === "" ? null : (readJson(question) as HandValues)), [question]);
   const seen = usePreview(asked, preview);
   useEffect(() => {
     if (seen) shown.current?.scrollIntoView({ block: "nearest" });

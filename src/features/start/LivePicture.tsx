@@ -1,3 +1,4 @@
+import { readJson } from "../../program/files/bounded.ts";
 import { useEffect, useMemo, useState } from "react";
 import { clock } from "../../app/base/clock.ts";
 import { reducedMotion } from "../../app/base/settings/appearance.ts";
@@ -87,7 +88,7 @@ function RunningLathe({ hero, plays, name, onRunning, outcome }: Props & { reado
   useEffect(() => () => playback.dispatch({ do: "pause" }), [playback]);
 
   const now = usePlayback(playback, (s) => JSON.stringify(runningPass(run, s.get().position.step)));
-  useEffect(() => onRunning(JSON.parse(now) as RunningPass), [now, onRunning]);
+  useEffect(() => onRunning(readJson(now) as RunningPass), [now, onRunning]);
   return (
     <CountedIn value={run.program.unit}>
       <div ref={stage} className={`lathe-stage${ended ? " ended" : ""}`}>

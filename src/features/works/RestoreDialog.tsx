@@ -182,6 +182,11 @@ function Content({
       {archive.unread.length > 0 && (
         <Message tone="warning">{t.unread(archive.unread.length, archive.unread.slice(0, 12).join(", "))}</Message>
       )}
+      {archive.unreadRows.length > 0 && (
+        <Message tone="warning">
+          {t.unreadRows(archive.unreadRows.length, archive.unreadRows.slice(0, 12).join(", "))}
+        </Message>
+      )}
       {archive.unreadParts.map((part) => (
         <Message key={part} tone="warning">
           {t.unreadParts[part]}

@@ -1,3 +1,6 @@
+import { momentWriter } from "../../app/base/clock-text.ts";
+import { RowGuard } from "../../app/base/RowGuard.tsx";
+import { UnreadList } from "./UnreadList.tsx";
 import { useCallback, useEffect, useMemo, useRef, useState, type KeyboardEvent } from "react";
 import { goHome } from "../../app/document/go-home.ts";
 import { menuCycle } from "../../app/fields/chooser/menu.ts";
@@ -82,9 +85,8 @@ export function WorksPage() {
     search.current?.focus();
   }, []);
   const words = useMemo(() => {
-    const when = new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" });
-    return (savedAt: number, size: number) =>
-      `${page.start.changed(when.format(savedAt))} · ${sizeWords(size, language)}`;
+    const when = momentWriter(language);
+    return (savedAt: number, size: number) => `${page.start.changed(when(savedAt))} · ${sizeWords(size, language)}`;
   }, [language, page]);
   const wish = useCallback(
     (work: string, what: "rename" | "remove") => {
@@ -103,19 +105,20 @@ export function WorksPage() {
     of.length > 0 && (
       <ul className="works-list" aria-label={label} onKeyDown={(event) => onListKey(event, wish)}>
         {of.map((each) => (
-          <WorkRow
-            key={each.work}
-            of={each}
-            seen={pictures[each.work]}
-            kind={each.cycle === null ? t.program : (menu.of[each.cycle]?.name ?? "")}
-            task={each.task === undefined ? null : page.start.task}
-            about={words(each.savedAt, each.size)}
-            elsewhere={elsewhere.has(each.work) ? page.start.isElsewhere : null}
-            selected={selected.has(each.work)}
-            renaming={renaming === each.work}
-            t={t}
-            onWish={onWish}
-          />
+          <RowGuard key={each.work} name={each.name}>
+            <WorkRow
+              of={each}
+              seen={pictures[each.work]}
+              kind={each.cycle === null ? t.program : (menu.of[each.cycle]?.name ?? "")}
+              task={each.task === undefined ? null : page.start.task}
+              about={words(each.savedAt, each.size)}
+              elsewhere={elsewhere.has(each.work) ? page.start.isElsewhere : null}
+              selected={selected.has(each.work)}
+              renaming={renaming === each.work}
+              t={t}
+              onWish={onWish}
+            />
+          </RowGuard>
         ))}
       </ul>
     );
@@ -204,6 +207,7 @@ export function WorksPage() {
           {rows(page.start.exercises(exercises.length), exercises)}
         </details>
       )}
+      <UnreadList />
     </main>
   );
 }

@@ -58,6 +58,7 @@ const archive: ReadArchive = {
   columns: null,
   unread: [],
   unreadParts: [],
+  unreadRows: [],
 };
 const NOTHING = { ...DEFAULT_CHOICES, course: "keep" } as const;
 const COURSE = DEFAULT_CHOICES;

@@ -1,7 +1,9 @@
+import { time } from "../../app/base/clock.ts";
 import { randomId } from "../../app/base/random-id.ts";
 import { asOneStep, useSteps } from "../../app/document/steps.ts";
 import type { ArchivedWork, ReadArchive } from "../../app/records/archive.ts";
-import { readWork } from "../../app/records/device.ts";
+import { isTaken, readWork } from "../../app/records/device.ts";
+import { UNDATED } from "../../app/records/save-file.ts";
 import { fingerprint } from "../../app/records/difference.ts";
 import { useSavedWorks } from "../../app/records/keep.ts";
 import { BOXES, PART_NAMES, PARTS, TABLES, type Group, type Part } from "../../app/records/parts.ts";
@@ -101,12 +103,16 @@ export async function restoreArchive(
   choices: GroupChoices,
 ): Promise<RestoreResult> {
   const here = new Set(useSavedWorks.getState().works.map(({ work }) => work));
-  const lying = works.map((each) => {
-    const free = each.work !== "" && !here.has(each.work);
+  const lying: ArchivedWork[] = [];
+  for (const each of works) {
+    // A work that this edition cannot read is in no list, and is not written over either.
+    const free = each.work !== "" && !here.has(each.work) && !(await isTaken(each.work));
     const work = free ? each.work : randomId();
     here.add(work);
-    return { ...each, work };
-  });
+    // A date in the future would keep the work at the head of the list.
+    const savedAt = each.savedAt === UNDATED ? time() : Math.min(each.savedAt, time());
+    lying.push({ ...each, work, savedAt });
+  }
   const kept = await addWorks(lying);
   const nameHere = new Map(works.map(({ work }, i) => [work, lying[i]?.work ?? work]));
   const { newest } = useSteps.getState();

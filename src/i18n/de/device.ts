@@ -32,6 +32,13 @@ export const device = {
       n === 1
         ? "1 Programm ist in einem anderen Tab offen und wurde nicht geändert."
         : `${n} Programme sind in anderen Tabs offen und wurden nicht geändert.`,
+    unread: {
+      title: "Nicht lesbare Daten",
+      lead: "Sie bleiben auf diesem Gerät, bis Sie sie löschen.",
+      damaged: "nicht lesbar",
+      newer: "aus einer neueren Version dieser Seite",
+      save: (name) => `${name} wie gespeichert herunterladen`,
+    },
     failed: "Das Gerät hat die Änderung nicht angenommen. Alles ist unverändert.",
   },
   here: {
@@ -69,6 +76,10 @@ export const device = {
     settingsLong: "Sprache, Aussehen und Ansicht",
     unread: (n, names) =>
       n === 1 ? `1 Programm ist nicht lesbar: ${names}` : `${n} Programme sind nicht lesbar: ${names}`,
+    unreadRows: (n, names) =>
+      n === 1
+        ? `1 Eintrag ist nicht lesbar und wird ausgelassen: ${names}`
+        : `${n} Einträge sind nicht lesbar und werden ausgelassen: ${names}`,
     unreadParts: {
       tools: "Die Werkzeugtabelle in der Sicherung ist nicht lesbar.",
       own: "Die eigenen Zyklen in der Sicherung sind nicht lesbar.",
@@ -112,6 +123,16 @@ export const device = {
     copy: "Kopie bearbeiten",
     copyLong: "Beide bleiben erhalten; die Kopie erhält einen eigenen Namen.",
     taking: "Warten auf den anderen Tab",
+  },
+  died: {
+    title: (name) => `${name} war offen, als die Seite unerwartet endete`,
+    lead: "Das Programm wurde nicht wieder geöffnet, weil es die Ursache sein kann. Alles bis dahin Eingegebene ist gespeichert.",
+    open: "Trotzdem öffnen",
+    copy: "Text kopieren",
+    copied: "Kopiert",
+    notCopied: "Nicht kopiert: Text markieren und von Hand kopieren.",
+    save: "Als Datei herunterladen",
+    text: "Text des Programms",
   },
   reports: {
     title: "Fehlerberichte",

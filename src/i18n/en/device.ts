@@ -33,6 +33,13 @@ export const device = {
       n === 1
         ? "1 program is open in another tab and was not changed."
         : `${n} programs are open in other tabs and were not changed.`,
+    unread: {
+      title: "Unreadable data",
+      lead: "Kept on this device until you delete them.",
+      damaged: "cannot be read",
+      newer: "from a newer version of this page",
+      save: (name: string) => `Download ${name} as stored`,
+    },
     failed: "The device rejected the change. Everything is as before.",
   },
   here: {
@@ -70,6 +77,10 @@ export const device = {
     settingsLong: "Language, appearance and view options",
     unread: (n: number, names: string) =>
       n === 1 ? `1 program cannot be read: ${names}` : `${n} programs cannot be read: ${names}`,
+    unreadRows: (n: number, names: string) =>
+      n === 1
+        ? `1 entry cannot be read and is left out: ${names}`
+        : `${n} entries cannot be read and are left out: ${names}`,
     unreadParts: {
       tools: "The tool table in the backup cannot be read.",
       own: "The own cycles in the backup cannot be read.",
@@ -110,6 +121,16 @@ export const device = {
     copy: "Edit a copy",
     copyLong: "Both are kept; the copy gets its own name.",
     taking: "Waiting for the other tab",
+  },
+  died: {
+    title: (name: string) => `${name} was open when the page ended unexpectedly`,
+    lead: "It was not opened again because it may be the cause. Everything typed up to then is kept.",
+    open: "Open anyway",
+    copy: "Copy text",
+    copied: "Copied",
+    notCopied: "Not copied: select the text and copy it manually.",
+    save: "Download as a file",
+    text: "Text of the program",
   },
   reports: {
     title: "Error reports",

@@ -35,6 +35,13 @@ export const device = typeset<DeviceTexts>({
       n === 1
         ? "1 programme est ouvert dans un autre onglet et n’a pas changé."
         : `${n} programmes sont ouverts dans d’autres onglets et n’ont pas changé.`,
+    unread: {
+      title: "Données illisibles",
+      lead: "Conservées sur cet appareil jusqu’à ce que vous les supprimiez.",
+      damaged: "illisible",
+      newer: "d’une version plus récente de cette page",
+      save: (name) => `Télécharger ${name} tel qu’enregistré`,
+    },
     failed: "L’appareil a refusé la modification. Tout est inchangé.",
   },
   here: {
@@ -74,6 +81,10 @@ export const device = typeset<DeviceTexts>({
     settingsLong: "Langue, apparence et options d’affichage",
     unread: (n, names) =>
       n === 1 ? `1 programme est illisible : ${names}` : `${n} programmes sont illisibles : ${names}`,
+    unreadRows: (n, names) =>
+      n === 1
+        ? `1 entrée est illisible et laissée de côté : ${names}`
+        : `${n} entrées sont illisibles et laissées de côté : ${names}`,
     unreadParts: {
       tools: "Le tableau d’outils de la sauvegarde est illisible.",
       own: "Les cycles personnalisés de la sauvegarde sont illisibles.",
@@ -117,6 +128,16 @@ export const device = typeset<DeviceTexts>({
     copy: "Modifier une copie",
     copyLong: "Les deux sont conservés, la copie sous son propre nom.",
     taking: "En attente de l’autre onglet",
+  },
+  died: {
+    title: (name) => `${name} était ouvert lorsque la page s’est arrêtée de façon inattendue`,
+    lead: "Le programme n’a pas été rouvert, car il peut en être la cause. Tout ce qui avait été saisi est conservé.",
+    open: "Ouvrir quand même",
+    copy: "Copier le texte",
+    copied: "Copié",
+    notCopied: "Non copié : sélectionnez le texte et copiez-le à la main.",
+    save: "Télécharger en fichier",
+    text: "Texte du programme",
   },
   reports: {
     title: "Rapports d’erreurs",

@@ -28,6 +28,13 @@ export const device = {
     saved: (n) => `${n} 个程序已备份到下载文件夹。`,
     nameTaken: (name) => `此程序的另一个文件已叫 ${name}。`,
     leftOut: (n) => `${n} 个程序已在其他标签页打开，未更改。`,
+    unread: {
+      title: "无法读取的数据",
+      lead: "保留在此设备上，直到您将其删除。",
+      damaged: "无法读取",
+      newer: "来自此页面的较新版本",
+      save: (name) => `按存储原样下载 ${name}`,
+    },
     failed: "设备拒绝了更改，一切保持不变。",
   },
   here: {
@@ -64,6 +71,7 @@ export const device = {
     settings: "同时恢复设置",
     settingsLong: "语言、外观和图形显示方式",
     unread: (n, names) => `${n} 个程序无法读取：${names}`,
+    unreadRows: (n, names) => `${n} 个条目无法读取，已略过：${names}`,
     unreadParts: {
       tools: "备份中的刀具表无法读取。",
       own: "备份中的自定义循环无法读取。",
@@ -103,6 +111,16 @@ export const device = {
     copy: "编辑副本",
     copyLong: "两份都保留，副本另有名称。",
     taking: "正在等待另一个标签页",
+  },
+  died: {
+    title: (name) => `页面意外终止时 ${name} 处于打开状态`,
+    lead: "该程序可能是原因，因此没有自动重新打开。此前输入的内容全部保留。",
+    open: "仍然打开",
+    copy: "复制文本",
+    copied: "已复制",
+    notCopied: "未复制：请选中文本后手动复制。",
+    save: "下载为文件",
+    text: "程序文本",
   },
   reports: {
     title: "错误报告",

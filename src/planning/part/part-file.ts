@@ -1,3 +1,4 @@
+import { readJson } from "../../program/files/bounded.ts";
 import { z } from "zod/mini";
 import { CLAMPING_KINDS, CLAMPING_WORDS } from "../../program/clamping/words.ts";
 import { newRow, type BlankDraft, type ContourRow } from "../../program/job/job.ts";
@@ -217,7 +218,7 @@ export function readPart(source: string): ReadPart {
   if (source.length > LONGEST_FILE) return { part: null, problems: [partProblem("tooLong", { limit: LONGEST_FILE })] };
   let raw: unknown = null;
   try {
-    raw = JSON.parse(source.replace(/^\uFEFF/, ""));
+    raw = readJson(source);
   } catch {
     return refused("notJson");
   }

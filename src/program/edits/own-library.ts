@@ -1,3 +1,4 @@
+import { readJson } from "../files/bounded.ts";
 import { z } from "zod/mini";
 import {
   isKnownCycle,
@@ -132,7 +133,7 @@ const NAMES: ReadonlySet<string> = new Set(["number", "name", "parameters", "kin
 export function readLibraryFile(text: string): OwnFile {
   let json: unknown;
   try {
-    json = JSON.parse(text.replace(/^\uFEFF/, ""));
+    json = readJson(text);
   } catch {
     return { problem: "notALibrary" };
   }

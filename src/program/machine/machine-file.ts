@@ -1,3 +1,4 @@
+import { readJson } from "../files/bounded.ts";
 import { z } from "zod/mini";
 import type { MachineData } from "./machine-data.ts";
 import { isNcOutput, type NcOutput } from "./nc-output.ts";
@@ -127,7 +128,7 @@ const refusal = (kind: MachineProblem["kind"]): ReadMachine => ({ problems: [{ k
 export function readMachine(text: string): ReadMachine {
   let raw: unknown = null;
   try {
-    raw = text.length > LONGEST_FILE ? null : JSON.parse(text);
+    raw = text.length > LONGEST_FILE ? null : readJson(text);
   } catch {
     return refusal("notJson");
   }

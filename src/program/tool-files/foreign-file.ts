@@ -1,3 +1,4 @@
+import { readJson } from "../files/bounded.ts";
 import type { LengthUnit } from "../../kernel/units.ts";
 import type { FileTool, RefusedItem } from "./facts.ts";
 
@@ -40,7 +41,7 @@ export function jsonOf(text: string): unknown {
   const bare = text.replace(/^\uFEFF/, "").trimStart();
   if (!/^[{[]/.test(bare)) return undefined;
   try {
-    return JSON.parse(bare);
+    return readJson(bare);
   } catch {
     return undefined;
   }

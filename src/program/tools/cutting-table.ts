@@ -1,3 +1,4 @@
+import { readJson } from "../files/bounded.ts";
 import { z } from "zod/mini";
 
 /** Groups of ISO 513: steel, stainless steel, cast iron, non-ferrous, hard to cut, hardened. */
@@ -102,7 +103,7 @@ const shape = z.object({
 /** Reads a shop's table from text; null when invalid. Never throws. */
 export function readCuttingTable(text: string): CuttingTable | null {
   try {
-    const read = shape.safeParse(JSON.parse(text));
+    const read = shape.safeParse(readJson(text));
     const ids = read.data?.materials.map(({ id }) => id) ?? [];
     return read.success && new Set(ids).size === ids.length ? read.data : null;
   } catch {

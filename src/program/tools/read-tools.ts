@@ -1,3 +1,4 @@
+import { readJson } from "../files/bounded.ts";
 import { z } from "zod";
 import type { Issue } from "../../kernel/plan/issue.ts";
 import { BLADE_SUPPORTS, DRILL_TYPES, TOOL_TYPES, type Tool } from "../../kernel/plan/tool.ts";
@@ -112,7 +113,7 @@ export interface ShopTools {
 export function readTools(text: string): ShopTools | { readonly problem: string } {
   let json: unknown;
   try {
-    json = JSON.parse(text);
+    json = readJson(text);
   } catch {
     return { problem: "it is not JSON" };
   }

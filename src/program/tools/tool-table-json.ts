@@ -1,3 +1,4 @@
+import { readJson } from "../files/bounded.ts";
 import type { Holder, Tool } from "../../kernel/plan/tool.ts";
 import { writeHead } from "./holder-cells.ts";
 import {
@@ -66,7 +67,7 @@ function cellsOf(row: Readonly<Record<string, unknown>>): ToolEntry["cells"] {
 export function readTableJson(text: string): TableFile {
   let json: unknown;
   try {
-    json = JSON.parse(text.replace(/^\uFEFF/, ""));
+    json = readJson(text);
   } catch {
     return { problem: "notATable" };
   }

@@ -6,6 +6,8 @@ import type { Program } from "../../../nc/program.ts";
 import { fileKey } from "../../../program/state/program-files.ts";
 import { calculation as calculating } from "../../calculation/calculation.ts";
 import { takeKeptSteps, textKeepers } from "../../records/keep-steps.ts";
+import { noteTyped } from "../../records/journal.ts";
+import { noteOpening } from "../../records/opening.ts";
 import { documentOfWork } from "../../document/documents.ts";
 import { closeStep, continuesStep, recordStep, useSteps, type HistoryStep } from "../../document/steps.ts";
 import { setProgram, useEditor } from "../../document/store.ts";
@@ -14,6 +16,7 @@ import { changesBetween, type TextChange } from "./block-edits.ts";
 import { editorExtensions } from "./editor-extensions.ts";
 import { forgetHalfTyped, watchText } from "./half-typed.ts";
 import {
+  changeInFile,
   fileText,
   textKey,
   restoredState,
@@ -72,15 +75,25 @@ const [panels, calculation, reading] = [restartable(), restartable(), restartabl
 /** The text in the editor as its file has it; null when none is open. */
 export const sessionText = (): string | null => (open ? fileText(open) : null);
 
+/** Notes a change on the device at once: a long text is handed to its work only when nobody types. */
+function noteUnflushed({ transactions }: TextUpdate): void {
+  if (!open || open.work !== useEditor.getState().work) return;
+  for (const { changes } of transactions) open.unflushed = open.unflushed?.compose(changes) ?? changes;
+  if (open.unflushed === null) return;
+  noteOpening(open.work);
+  noteTyped(open.work, open.file, changeInFile(open, open.unflushed));
+}
+
 /** Flushes the text to saving and calculation. */
 export function flushText(): void {
   calculation.stop();
+  if (open) open.unflushed = null;
   const { program, work } = useEditor.getState();
   if (!open || !program || open.work !== work) return;
   const text = fileText(open);
   const before = fileOf(program, open.file)?.text;
-  if (before === undefined || before === text) return;
-  setProgram(withText(program, open.file, text));
+  if (before === text) noteTyped(open.work, open.file, null);
+  else if (before !== undefined) setProgram(withText(program, open.file, text));
 }
 
 /** One undo or redo step of a text. A text that is not in the editor is shown. */
@@ -154,6 +167,7 @@ function onChange(update: TextUpdate): void {
   }
   // A short program is planned on the page, so its text is flushed at once.
   if (update.docChanged && calculating.plansOnPage(update.state.doc.length)) flushText();
+  else if (update.docChanged) noteUnflushed(update);
   if (!byDialog && !view?.get().composing) {
     const changes = numberTyped(update);
     // The number belongs to the typing before it, in one step of undo.
@@ -175,7 +189,13 @@ function textOf({ name, text }: WorkFile, work: string): Text {
   const held = texts.get(textKey({ work, file }));
   if (held && fileText(held) === text) return held;
   const ends = lineEndsOf(text);
-  return { work, file, ends, state: EditorState.create({ doc: toEditor(text, ends), extensions: extensionsOf(ends) }) };
+  return {
+    work,
+    file,
+    ends,
+    unflushed: null,
+    state: EditorState.create({ doc: toEditor(text, ends), extensions: extensionsOf(ends) }),
+  };
 }
 
 /** Returns the text of the shown file and caches it. */

@@ -1,5 +1,6 @@
 import { historyField } from "@codemirror/commands";
-import { EditorState, type Extension } from "@codemirror/state";
+import { EditorState, type ChangeSet, type Extension } from "@codemirror/state";
+import type { JournalText } from "../../records/journal.ts";
 import { fromEditor, type LineEnds } from "./line-ends.ts";
 
 /**
@@ -11,6 +12,8 @@ export interface TextWithHistory {
   readonly file: string;
   readonly ends: LineEnds;
   state: EditorState;
+  /** Changes that its work does not have yet. */
+  unflushed: ChangeSet | null;
 }
 
 /** Key of a text in the cache. */
@@ -24,6 +27,18 @@ export function fileText({ state: { doc }, ends }: Pick<TextWithHistory, "state"
   const known = files.get(doc) ?? fromEditor(doc.toString(), ends);
   files.set(doc, known);
   return known;
+}
+
+/** Changes of the text as one change of its file. */
+export function changeInFile({ state: { doc }, ends }: TextWithHistory, changes: ChangeSet): JournalText {
+  let [from, to] = [doc.length, 0];
+  changes.iterChangedRanges((_, __, fromB, toB) => {
+    from = Math.min(from, fromB);
+    to = Math.max(to, toB);
+  });
+  const perEnd = ends === "mixed" ? 0 : ends.length - 1;
+  const after = doc.length - to + (doc.lines - doc.lineAt(to).number) * perEnd;
+  return [from + (doc.lineAt(from).number - 1) * perEnd, after, fromEditor(doc.sliceString(from, to), ends)];
 }
 
 /** Editor state that survives a reload, besides text and cursor. */

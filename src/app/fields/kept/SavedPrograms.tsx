@@ -9,6 +9,8 @@ import type { WorkSummary } from "../../records/device.ts";
 import { keptPictures } from "../../records/kept-picture.ts";
 import { openWork, useSavedWorks } from "../../records/keep.ts";
 import { useWorksInOtherTabs } from "../../records/use-works-in-other-tabs.ts";
+import { momentWriter } from "../../base/clock-text.ts";
+import { RowGuard } from "../../base/RowGuard.tsx";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { ProgramThumbnail } from "./ProgramThumbnail.tsx";
@@ -89,18 +91,19 @@ export function SavedPrograms() {
   const pictures = useMemo(() => (all.length > 0 ? keptPictures() : {}), [all]);
   const works = all.filter(({ cycle }) => cycle === null || menuCycle(cycle));
   if (works.length === 0 && removed === null) return null;
-  const when = new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" });
+  const when = momentWriter(language);
   const exercises = works.filter(({ task }) => task !== undefined);
   const programs = works.filter(({ task }) => task === undefined);
   const row = (of: WorkSummary) => (
-    <SavedRow
-      key={of.work}
-      of={of}
-      seen={pictures[of.work]}
-      when={when.format(of.savedAt)}
-      isElsewhere={elsewhere.has(of.work)}
-      onRemoved={() => setRemoved(of.name)}
-    />
+    <RowGuard key={of.work} name={of.name}>
+      <SavedRow
+        of={of}
+        seen={pictures[of.work]}
+        when={when(of.savedAt)}
+        isElsewhere={elsewhere.has(of.work)}
+        onRemoved={() => setRemoved(of.name)}
+      />
+    </RowGuard>
   );
 
   return (

@@ -1,3 +1,4 @@
+import { readJson } from "../../../program/files/bounded.ts";
 import { createContext, Fragment, useContext, useMemo, type ReactNode } from "react";
 import type { GlossaryTexts, TermId } from "../../../i18n/glossary-text.ts";
 import { showGuide } from "../../place/place.ts";
@@ -39,7 +40,7 @@ export function GlossaryScope({
   const glossary = useTextsOrNull("glossary");
   const all = JSON.stringify([texts, before ?? []]);
   const scope = useMemo(() => {
-    const [now, earlier] = JSON.parse(all) as readonly [string[], string[]];
+    const [now, earlier] = readJson(all) as readonly [string[], string[]];
     return glossary && scopeOf(now, glossary, earlier, but);
   }, [glossary, all, but]);
   return <PageTerms value={scope}>{children}</PageTerms>;

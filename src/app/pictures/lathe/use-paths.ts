@@ -1,3 +1,4 @@
+import { readJson } from "../../../program/files/bounded.ts";
 import { useMemo } from "react";
 import { markedBy, runningPart, type MoveSpan, type RunningPart } from "../../../program/run/path-index.ts";
 import type { Run } from "../../../program/state/run-types.ts";
@@ -61,7 +62,7 @@ export function useShownPath(
   return useMemo(() => {
     if (asked === "none") return NONE;
     if (asked === "all") return { stretches: all, has: EVERY };
-    const choice: ReturnType<typeof runningPart> = JSON.parse(running || "null");
+    const choice = readJson(running || "null") as ReturnType<typeof runningPart>;
     if (!choice) return NONE;
     const { stretches } = markedBy(run, choice),
       most = Math.max(1, Math.floor(MOST_STRETCHES / stretches.length));

@@ -15,6 +15,7 @@ export const resultRecord = record({
   key: "course-results",
   version: 1,
   schema: z.object({ files: z.array(file).check(z.maxLength(MOST)) }),
+  rows: { of: "files", each: file },
   from: ({ files }): readonly LearnerFile[] => files,
   to: (files) => ({ files }),
   first: NONE,

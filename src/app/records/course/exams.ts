@@ -24,6 +24,7 @@ export const examRecord = record({
   key: "course-exams",
   version: 1,
   schema: z.object({ exams: z.record(z.string().check(z.maxLength(100)), examShape) }),
+  rows: { of: "exams", each: examShape },
   from: ({ exams }): Exams => exams,
   to: (exams) => ({ exams }),
   first: NONE,

@@ -1,4 +1,5 @@
 import { z } from "zod/mini";
+import { moment } from "../../../program/files/bounded.ts";
 import { formShape, type TaskForm } from "../../../course/made/task-form.ts";
 import { time } from "../../base/clock.ts";
 import { record } from "../../base/record.ts";
@@ -15,7 +16,7 @@ export type KeptForms = Readonly<Record<string, KeptForm>>;
 
 /** Most forms kept; the oldest are dropped. */
 const MOST = 40;
-const form = z.object({ form: formShape, print: z.string(), at: z.number() });
+const form = z.object({ form: formShape, print: z.string(), at: moment });
 const NONE: KeptForms = {};
 
 /** Forms being filled in on this device, so that closing one or reloading loses nothing. */
@@ -23,6 +24,7 @@ export const formRecord = record({
   key: "course-forms",
   version: 1,
   schema: z.object({ forms: z.record(z.string().check(z.maxLength(200)), form) }),
+  rows: { of: "forms", each: form },
   from: ({ forms }): KeptForms => forms,
   to: (forms) => ({ forms }),
   first: NONE,

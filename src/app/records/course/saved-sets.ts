@@ -14,6 +14,7 @@ export const setRecord = record({
   key: "course-sets",
   version: 1,
   schema: z.object({ sets: z.array(setSchema).check(z.maxLength(MOST)) }),
+  rows: { of: "sets", each: setSchema },
   from: ({ sets }): readonly TaskSet[] => sets,
   to: (sets) => ({ sets }),
   first: NONE,

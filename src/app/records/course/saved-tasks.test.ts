@@ -28,7 +28,10 @@ test("tasks are saved once, newest first, a changed one replaces the old one; ea
   expect(taskRecord.read(taskRecord.write(taskRecord.now()))).toEqual(taskRecord.now());
 });
 
-test("a damaged list is empty", () => {
-  expect(taskRecord.read({ version: 1, tasks: [{ id: "x" }] })).toBe(null);
+test("a damaged row costs itself only, and a damaged list is none", () => {
+  const raw = { version: 1, tasks: [{ id: "x" }, task("pin"), task("pin", "again")] };
+  expect(taskRecord.read(raw)).toEqual([task("pin")]);
+  expect(taskRecord.unread(raw).map(({ name }) => name)).toEqual(["x", "pin"]);
+  expect(taskRecord.read({ version: 1, tasks: 7 })).toBe(null);
   expect(taskRecord.read(undefined)).toBe(null);
 });

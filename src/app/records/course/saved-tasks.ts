@@ -13,6 +13,7 @@ export const taskRecord = record({
   key: "course-tasks",
   version: 1,
   schema: z.object({ tasks: z.array(taskSchema).check(z.maxLength(MOST)) }),
+  rows: { of: "tasks", each: taskSchema },
   from: ({ tasks }): readonly Task[] => tasks,
   to: (tasks) => ({ tasks }),
   first: NONE,

@@ -1,4 +1,5 @@
 import { z } from "zod/mini";
+import { amount } from "../../../program/files/bounded.ts";
 import { time } from "../../base/clock.ts";
 import { record } from "../../base/record.ts";
 import { COURSE } from "../../document/documents.ts";
@@ -14,13 +15,14 @@ type WorkedTasks = Readonly<Record<string, Worked>>;
 
 const NONE: WorkedTasks = {};
 
+const worked = z.object({ ms: amount, steps: z.int() });
+
 /** Working time in each task on this device, by its id. */
 export const workedRecord = record({
   key: "course-worked",
   version: 1,
-  schema: z.object({
-    tasks: z.record(z.string().check(z.maxLength(100)), z.object({ ms: z.number(), steps: z.int() })),
-  }),
+  schema: z.object({ tasks: z.record(z.string().check(z.maxLength(100)), worked) }),
+  rows: { of: "tasks", each: worked },
   from: ({ tasks }): WorkedTasks => tasks,
   to: (tasks) => ({ tasks }),
   first: NONE,

@@ -1,3 +1,4 @@
+import { RowGuard } from "../../../app/base/RowGuard.tsx";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { NUMBERS, type ResultColumn, type ResultRow } from "../../../app/records/course/result-rows.ts";
 import { ResultLine } from "./ResultLine.tsx";
@@ -53,7 +54,9 @@ export function ResultTable({ title, rows, columns, heads, text, waits, sort, so
         </thead>
         <tbody>
           {rows.map((row) => (
-            <ResultLine key={row.key} row={row} columns={columns} text={text(row)} waits={waits(row.key)} />
+            <RowGuard key={row.key} name={row.name} columns={columns.length + 1}>
+              <ResultLine row={row} columns={columns} text={text(row)} waits={waits(row.key)} />
+            </RowGuard>
           ))}
         </tbody>
       </table>

@@ -1,3 +1,4 @@
+import { momentWriter } from "../../../app/base/clock-text.ts";
 import { endOfExam, type Exam } from "../../../course/exam.ts";
 import type { TaskSet } from "../../../course/task-set.ts";
 import type { CourseSetTexts } from "../../../i18n/en/course-set.ts";
@@ -7,8 +8,7 @@ const MINUTE = 60,
   SECOND = 1000;
 
 /** Day and time in the screen language. */
-export const momentText = (language: Language, at: number): string =>
-  new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" }).format(at);
+export const momentText = (language: Language, at: number): string => momentWriter(language)(at);
 
 /** Time left as a clock: 1:07:30, or 4:09. */
 export function clockText(ms: number): string {

@@ -1,3 +1,4 @@
+import { readJson } from "../../../program/files/bounded.ts";
 import { readResult, RESULT_FORMAT, type HandedResult } from "../../../course/made/result.ts";
 import { formatOf, readSet, readTask } from "../../../course/read-task.ts";
 import { markOfSet, SET_FORMAT, setForLearners, taskInSet, type TaskSet } from "../../../course/task-set.ts";
@@ -55,7 +56,7 @@ const isObject = (raw: unknown): raw is Readonly<Record<string, unknown>> => typ
 
 /** A set of a link with the tasks that it only names; null if this page has no such task, as a newer one may. */
 async function withCourseTasks(text: string): Promise<string | null> {
-  const raw: unknown = JSON.parse(text);
+  const raw = readJson(text);
   if (!isObject(raw) || raw["format"] !== SET_FORMAT || !Array.isArray(raw["tasks"])) return text;
   const mark = markOfSet(String(raw["id"]));
   const tasks: unknown[] = [];
@@ -94,7 +95,7 @@ function lineOf(error: unknown, text: string): number | null {
 function parsed(text: string): { readonly raw: unknown } | CourseFileProblem {
   const plain = text.replace(BOM, "");
   try {
-    return { raw: JSON.parse(plain) as unknown };
+    return { raw: readJson(plain) };
   } catch (error) {
     return { kind: "notJson", line: lineOf(error, plain) };
   }

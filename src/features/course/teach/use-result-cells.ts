@@ -1,5 +1,5 @@
 import { formatNumber } from "../../../i18n/number.ts";
-import { dayText, timeText } from "../../../app/base/clock-text.ts";
+import { dayText, momentWriter, timeText } from "../../../app/base/clock-text.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import type { RerunOutcome, ResultColumn, ResultRow } from "../../../app/records/course/result-rows.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
@@ -16,8 +16,7 @@ function sheetDay(made: number): string {
 export function useResultCells(again: ReadonlyMap<string, RerunOutcome>) {
   const { results: words } = useTexts("course-teach");
   const language = useSettings((s) => s.language);
-  const day = (made: number) =>
-    new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" }).format(made);
+  const day = momentWriter(language);
   const heads: Readonly<Record<ResultColumn, string>> = {
     name: words.name,
     made: words.made,

@@ -184,8 +184,15 @@ export const page = {
       "Dieser Browser speichert nichts auf dem Gerät. Das Programm vor dem Schließen kopieren oder herunterladen.",
     storageFull:
       "Der Gerätespeicher ist voll: Die letzten Änderungen sind nicht gespeichert. Das Programm herunterladen oder auf der Startseite Programme entfernen.",
+    storageSilent:
+      "Der Speicher des Browsers antwortet nicht. Weiterarbeiten ist möglich, Änderungen bestehen aber nur auf dieser Seite, bis er antwortet: Das Programm vor dem Schließen herunterladen.",
+    newerData:
+      "Einige Daten auf diesem Gerät hat eine neuere Version dieser Seite gespeichert. Sie bleiben unverändert, und Änderungen daran werden nicht gespeichert. Die Seite neu laden, um diese Version zu erhalten.",
+    rowsAside:
+      "Einige Einträge Ihrer Tabellen waren nicht lesbar. Sie wurden zurückgelegt: siehe die Seite aller Programme. Nichts wurde gelöscht.",
+    rowUnreadable: (name) => `${name} kann nicht angezeigt werden.`,
     newerWorks:
-      "Einige gespeicherte Programme stammen aus einer neueren Version dieser Seite und werden nicht angezeigt. Nichts wurde gelöscht.",
+      "Einige gespeicherte Programme stammen aus einer neueren Version dieser Seite. Sie stehen unter der Liste aller Programme; nichts wurde gelöscht.",
     downloadUnkept: "Programm herunterladen",
     archiveUnkept: "In einer Datei sichern",
     copyOfOtherTab:

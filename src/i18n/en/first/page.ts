@@ -183,7 +183,15 @@ export const page = {
       "This browser does not save programs on the device. Copy or download the program before you close the page.",
     storageFull:
       "The device storage is full: the latest changes are not saved. Download the program, or remove programs on the start page.",
-    newerWorks: "Some saved programs come from a newer version of this page and are not listed. Nothing was deleted.",
+    storageSilent:
+      "The browser’s storage does not answer. You can go on working, but changes exist only in this page until it answers: download the program before you close the page.",
+    newerData:
+      "Some data on this device were saved by a newer version of this page. They are left as they are, and changes to them are not saved. Reload the page to get that version.",
+    rowsAside:
+      "Some entries of your tables could not be read. They were set aside: see the page of all programs. Nothing was deleted.",
+    rowUnreadable: (name: string) => `${name} cannot be shown.`,
+    newerWorks:
+      "Some saved programs come from a newer version of this page. They are listed below all programs; nothing was deleted.",
     downloadUnkept: "Download the program",
     archiveUnkept: "Back up as one file",
     copyOfOtherTab: "This program is open in another tab. You are editing a copy; both are kept.",

@@ -183,8 +183,15 @@ export const page = {
       "Ce navigateur n’enregistre rien sur l’appareil. Copier ou télécharger le programme avant de fermer la page.",
     storageFull:
       "La mémoire de l’appareil est pleine : les dernières modifications ne sont pas enregistrées. Télécharger le programme, ou retirer des programmes sur la page d’accueil.",
+    storageSilent:
+      "La mémoire du navigateur ne répond pas. Vous pouvez continuer, mais les modifications n’existent que dans cette page jusqu’à sa réponse : téléchargez le programme avant de fermer la page.",
+    newerData:
+      "Certaines données de cet appareil ont été enregistrées par une version plus récente de cette page. Elles restent telles quelles, et leurs modifications ne sont pas enregistrées. Rechargez la page pour obtenir cette version.",
+    rowsAside:
+      "Certaines entrées de vos tableaux étaient illisibles. Elles ont été mises de côté : voir la page de tous les programmes. Rien n’a été effacé.",
+    rowUnreadable: (name) => `${name} ne peut pas être affiché.`,
     newerWorks:
-      "Certains programmes enregistrés viennent d’une version plus récente de cette page et ne sont pas listés. Rien n’a été effacé.",
+      "Certains programmes enregistrés viennent d’une version plus récente de cette page. Ils figurent sous la liste de tous les programmes ; rien n’a été effacé.",
     downloadUnkept: "Télécharger le programme",
     archiveUnkept: "Sauvegarder dans un fichier",
     copyOfOtherTab:
