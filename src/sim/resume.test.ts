@@ -64,6 +64,7 @@ const CHANGES: readonly (readonly [what: string, changed: SimulationInput, kept:
   ["a step less at the end", { ...input, steps: input.steps.slice(0, -1) }, 0.8],
   ["a tool", withStep(firstCut, (s) => ({ tool: { ...s.tool, RS: length(0.2) } })), 0],
   ["the blank", { ...input, blank: grown(input.blank, 0.5) }, 0],
+  ["the blank, where the same is held", { ...input, held: input.blank, blank: grown(input.blank, 0.5) }, 0],
   ["what is held", { ...input, held: grown(input.blank, 0.5) }, 0],
   [
     "a blank that is stated later",

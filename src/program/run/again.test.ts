@@ -16,7 +16,6 @@ const PROGRAM = `0 BEGIN PGM S MM
 3 TOOL CALL 1 Z F0.35
 4 FUNCTION TURNDATA SPIN VCONST:OFF S700
 5 M136
-6 TRANS DATUM AXIS Z-0.5
 7 L X+70 Z+5 R0 FMAX M303
 8 CYCL DEF 811 SHOULDER, LONGITDNL. ~
  Q215=+0 ~
@@ -30,6 +29,7 @@ const PROGRAM = `0 BEGIN PGM S MM
  Q505=+0.15 ~
  Q506=+0
 9 L X+62 Z+3 FMAX
+6 TRANS DATUM AXIS Z-0.5
 10 CYCL CALL
 11 CALL LBL 2
 /12 L X+64 F0.3
@@ -76,16 +76,17 @@ const drills = (R: number) => {
 };
 interface Given extends Partial<Shop> {
   readonly text?: string;
-  readonly other?: string;
+  /** Text of the called program; null: there is none. */
+  readonly other?: string | null;
 }
 const shopOf = ({ text: _, other = OTHER, ...own }: Given): Shop => ({
   tools: shippedTools,
   mills: drills(4),
   rapid: 10_000,
-  files: { find: (key) => (key === "OTHER.H" ? { name: "OTHER.H", program: parse(other) } : null) },
+  files: { find: (key) => (key === "OTHER.H" && other !== null ? { name: "OTHER.H", program: parse(other) } : null) },
   ...own,
 });
-const besideOf = ({ other = OTHER }: Given) => [{ name: "OTHER.H", text: other }];
+const besideOf = ({ other = OTHER }: Given) => (other === null ? [] : [{ name: "OTHER.H", text: other }]);
 const alone = (given: Given) => run(parse(given.text ?? PROGRAM), shopOf(given));
 
 /** Runs one state after another, with all that is kept between runs. */
@@ -104,7 +105,7 @@ const changed = (from: string, to: string): Given => {
 const first = shippedTools[0] as (typeof shippedTools)[number];
 
 /** Each changes the result; `kept`: calls before it, whose plans are those of the run before. */
-const CHANGES: readonly (readonly [what: string, given: () => Given, kept: number])[] = [
+const CHANGES: readonly (readonly [what: string, given: () => Given, kept: number, from?: Given])[] = [
   ["a value of the second definition", () => changed("Q494=-12", "Q494=-13"), 1],
   ["a place before the second call", () => changed("17 L X+54", "17 L X+55"), 1],
   ["a place before the first call", () => changed("9 L X+62", "9 L X+63"), 0],
@@ -125,7 +126,8 @@ const CHANGES: readonly (readonly [what: string, given: () => Given, kept: numbe
   ["a block less", () => changed("17 L X+54 Z+3 FMAX M303\n", ""), 0],
   ["marked blocks are skipped", () => ({ skipMarked: true }), 0],
   ["the nose of a tool", () => ({ tools: shippedTools.map((t) => (t === first ? { ...t, RS: length(0.4) } : t)) }), 0],
-  ["a drill", () => ({ mills: drills(5) }), 0],
+  ["a drill", () => ({ mills: drills(5), other: null }), 0, { other: null }],
+  ["a called program that was not there", () => ({}), 0, { other: null }],
   [
     "a tool that is refused",
     () => ({ refused: new Map([[3, []]]), tools: shippedTools.filter(({ T }) => T !== 3) }),
@@ -143,19 +145,20 @@ describe("a program that is run again", () => {
     expect(base.operations.every(({ plan }) => plan.moves.length > 3)).toBe(true);
   });
 
-  test.each(CHANGES)("with another of: %s", (_, make, kept) => {
+  test.each(CHANGES)("with another of: %s", (_, make, kept, from = {}) => {
     const given = make();
+    const base = alone(from);
     const [expected, runs] = [alone(given), session()];
     expect(expected).not.toEqual(base);
-    const before = runs({});
+    const before = runs(from);
     const made = runs(given);
     expect(made).toStrictEqual(expected);
     const own = made.operations.findIndex((each, i) => each !== before.operations[i]);
     expect(own < 0 ? before.operations.length : own).toBeGreaterThanOrEqual(kept);
-    expect(runs({})).toStrictEqual(base);
+    expect(runs(from)).toStrictEqual(base);
     // The same memory for a run that does not follow another one.
     const memory = new AnswerCache();
-    run(parse(PROGRAM), { ...shopOf({}), memory });
+    run(parse(PROGRAM), { ...shopOf(from), memory });
     expect(run(parse(given.text ?? PROGRAM), { ...shopOf(given), memory })).toStrictEqual(expected);
   });
 

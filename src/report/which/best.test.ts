@@ -110,6 +110,10 @@ describe("the cycles that are proposed", () => {
       "821 5 Q506=1",
       "821 11 Q506=0",
     ]);
+    // Of two usual inserts that rough, the one with the larger nose is the stronger.
+    const [rough] = shippedTools;
+    const larger = rough && { ...rough, T: 91, RS: length(1.2) };
+    expect(larger && waysFor(wanted({}), null, [...shippedTools, larger])[0]?.tool.T).toBe(91);
     // More than eight would be too many.
     expect(listed({ allowance: length(2.3) })).toHaveLength(8);
   });
