@@ -145,7 +145,8 @@ describe("a program that is run again", () => {
     expect(base.operations.every(({ plan }) => plan.moves.length > 3)).toBe(true);
   });
 
-  test.each(CHANGES)("with another of: %s", (_, make, kept, from = {}) => {
+  const changes = CHANGES.map(([what, make, kept, from = {}]) => ({ what, make, kept, from }));
+  test.each(changes)("with another of: $what", ({ make, kept, from }) => {
     const given = make();
     const base = alone(from);
     const [expected, runs] = [alone(given), session()];
