@@ -76,6 +76,6 @@ test("every planted fault still has exactly one place", () => {
       }[],
   );
   const lost = faults.filter(({ file, find }) => readFileSync(projectPath(file), "utf8").split(find).length !== 2);
-  expect(faults.length).toBeGreaterThan(100);
+  expect(faults.length).toBeGreaterThan(400);
   expect(lost.map(({ what }) => what)).toEqual([]);
 });

@@ -53,6 +53,7 @@ describe("one line that a control refuses, and a similar one that it accepts", (
     ['1 SEL PGM "A.H', "stringOpen 1:2:11", '1 SEL PGM "A;B.H" ;C "'],
     ["1 Q1 = ( Q2 + 3", "bracketOpen 1:2:8", "1 Q1 = ( Q2 + 3 ) * SIN ( - Q4 )"],
     ["1 QS1 = SUBSTR ( SRC_QS2 BEG1", "bracketOpen 1:2:16", '1 QS1 = "A;" || SUBSTR ( SRC_QS2 BEG1 LEN2 )'],
+    ["1 L X+{LEN", "bracketOpen 1:2:7", "1 L X+{LEN}"],
     ["1 Q1 = Q2 3", "formulaBroken 1:2:11", "1 Q1 = Q2 ^ 3"],
     ["1 Q1 = Q2 *", "formulaBroken 1:2:11", "1 Q1 = Q2 * - 1,5"],
     ["1 Q1 = 2 )", "formulaBroken 1:2:10", "1 QC1 = ( QC2 | QC3 ) \\ QC4"],

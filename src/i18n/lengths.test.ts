@@ -26,3 +26,10 @@ test("a program in mm shows values unchanged", () => {
     "mm/rev",
   ]);
 });
+
+test("a volume is in cm³, in an inch program in cubic inches", () => {
+  expect([lengthsIn("en", "mm", 1).volume(16.387064), lengthsIn("en", "inch", 25.4).volume(16.387064)]).toEqual([
+    "16.39\u00a0cm³",
+    "1\u00a0inch³",
+  ]);
+});

@@ -1,7 +1,20 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
 import { axial, radius } from "../kernel/units.ts";
-import { fitted, panned, pinched, toPlace, toScreen, turnedOver, zoomed, type Camera } from "./camera.ts";
+import {
+  fitted,
+  matrix,
+  panned,
+  pinched,
+  SCALE,
+  seenFrom,
+  sheetShift,
+  toPlace,
+  toScreen,
+  turnedOver,
+  zoomed,
+  type Camera,
+} from "./camera.ts";
 
 const number = (min: number, max: number) => fc.double({ min, max, noNaN: true });
 const place = fc.record({ x: number(0, 2000), y: number(0, 2000) });
@@ -108,6 +121,44 @@ test("turning the picture over twice is no change", () => {
         back = turnedOver(turnedOver(c, size), size);
       expect(back.xUp).toBe(c.xUp);
       near(back.zero.y, c.zero.y);
+    }),
+  );
+});
+
+test("no zoom leaves the useful range, and then the place under the pointer still stays", () => {
+  fc.assert(
+    fc.property(camera, place, number(1e-6, 1e6), (c, at, factor) => {
+      const now = zoomed(c, factor, at);
+      expect(now.scale).toBe(Math.min(SCALE.max, Math.max(SCALE.min, c.scale * factor)));
+      near(toPlace(now, at).z, toPlace(c, at).z);
+    }),
+  );
+});
+
+test("a drawing for one camera lies under another where that camera shows it", () => {
+  const size = { width: 640, height: 400 };
+  fc.assert(
+    fc.property(camera, camera, point, (drawn, other, p) => {
+      const now = { ...other, xUp: drawn.xUp };
+      const { x, y, grown } = sheetShift(drawn, now);
+      const [on, wanted] = [toScreen(drawn, p), toScreen(now, p)];
+      const far = Math.max(1, Math.abs(wanted.x), Math.abs(wanted.y), Math.abs(on.x * grown), Math.abs(on.y * grown));
+      expect(Math.abs(x + on.x * grown - wanted.x) / far).toBeLessThan(1e-9);
+      expect(Math.abs(y + on.y * grown - wanted.y) / far).toBeLessThan(1e-9);
+      // The corners of the picture, back in the drawing.
+      const { from, to } = seenFrom(drawn, now, size);
+      for (const [corner, seen] of [
+        [{ x: 0, y: 0 }, from],
+        [{ x: size.width, y: size.height }, to],
+      ] as const) {
+        const there = toPlace(drawn, seen),
+          here = toPlace(now, corner);
+        expect(Math.abs(there.z - here.z)).toBeLessThan(1e-6 * Math.max(1, Math.abs(here.z)));
+        expect(Math.abs(there.r - here.r)).toBeLessThan(1e-6 * Math.max(1, Math.abs(here.r)));
+      }
+      const [a, b, c, d, e, f] = matrix(drawn);
+      near(a * p.z + c * p.r + e, on.x);
+      near(b * p.z + d * p.r + f, on.y);
     }),
   );
 });

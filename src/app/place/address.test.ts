@@ -1,6 +1,6 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
-import { parseAddress, printAddress, type Address } from "./address.ts";
+import { isShareLink, parseAddress, printAddress, type Address } from "./address.ts";
 
 const name = fc.string({ minLength: 1, unit: "grapheme" });
 const places: fc.Arbitrary<Address> = fc.oneof(
@@ -83,3 +83,19 @@ test.each([
   "#/works/a",
   "#/work/%",
 ])("%j is no place", (hash) => expect(parseAddress(hash)).toBeNull());
+
+test.each(["#/work/%E0%A4%A", "#/work/7f3a/%", "#/%/works", "#work/7f3a", ""])("%s is no address", (hash) =>
+  expect(parseAddress(hash)).toBeNull(),
+);
+
+test.each([
+  ["#p=a", true],
+  ["#w=a", true],
+  ["#h1=a", true],
+  ["#t12=a", true],
+  ["#s3=a", true],
+  ["#r1=a", true],
+  ["#h=a", false],
+  ["#x1=a", false],
+  ["#/work/p=a", false],
+])("%s is a share link: %s", (hash, isLink) => expect(isShareLink(hash)).toBe(isLink));

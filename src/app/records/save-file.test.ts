@@ -6,6 +6,7 @@ import { at } from "../../kernel/geometry/point.ts";
 import { ncLabels } from "../../i18n/nc-labels.ts";
 import { exampleJob, type SetJob } from "../../program/job/job.ts";
 import { printAsInManual, printJob } from "../../program/job/print-job.ts";
+import { LEGACY_OUTPUT } from "../../program/machine/nc-output.ts";
 import { readSave, SAVE_VERSION, upgrade, type SaveFile } from "./save-file.ts";
 
 const saved = (): SaveFile[] =>
@@ -176,4 +177,20 @@ test("a real file of each version still opens", () => {
   const files = import.meta.glob<unknown>("../../../tests/saved/v*/*.json", { eager: true, import: "default" });
   expect(Object.keys(files).length).toBeGreaterThan(0);
   for (const [path, raw] of Object.entries(files)) expect(readSave(raw)?.version, path).toBe(SAVE_VERSION);
+});
+
+test("a work of the first version: a field without stock is none, its layout and its program end stay", () => {
+  const [newest] = saved();
+  const typed = (blank: object, layout: string) => {
+    const old = { version: 1, savedAt: 7, job: { ...newest?.job, blank, layout, output: undefined } };
+    const { version, savedAt, job } = (readSave(JSON.parse(JSON.stringify(old))) ?? {}) as {
+      version?: number;
+      savedAt?: number;
+      job?: SetJob;
+    };
+    return [version, savedAt, job?.blank, job?.layout, job?.output];
+  };
+  const blank = (bore: string, allowance: string) => ({ outside: "60", bore, length: "90", allowance });
+  expect(typed(blank("", ""), "tnc640")).toEqual([SAVE_VERSION, 7, blank("0", "0"), "manual", LEGACY_OUTPUT]);
+  expect(typed(blank("12.5", "1"), "tnc7")).toEqual([SAVE_VERSION, 7, blank("12.5", "1"), "tnc7", LEGACY_OUTPUT]);
 });

@@ -2,7 +2,7 @@ import fc from "fast-check";
 import { expect, test } from "vitest";
 import type { Move } from "../plan/move.ts";
 import type { Pt } from "../geometry/point.ts";
-import { secondsOf, speedAt, withinLimit } from "./time.ts";
+import { axisRate, causeOf, cuttingSpeedAt, isAtLimit, secondsOf, speedAt, withinLimit } from "./time.ts";
 import { axial, degrees, feed, length, radius } from "../units.ts";
 
 const at = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
@@ -133,4 +133,57 @@ test("a machine limits a constant speed and a constant cutting speed, and leaves
   expect(withinLimit(surface, 1900)).toEqual({ ...surface, limit: 1900 });
   expect(withinLimit({ ...surface, limit: 0 }, 1900)).toEqual({ ...surface, limit: 1900 });
   expect(withinLimit(surface, 2500)).toBe(surface);
+});
+
+test("the speed and its limit are the same on both sides of the axis", () => {
+  // 180 m/min and 2500 rpm meet at a radius of 11.459 mm.
+  for (const r of [0, 3, 11.4, 11.5, 40]) {
+    const isLimited = r < 11.459;
+    for (const side of [r, -r]) {
+      expect([side, isAtLimit(surface, side), speedAt(surface, side) === 2500]).toEqual([side, isLimited, isLimited]);
+      expect(speedAt(surface, side)).toBe(speedAt(surface, r));
+      expect(cuttingSpeedAt(1000, side)).toBeCloseTo((2 * Math.PI * r * 1000) / 1000, 9);
+      if (!isLimited) expect(cuttingSpeedAt(speedAt(surface, side), side)).toBeCloseTo(180, 9);
+    }
+  }
+  expect(isAtLimit({ ...surface, limit: 0 }, 3)).toBe(false);
+  expect(isAtLimit(constant, 3)).toBe(false);
+  // A face turned through the axis, towards it and away from it; its parts meet at the limit on either side.
+  const face = (from: number, to: number) => secondsOf(at(0, from), cut(at(0, to)), surface, 1);
+  const half = face(30, 0);
+  for (const [from, to] of [
+    [30, -30],
+    [-30, 30],
+  ] as const)
+    expect(face(from, to)).toBeCloseTo(2 * half, 9);
+  for (const [from, to] of [
+    [0, -30],
+    [-30, 0],
+    [0, 30],
+  ] as const)
+    expect(face(from, to)).toBeCloseTo(half, 9);
+  expect(face(-30, -11)).toBeCloseTo(face(30, 11), 9);
+  expect(face(11, -11)).toBeCloseTo((60 * 22) / (0.3 * 2500), 9);
+});
+test("a feed goes at most as fast as the axis with the larger share of it", () => {
+  const rapid = { x: { rate: 3000 }, z: { rate: 9000 } };
+  const rates = (
+    [
+      [10, 4],
+      [4, 10],
+      [-10, 4],
+      [4, -10],
+      [7, 7],
+    ] as const
+  ).map(([z, r]) => axisRate(rapid, at(1, 1), at(1 + z, 1 + r)));
+  expect(rates).toEqual([9000, 3000, 9000, 3000, 9000]);
+  expect(axisRate(5000, at(0, 0), at(1, 9))).toBe(5000);
+});
+test("a dwell is no cutting time", () => {
+  const still: Move = { ...cut(at(0, 0)), dwell: 2 } as Move;
+  expect([causeOf(cut(at(0, 0))), causeOf(still), causeOf({ kind: "rapid", to: at(0, 0), ...purpose })]).toEqual([
+    "cutting",
+    "dwell",
+    "rapid",
+  ]);
 });

@@ -1,6 +1,7 @@
 import { holeOf } from "../../kernel/cutter/drill.ts";
 import type { NeededHole } from "../../kernel/time/step.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
+import { SAME } from "../../kernel/tolerance.ts";
 import { length } from "../../kernel/units.ts";
 
 /**
@@ -37,7 +38,8 @@ const MOST_PECKS = 2000;
 function pecks(whole: number, first: number, less: number, least: number): number[] | null {
   const out: number[] = [];
   let [depth, infeed] = [0, first > 0 ? first : whole];
-  while (depth + infeed < whole) {
+  // A sum of decimals may fall short of the depth by its rounding: that is no further infeed.
+  while (depth + infeed < whole - SAME) {
     depth += infeed;
     out.push(depth);
     if (out.length >= MOST_PECKS) return null;
@@ -186,7 +188,7 @@ function chipsBroken(
   let deepest = from;
   for (const m of moves) {
     if (m.feed && m.to < deepest) {
-      const steps = Math.ceil((deepest - m.to) / every) - 1;
+      const steps = Math.ceil((deepest - m.to - SAME) / every) - 1;
       if (!(out.length + steps < 2 * MOST_PECKS)) return null;
       for (let i = 1; i <= steps; i += 1) {
         const at = deepest - i * every;

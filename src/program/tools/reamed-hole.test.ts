@@ -39,6 +39,7 @@ describe("a reamer", () => {
     ["REAMER-D10-H7", 10.0045, "H6", undefined, false],
     ["REAMER-D10-H7", 10.05, "+0.1", undefined, false],
     ["REAMER-D10-H7", 10.008, "+0.016", 1.6, true],
+    ["REAMER-D10-H7", 10.0125, "+0.02/+0.005", 1.6, false],
     ["REAMER-D10-H7", 10, undefined, 1.6, true],
     ["REAMER-D20-H7", 20, undefined, 1.6, false],
     ["REAMER-D10-H7", 12.009, "H7", 1.6, false],

@@ -79,8 +79,10 @@ export function featuresOnPart(contours: readonly TurnedContour[], finished: rea
       const { r, left, right } = own,
         seen = [right, (left + right) / 2, left].find((z) => onPart(at(z, r)));
       if (seen === undefined) continue;
+      // Between its ends: at an end a face of the part is neither in its material nor out of it.
+      const between = [(left + right) / 2, seen].find((z) => onPart(at(z, r))) ?? seen;
       const isBore =
-        !inMaterial(finished, at(seen, Math.max(0, r - ASIDE))) && inMaterial(finished, at(seen, r + ASIDE));
+        !inMaterial(finished, at(between, Math.max(0, r - ASIDE))) && inMaterial(finished, at(between, r + ASIDE));
       cylinders.push({ ...own, right: seen, isBore, extent: right - left, ...(thread && { thread }) });
     }
     for (const p of found.positions) {

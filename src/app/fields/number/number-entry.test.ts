@@ -77,3 +77,13 @@ test.each([
   ["-1", false],
   ["1-", false],
 ])("%s is only a sign: %s", (text, only) => expect(isOnlySign(text)).toBe(only));
+
+test.each([
+  ["-1|2", "1|2"],
+  ["+1|2", "-1|2"],
+  ["-12|", "12|"],
+  ["|-12", "|12"],
+])("the sign of %s changes, and the caret stays at its digit: %s", (before, after) => {
+  const { text, from, to } = toggleSign(entry(before));
+  expect([`${text.slice(0, from)}|${text.slice(from)}`, to]).toEqual([after, from]);
+});

@@ -154,3 +154,48 @@ test.each([1, 1.25, 1.5, 2, 1.875, 1.09])(
     for (const edge of [x * ratio, y * ratio]) expect(edge).toBeCloseTo(Math.round(edge), 6);
   },
 );
+
+const box = (left: number, right: number, high = 20) => ({ left, right, low: 0, high });
+
+test("a fitted picture follows a part that outgrows it or becomes small in it, and one moved by hand stays", () => {
+  const { viewport } = opened();
+  viewport.setBounds(box(-100, 0));
+  const seen = viewport.get();
+  viewport.setBounds(box(-80, 0));
+  expect(viewport.get()).toBe(seen);
+  viewport.setBounds(box(-50, 0));
+  const near = viewport.get();
+  expect(near.scale).toBeGreaterThan(seen.scale);
+  viewport.setBounds(box(-60, 0));
+  expect(viewport.get().scale).toBeLessThan(near.scale);
+  viewport.pan(10, 0);
+  const byHand = viewport.get();
+  viewport.setBounds(box(-500, 0));
+  viewport.setSize({ width: 300, height: 200 });
+  expect(viewport.get()).toMatchObject({ scale: byHand.scale, zero: byHand.zero });
+  viewport.fit();
+  expect(viewport.get().scale).toBeLessThan(byHand.scale);
+});
+
+test("a shown place is in the picture with room around it", () => {
+  const { viewport } = opened();
+  viewport.show(box(-12, -10, 2));
+  const [low, high] = [
+    toPlace(viewport.get(), { x: 0, y: SIZE.height }),
+    toPlace(viewport.get(), { x: SIZE.width, y: 0 }),
+  ];
+  expect([low.z < -13.5, high.z > -8.5, low.r < -1.5, high.r > 3.5]).toEqual([true, true, true, true]);
+});
+
+test("turned over by hand the axis is mirrored in the picture; a fitted one is fitted again", () => {
+  const { viewport } = opened();
+  const fitted = viewport.get();
+  viewport.setXUp(true);
+  expect(viewport.get()).toBe(fitted);
+  viewport.setXUp(false);
+  expect(viewport.get()).toMatchObject({ xUp: false, scale: fitted.scale });
+  viewport.pan(0, 15);
+  const { zero } = viewport.get();
+  viewport.setXUp(true);
+  expect(viewport.get()).toMatchObject({ xUp: true, zero: { x: zero.x, y: SIZE.height - zero.y } });
+});
