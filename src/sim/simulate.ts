@@ -236,12 +236,7 @@ function runSimulation(
   // Where the check stops depends on all earlier findings, so this run cannot resume.
   if (contacts >= MOST_CONTACTS && resume) return runSimulation(input, null, measures);
   const marks = marksOf(former && from ? former.marks.slice(0, from.marks) : [{ step: 0, stock: packed(blank) }]);
-  const measure = measuring(
-    operations,
-    blank,
-    former && from ? { state: from.measure, step: from.step, sums: former.sums } : null,
-    thickerThan,
-  );
+  const measure = measuring(operations, blank, from?.measure ?? null, thickerThan);
   const snapshots = former && from ? former.snapshots.filter(({ step }) => step <= from.step) : [];
   const isKept = snapshotSteps(input);
   let byRapids = from?.byRapids ?? 0;
@@ -366,7 +361,6 @@ function runSimulation(
     snapshots,
     marks: checkpoints,
     damage,
-    sums: measure.sums(),
     finished: setups.atFirst,
     parted: held.parted(),
   };
