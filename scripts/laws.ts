@@ -5,6 +5,8 @@ import { join } from "node:path";
 import fc from "fast-check";
 import { cuttingCycles, cycleByNumber } from "../src/cycles/index.ts";
 import { brokenBy } from "../tests/laws/cut-laws.ts";
+import { brokenByEdit, edits, unedited } from "../tests/laws/edited-programs.ts";
+import { movingPrograms } from "../tests/laws/moving-programs.ts";
 import type { FoundCase } from "../tests/laws/found-case.ts";
 import { brokenByPlan } from "../tests/laws/plan-laws.ts";
 import { situations } from "../tests/laws/situation.ts";
@@ -81,6 +83,30 @@ function plannedParts(cases: number, seed: number): number {
   return bad > 0 ? 1 : 0;
 }
 
+/** Edits of one program. */
+const EDITS_OF_PROGRAM = 12;
+
+/**
+ * Edits random programs and prints the first difference of each between its incremental calculation and that of the
+ * edited program alone. Returns 1 if there was one.
+ */
+function editedPrograms(count: number, seed: number): number {
+  const drawn = fc.tuple(movingPrograms, fc.array(edits, { minLength: EDITS_OF_PROGRAM, maxLength: EDITS_OF_PROGRAM }));
+  const cases = fc.sample(drawn, { numRuns: Math.ceil(count / EDITS_OF_PROGRAM), seed });
+  let bad = 0;
+  cases.forEach(([text, changes], i) => {
+    const broken = brokenByEdit(unedited(text), changes);
+    if (!broken) return;
+    bad += 1;
+    console.log(`program ${i}, edit ${broken.edit} ${JSON.stringify(changes[broken.edit - 1])}:\n${broken.text}`);
+    const at = [...broken.kept].findIndex((c, k) => c !== broken.alone[k]);
+    if (at < 0) console.log("the reports are equal, run or simulation are not");
+    else for (const each of [broken.kept, broken.alone]) console.log(each.slice(Math.max(0, at - 200), at + 100));
+  });
+  console.log(`${cases.length * EDITS_OF_PROGRAM} edits of ${cases.length} programs, ${bad} broken`);
+  return bad > 0 ? 1 : 0;
+}
+
 /** Plans the parts of the trade. */
 function trade(writes: boolean): number {
   const rows: PlanRow[] = [];
@@ -95,6 +121,8 @@ function trade(writes: boolean): number {
 
 /**
  * `npm run laws -- --parts=N [-- --seed=N]`: plans N random parts and checks the laws of plans.
+ * `npm run laws -- --edits=N [-- --seed=N]`: edits random programs N times and compares the incremental calculation with
+ * that of the edited program alone.
  * `npm run laws -- --trade`: plans the parts of the trade and those programmed by hand and prints their times; with
  * `--write` only the former, which are written into docs/planning.md.
  * `npm run laws -- --ways[=NAME] [--in-turn]`: prints what is suggested for the course's solutions, the examples and
@@ -118,6 +146,11 @@ export async function main(args: readonly string[]): Promise<number> {
     return last.startsWith("0 ") ? 0 : 1;
   }
   const seed = option(args, "seed", Number(process.env["LAW_SEED"] ?? Date.now() % 2 ** 31));
+  const edited = option(args, "edits", 0);
+  if (edited > 0) {
+    console.log(`LAW_SEED=${seed}, ${edited} edits`);
+    return editedPrograms(edited, seed);
+  }
   const parts = option(args, "parts", 0);
   if (parts > 0) {
     console.log(`LAW_SEED=${seed}, ${parts} parts`);

@@ -4,16 +4,15 @@ import { boxBeyond, inBox } from "../kernel/area/box.ts";
 import { merged, ringsMeeting, type Present } from "./cutting.ts";
 import type { Sweep } from "./sweep.ts";
 
-/** Caches the last contact of a sweep: a rapid needs it for the check and for the removed area. */
-const lastContact = new WeakMap<Sweep, { readonly now: Present; readonly rings: Ring[] }>();
+/** The last contact: a rapid needs it for the check and for the removed area. */
+let lastContact: { readonly sweep: Sweep; readonly now: Present; readonly rings: Ring[] } | null = null;
 
 /** The overlap of sweeps with the present stock, and with an area where one is given. */
 export function inStock(sweeps: readonly Sweep[], now: Present, within: readonly Ring[] | null = null): Ring[] {
   const [alone] = sweeps.length === 1 && !within ? sweeps : [];
-  const known = alone && lastContact.get(alone);
-  if (known?.now === now) return known.rings;
+  if (alone && lastContact?.sweep === alone && lastContact.now === now) return lastContact.rings;
   const rings = standing(sweeps, now, within);
-  if (alone) lastContact.set(alone, { now, rings });
+  if (alone) lastContact = { sweep: alone, now, rings };
   return rings;
 }
 

@@ -42,16 +42,15 @@ export interface Present {
   meets(piece: ConvexPiece): boolean;
 }
 
-/** Caches the last query of a sweep: check, measurement and cut ask for the same rings. */
-const asked = new WeakMap<Sweep, { readonly by: Present["meets"]; readonly rings: readonly Ring[] }>();
+/** The last query: check, measurement and cut ask for the same rings one after the other. */
+let asked: { readonly sweep: Sweep; readonly by: Present["meets"]; readonly rings: readonly Ring[] } | null = null;
 
 /** The rings of the parts of a sweep that may meet a stock. */
 export function ringsMeeting(sweep: Sweep, meets: Present["meets"]): readonly Ring[] {
-  const known = asked.get(sweep);
-  if (known?.by === meets) return known.rings;
+  if (asked?.sweep === sweep && asked.by === meets) return asked.rings;
   const met = sweep.pieces.filter(meets);
   const rings = met.length < 2 ? met.map((piece) => piece.ring) : sweep.rings;
-  asked.set(sweep, { by: meets, rings });
+  asked = { sweep, by: meets, rings };
   return rings;
 }
 

@@ -5,6 +5,20 @@ import type { Checkpoint } from "./simulation.ts";
 /** Points of all stored stocks together: 16 bytes each, so 24 MB. */
 const MOST_POINTS = 1_500_000;
 
+/** Moves from one checkpoint to the next, and convex pieces that trigger an earlier one: long arcs have many. */
+const [CHECKPOINT_STEPS, CHECKPOINT_PIECES] = [50, 400];
+/** From this move on checkpoints lie farther apart, in proportion to the moves before them. */
+const FEW_STEPS = 20_000;
+
+/**
+ * Whether the stock is recomputed before a step; `marked`: the step where it was last, `pieces`: convex pieces since
+ * then. It depends on nothing behind that step, so a longer run has the same checkpoints in its beginning.
+ */
+export function isCheckpointDue(step: number, marked: number, pieces: number): boolean {
+  const share = Math.max(1, marked / FEW_STEPS);
+  return step - marked >= CHECKPOINT_STEPS * share || pieces >= CHECKPOINT_PIECES * share;
+}
+
 /** Whether the stock of a mark was replaced (stated or split), not left by the cuts before it. */
 export const isStockReplaced = ({ isStated, isParted }: Checkpoint): boolean => (isStated ?? isParted) === true;
 

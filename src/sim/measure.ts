@@ -61,18 +61,11 @@ interface Sums {
 
 /** The state of the measurement before a step. */
 export interface MeasuredSoFar {
-  /** The operation of that step, its measurements so far, and the unfinished stretch. */
+  /** The operation of that step, and its unfinished stretch. */
   readonly operation: number | null;
-  readonly sums: Sums | null;
   readonly run: Stretch | null;
-}
-
-/** Measurements of an earlier run up to the step at which this one resumes. */
-export interface MeasuredBefore {
-  readonly state: MeasuredSoFar;
-  readonly step: number;
-  /** Final measurements of each operation of that run. */
-  readonly sums: readonly Sums[];
+  /** Measurements of the operations that moved before that step, by operation; one that did not move has none. */
+  readonly sums: ReadonlyMap<number, Sums>;
 }
 
 /** Measures the effect of each operation on the stock. */
@@ -83,8 +76,6 @@ export interface StockMeasure {
   state(operation: number | null): MeasuredSoFar;
   /** The results, with blocks taken from the steps. */
   results(steps: readonly Step[]): OperationProof[];
-  /** State for the next run; call after `results`. */
-  sums(): readonly Sums[];
 }
 
 /** The greatest infeed that a plan allows, mm; 0 when its values set none. */
@@ -98,6 +89,15 @@ function mostFinishingCut({ plan }: SimulatedOperation): number {
 
 const copyOf = (sums: Sums): Sums => ({ ...sums, passes: new Map(sums.passes) });
 
+const UNMEASURED = (): Sums => ({
+  cut: 0,
+  passes: new Map(),
+  deepest: null,
+  thickest: null,
+  startInMaterial: null,
+  crossed: [],
+});
+
 /**
  * Starts measuring a run, or resumes where an earlier run was the same up to a step. `thickerThan`: roughing passes and
  * limits are not measured, and finishing cuts only where they are thicker than this, mm.
@@ -105,27 +105,28 @@ const copyOf = (sums: Sums): Sums => ({ ...sums, passes: new Map(sums.passes) })
 export function measuring(
   operations: readonly SimulatedOperation[],
   blank: readonly Ring[],
-  before: MeasuredBefore | null = null,
+  before: MeasuredSoFar | null = null,
   thickerThan: number | null = null,
 ): StockMeasure {
-  const begun = ({ lastStep }: SimulatedOperation, o: number): Sums | undefined => {
-    if (!before) return undefined;
-    if (before.state.operation === o) return before.state.sums ?? undefined;
-    return lastStep < before.step ? before.sums[o] : undefined;
-  };
-  const sums = operations.map((operation, o): Sums => {
-    const known = begun(operation, o);
-    return known
-      ? copyOf(known)
-      : { cut: 0, passes: new Map(), deepest: null, thickest: null, startInMaterial: null, crossed: [] };
-  });
-  let run: Stretch | null = before?.state.run ? { ...before.state.run, sweeps: [...before.state.run.sweeps] } : null;
+  // Operations that have ended are shared between runs; the one that resumes is measured on.
+  const sums = new Map(before?.sums);
+  const resumed = before?.operation ?? null;
+  const begun = resumed === null ? undefined : sums.get(resumed);
+  if (resumed !== null && begun) sums.set(resumed, copyOf(begun));
+  let run: Stretch | null = before?.run ? { ...before.run, sweeps: [...before.run.sweeps] } : null;
+
+  function sumsOf(operation: number): Sums {
+    const known = sums.get(operation) ?? UNMEASURED();
+    sums.set(operation, known);
+    return known;
+  }
 
   function close(): void {
     const done = run;
     run = null;
-    const [sum, operation] = done ? [sums[done.operation], operations[done.operation]] : [];
-    if (!done || !sum || !operation) return;
+    const operation = done ? operations[done.operation] : undefined;
+    if (!done || !operation) return;
+    const sum = sumsOf(done.operation);
     const passes = done.phase === "rough" && done.pass !== undefined;
     if (thickerThan !== null && passes) return;
     const taken = inStock(done.sweeps, done.before);
@@ -163,11 +164,11 @@ export function measuring(
       const { operation } = step;
       if (operation === null || step.move.kind === "rapid" || !belongs(step, operation)) close();
       if (operation === null) return;
-      const sum = sums[operation];
-      if (sum && operations[operation]?.firstStep === index && standsIn(outlines.checked, step.from, cut))
+      const sum = sumsOf(operation);
+      if (operations[operation]?.firstStep === index && standsIn(outlines.checked, step.from, cut))
         sum.startInMaterial = step.from;
       if (step.move.kind === "rapid") return;
-      if (sum && sum.crest === undefined && step.move.phase === "thread")
+      if (sum.crest === undefined && step.move.phase === "thread")
         sum.crest = crestMissing((operations[operation] as SimulatedOperation).plan, cut.stock());
       run ??= {
         operation,
@@ -185,10 +186,11 @@ export function measuring(
     state(operation) {
       // A step of another operation ends the stretch.
       if (run?.operation !== operation) close();
-      const own = operation === null ? undefined : sums[operation];
-      return { operation, sums: own ? copyOf(own) : null, run: run && { ...run, sweeps: [...run.sweeps] } };
+      const own = operation === null ? undefined : sums.get(operation);
+      const copy = new Map(sums);
+      if (operation !== null && own) copy.set(operation, copyOf(own));
+      return { operation, sums: copy, run: run && { ...run, sweeps: [...run.sweeps] } };
     },
-    sums: () => sums,
     results(steps) {
       close();
       const atBlock = (depth: Measured | null): Depth | null =>
@@ -200,25 +202,28 @@ export function measuring(
           place: placeIn(c.ring),
           finishing: roughed && !roughing,
         }));
-      return sums.map(({ cut, passes, deepest, thickest, startInMaterial, crossed, crest }, o) => ({
-        cut,
-        airPasses: [...passes.values()].filter((area) => area < REAL_AREA).length,
-        crest: crest ?? null,
-        thread: wayOf(operations[o]),
-        deepest: atBlock(deepest),
-        thickest: atBlock(thickest),
-        startInMaterial,
-        behindLimits: behind(crossed, passes.size > 0),
-        hasFailed: blank.length === 0 || (operations[o]?.issues ?? []).some((i) => i.severity === "error"),
-        isQuestioned: (operations[o]?.issues ?? []).some((i) => QUESTIONS.has(i.code)),
-      }));
+      return operations.map((operation, o) => {
+        const { cut, passes, deepest, thickest, startInMaterial, crossed, crest } = sums.get(o) ?? UNMEASURED();
+        const issues = operation.issues ?? [];
+        return {
+          cut,
+          airPasses: [...passes.values()].filter((area) => area < REAL_AREA).length,
+          crest: crest ?? null,
+          thread: wayOf(operation),
+          deepest: atBlock(deepest),
+          thickest: atBlock(thickest),
+          startInMaterial,
+          behindLimits: behind(crossed, passes.size > 0),
+          hasFailed: blank.length === 0 || issues.some((i) => i.severity === "error"),
+          isQuestioned: issues.some((i) => QUESTIONS.has(i.code)),
+        };
+      });
     },
   };
 }
 
-function wayOf(operation: SimulatedOperation | undefined): ThreadWay | null {
-  const { thread, openSide } = operation?.plan ?? {};
-  return thread && openSide ? { crest: thread.crest, stop: thread.end, openSide } : null;
+function wayOf({ plan: { thread, openSide } }: SimulatedOperation): ThreadWay | null {
+  return thread ? { crest: thread.crest, stop: thread.end, openSide } : null;
 }
 
 /** Whether an insert stands in the stock, on this side of the axis or on the other. */

@@ -11,13 +11,13 @@ export interface ConvexPiece {
   readonly ring: Ring;
   readonly box: Box;
   /** Half planes nz·z + nr·r < c with unit normals, moved inwards by GLANCE: nz, nr, c, nz, nr, c … */
-  readonly sides: Float64Array;
+  readonly sides: readonly number[];
 }
 
 /** Prepares a convex ring. */
 export function convexPieceOf(ring: Ring): ConvexPiece {
-  const sides = new Float64Array(3 * ring.length);
-  let count = 0;
+  // A typed array of this size costs more than all its numbers: a long run makes millions of pieces.
+  const sides: number[] = [];
   let p = ring[ring.length - 1] as Pt;
   for (const q of ring) {
     const dz = q.z - p.z;
@@ -26,14 +26,11 @@ export function convexPieceOf(ring: Ring): ConvexPiece {
     if (size > GRID) {
       const nz = dr / size;
       const nr = -dz / size;
-      sides[count] = nz;
-      sides[count + 1] = nr;
-      sides[count + 2] = nz * p.z + nr * p.r - GLANCE;
-      count += 3;
+      sides.push(nz, nr, nz * p.z + nr * p.r - GLANCE);
     }
     p = q;
   }
-  return { ring, box: boxOf(ring), sides: sides.subarray(0, count) };
+  return { ring, box: boxOf(ring), sides };
 }
 
 /** Prepares several convex rings. */

@@ -8,7 +8,7 @@ import { SLIVER } from "../kernel/tolerance.ts";
 import type { Finished } from "./check.ts";
 import type { Cutting } from "./cutting.ts";
 import { sidesOf } from "./edges.ts";
-import type { MeasuredSoFar, StockMeasure } from "./measure.ts";
+import type { MeasuredSoFar } from "./measure.ts";
 import { sameHold, type Parted } from "./work-holding.ts";
 import type { Outlines } from "./outlines.ts";
 import { isPlainCut, plainSince, type Surface } from "./plain-cut.ts";
@@ -39,7 +39,6 @@ export interface PreviousRun {
   readonly marks: readonly Checkpoint[];
   /** Damage by step index. */
   readonly damage: ReadonlyMap<number, readonly AnyFinding[]>;
-  readonly sums: ReturnType<StockMeasure["sums"]>;
   /** The finished part of the first set-up. */
   readonly finished: Finished;
   /** Pieces that came off. */

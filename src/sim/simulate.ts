@@ -12,7 +12,7 @@ import { cutsAtRear, unheldAt } from "./behind-blank.ts";
 import { cutting, ringsMeeting, type Cutting } from "./cutting.ts";
 import { thicknessOf } from "./extent.ts";
 import { cutEnds, holding, loosePieces, onLoosePieces, partedOffPieces, type Parted } from "./work-holding.ts";
-import { marksOf } from "./marks.ts";
+import { isCheckpointDue, marksOf } from "./marks.ts";
 import { measuring } from "./measure.ts";
 import { outlinesOf } from "./outlines.ts";
 import { setupsOf } from "./setups.ts";
@@ -32,11 +32,6 @@ import type {
 } from "./simulation.ts";
 import { statedBlanks } from "./stated-blanks.ts";
 import { sweptBy, type Sweep } from "./sweep.ts";
-
-/** Moves from one checkpoint to the next. */
-export const CHECKPOINT_STEPS = 50;
-/** Convex pieces that trigger an earlier checkpoint: long arcs have many. */
-export const CHECKPOINT_PIECES = 400;
 
 function startTimesOf(steps: readonly Step[]): Float64Array {
   const times = new Float64Array(steps.length + 1);
@@ -60,7 +55,7 @@ function walk(from: Cutting, marked: number) {
     begin,
     /** The stock before a step; calls `mark` when it is recomputed there. */
     before(step: number, mark?: (stock: readonly Ring[]) => void): Cutting {
-      if (step - begun < CHECKPOINT_STEPS && cut.pieces < CHECKPOINT_PIECES) return cut;
+      if (!isCheckpointDue(step, begun, cut.pieces)) return cut;
       begin(step, cut.stock());
       mark?.(cut.initial);
       return cut;
@@ -137,8 +132,14 @@ const cachedIn = (answers: AnswerCache): Measuring => ({
 export const simulateCuts = (input: SimulationInput, thickerThan: number): Simulation =>
   runSimulation(input, null, { thickness: () => 0, residual: () => [], thickerThan }).simulation;
 
+/** Called again and again in a long run, with the share of its steps that are done, 0 to 1. */
+export type AtShare = (share: number) => void;
+/** Steps from one such call to the next. */
+const STEPS_OF_SHARE = 2000;
+
 /** Cuts the blank step by step, checking each before its cut. */
-export const simulate = (input: SimulationInput): Simulation => runSimulation(input, null, COMPUTED).simulation;
+export const simulate = (input: SimulationInput, atShare?: AtShare): Simulation =>
+  runSimulation(input, null, COMPUTED, atShare).simulation;
 
 /** Most cached runs, the newest first, and the most steps of all but the newest. */
 const [MOST_KNOWN, MOST_KNOWN_STEPS] = [4, 200_000];
@@ -154,12 +155,12 @@ function withNewest(newest: PreviousRun | null, known: readonly PreviousRun[]): 
  * Simulates successive runs with the results of `simulate`. A beginning in common with a recent run is neither cut nor
  * checked again.
  */
-export function incrementalSimulator(answers = new AnswerCache()): (input: SimulationInput) => Simulation {
+export function incrementalSimulator(answers = new AnswerCache()): typeof simulate {
   let known: readonly PreviousRun[] = [];
   const measuring = cachedIn(answers);
-  return (input) => {
+  return (input, atShare) => {
     const before = nearestRun(known, input);
-    const { simulation, kept } = runSimulation(input, before, measuring);
+    const { simulation, kept } = runSimulation(input, before, measuring, atShare);
     known = withNewest(kept, known);
     return simulation;
   };
@@ -200,6 +201,7 @@ function runSimulation(
   input: SimulationInput,
   former: PreviousRun | null,
   measures: Measuring,
+  atShare?: AtShare,
 ): { readonly simulation: Simulation; readonly kept: PreviousRun | null } {
   const { blank, steps, operations, unproved } = input;
   const { thickness, residual, thickerThan } = measures;
@@ -234,14 +236,9 @@ function runSimulation(
   const isContact = (found: readonly AnyFinding[]) => found.some((f) => CONTACTS.has(f.kind));
   let contacts = [...damage.values()].filter(isContact).length;
   // Where the check stops depends on all earlier findings, so this run cannot resume.
-  if (contacts >= MOST_CONTACTS && resume) return runSimulation(input, null, measures);
+  if (contacts >= MOST_CONTACTS && resume) return runSimulation(input, null, measures, atShare);
   const marks = marksOf(former && from ? former.marks.slice(0, from.marks) : [{ step: 0, stock: packed(blank) }]);
-  const measure = measuring(
-    operations,
-    blank,
-    former && from ? { state: from.measure, step: from.step, sums: former.sums } : null,
-    thickerThan,
-  );
+  const measure = measuring(operations, blank, from?.measure ?? null, thickerThan);
   const snapshots = former && from ? former.snapshots.filter(({ step }) => step <= from.step) : [];
   const isKept = snapshotSteps(input);
   let byRapids = from?.byRapids ?? 0;
@@ -286,6 +283,7 @@ function runSimulation(
   }
   for (let i = from?.step ?? 0; i < steps.length; i += 1) {
     const step = steps[i] as Step;
+    if (i > 0 && i % STEPS_OF_SHARE === 0) atShare?.(i / steps.length);
     if (isKept(i) && i > (from?.step ?? 0)) note(i, step.operation);
     const now = statements.at(i, at.present().cut);
     separateLoose(i, now !== null);
@@ -366,7 +364,6 @@ function runSimulation(
     snapshots,
     marks: checkpoints,
     damage,
-    sums: measure.sums(),
     finished: setups.atFirst,
     parted: held.parted(),
   };

@@ -79,6 +79,10 @@ const PARTS: Readonly<Record<string, (label: number, n: number) => readonly stri
   otherTool: () => ["L X+140 Z+80 FMAX", ...tool(3, "M136")],
   blade: (_, n) => ["L X+140 Z+80 FMAX", ...tool(9), `L X+84 Z-${20 + n} FMAX`, "L X+70 F0.08", "L X+84 F0.5"],
   compensated: () => ["L X+60 Z+4 FMAX", "L X+70 Z-2 RR F0.2", "L Z-9", "RND R1", "L X+84", "L Z+4 R0 FMAX"],
+  // Without its other values nothing is cut.
+  recalled: () => ["CYCL DEF 812 SHOULDER, LONG. EXT. ~\nQ215=+1", "CYCL CALL"],
+  called: (_, n) => [`Q2 = Q2 - ${n}`, "CALL PGM SUB"],
+  marked: (_, n) => [`/L X+${70 + n} Z+1 FMAX`, "/L Z-3 F0.2", "L X+84 FMAX"],
   noted: () => ["; a note", "* - STRUCTURE"],
   traced: () => ["FUNCTION TURNDATA BLANK LBL 92"],
 };

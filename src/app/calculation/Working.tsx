@@ -9,6 +9,7 @@ import "./working.css";
 export function Working() {
   const { lathe: t } = useTexts();
   const stage = useOutcome((s) => s.stage);
+  const share = useOutcome((s) => s.share);
   const planned = useOutcome((s) => s.planned !== null);
   const stopped = useOutcome((s) => s.stopped);
   const long = useLongerThan(stage !== null, planned ? ANNOUNCE_AFTER.workingOverPath : ANNOUNCE_AFTER.working);
@@ -16,7 +17,11 @@ export function Working() {
     return (
       <div className="working panel" role="status">
         <p>{t.stages[stage]}</p>
-        <progress aria-label={t.stages[stage]} value={STAGES.indexOf(stage) + 0.5} max={STAGES.length} />
+        <progress
+          aria-label={t.stages[stage]}
+          value={STAGES.indexOf(stage) + (stage === "proving" ? share : 0.5)}
+          max={STAGES.length}
+        />
         <button type="button" className="button" onClick={calculation.cancel}>
           {t.stopWorking}
         </button>

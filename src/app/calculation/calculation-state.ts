@@ -72,6 +72,8 @@ export interface Planning extends Queued {
 export interface WorkerTask extends Queued {
   readonly at: "beginning" | "plan" | "proof";
   readonly stage: Stage;
+  /** The part of it that is done, 0 to 1. */
+  readonly share: number;
   /** Its result, held back while somebody types. */
   readonly outcome: Outcome | null;
   readonly isGivenUp: boolean;
@@ -129,12 +131,14 @@ export type Step = readonly [state: Calculation, effects: readonly Effect[]];
 export const plansOnPage = ({ canPlan, pace, warmUp }: Calculation, characters: number): boolean =>
   canPlan && isQuick(pace, characters, warmUp !== null);
 
-/** What is shown of a calculation: its stage, whether it was stopped, and whether values are missing. */
+/** What is shown of a calculation: its stage and how much of it is done, whether it was stopped, and whether values are missing. */
 export function progressOf({ worker, left: until, page, next, isStopped, isPaused }: Calculation): {
   readonly stage: Stage | null;
+  readonly share: number;
   readonly stopped: boolean;
   readonly paused: boolean;
 } {
-  const working = worker && worker.request.version > until ? worker.stage : null;
-  return { stage: working ?? (page || next ? "reading" : null), stopped: isStopped, paused: isPaused };
+  const working = worker && worker.request.version > until ? worker : null;
+  const stage = working?.stage ?? (page || next ? "reading" : null);
+  return { stage, share: working?.share ?? 0, stopped: isStopped, paused: isPaused };
 }

@@ -10,7 +10,7 @@ import type { Tool } from "../../kernel/plan/tool.ts";
 import type { SetJob } from "../../program/job/job.ts";
 import type { Operation } from "../../program/state/run-types.ts";
 import { cycleGivens } from "./cycle-givens.ts";
-import type { Outcome, Stage } from "./outcome.ts";
+import type { AtStage, Outcome } from "./outcome.ts";
 import { planned, planner } from "./plan.ts";
 import type { Request } from "./request.ts";
 
@@ -43,10 +43,10 @@ export const engine = {
    * From the program text to moves, stock, check and times. `atStage` is called as each stage begins; `by` may reuse
    * the previous run.
    */
-  update(request: Request, atStage: (stage: Stage) => void = () => undefined, by = FRESH): Outcome {
+  update(request: Request, atStage: AtStage = () => undefined, by = FRESH): Outcome {
     const made = by.planned(request, atStage);
     atStage("proving");
-    return { ...made, simulation: by.simulate(made.run) };
+    return { ...made, simulation: by.simulate(made.run, (share) => atStage("proving", share)) };
   },
 
   /** What each tool can do with the values of a job, best first; null while they make no contour. */

@@ -1,6 +1,6 @@
 import { stopwatch } from "../base/clock.ts";
 import { engine, makersAgain } from "./engine.ts";
-import type { Outcome, Planned, Stage } from "./outcome.ts";
+import type { AtStage, Outcome, Planned } from "./outcome.ts";
 import { proofDelta, type ProofDelta } from "./proof-delta.ts";
 import type { Request } from "./request.ts";
 
@@ -12,12 +12,12 @@ export function openWork() {
   let ahead: Planned | null = null;
 
   /** The result with the time of its run. Version 0 is a program other than the open work. */
-  function update(request: Request, tell: (stage: Stage) => void = () => undefined): Outcome {
+  function update(request: Request, tell: AtStage = () => undefined): Outcome {
     const begun = stopwatch();
     let pace = 0;
-    const stageOf = (stage: Stage) => {
-      if (stage === "proving") pace = stopwatch() - begun;
-      tell(stage);
+    const stageOf: AtStage = (stage, share = 0) => {
+      if (stage === "proving" && share === 0) pace = stopwatch() - begun;
+      tell(stage, share);
     };
     if (request.version === 0) return engine.update(request, stageOf);
     const made = ahead?.version === request.version ? ahead : null;
@@ -29,7 +29,7 @@ export function openWork() {
     update,
 
     /** The run of a request; `proved` then sends its check. */
-    planned(request: Request, tell?: (stage: Stage) => void): Planned {
+    planned(request: Request, tell?: AtStage): Planned {
       const begun = stopwatch();
       ahead = makers.planned(request, tell);
       return { ...ahead, pace: stopwatch() - begun };
@@ -39,7 +39,7 @@ export function openWork() {
      * The check of a request whose run the page has, without the checkpoints that the page has as well if `has` is the
      * version of the last answer.
      */
-    proved(request: Request, has: number | null, tell?: (stage: Stage) => void): ProofDelta {
+    proved(request: Request, has: number | null, tell?: AtStage): ProofDelta {
       const before = newest?.version === has ? newest : null;
       return proofDelta(update(request, tell).simulation, before?.simulation.checkpoints ?? []);
     },

@@ -19,7 +19,7 @@ export type Order =
 
 /** Progress and result of an order. */
 export type OrderEvent =
-  | { readonly event: "began"; readonly version: number; readonly stage: Stage }
+  | { readonly event: "began"; readonly version: number; readonly stage: Stage; readonly share?: number }
   /** `made`: null where planning failed, "part" where a slice was not the last. `took`: ms. */
   | {
       readonly event: "planned";

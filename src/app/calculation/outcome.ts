@@ -39,6 +39,8 @@ export const isMadeFrom = ({ text, files, skipMarked = false }: Made, program: P
 /** From text to check. */
 export const STAGES = ["reading", "running", "proving"] as const;
 export type Stage = (typeof STAGES)[number];
+/** Called as a stage begins, and in a long check with the share of it that is done, 0 to 1. */
+export type AtStage = (stage: Stage, share?: number) => void;
 
 export interface OutcomeState {
   /** The newest whole result, valid or not: its issues are the ones to show. */
@@ -53,6 +55,8 @@ export interface OutcomeState {
   readonly dimmed: boolean;
   /** Stage of the worker; null while it is idle. */
   readonly stage: Stage | null;
+  /** The part of that stage that is done, 0 to 1; 0 where it is not known. */
+  readonly share: number;
   /** The operator stopped the calculation of the open work. */
   readonly stopped: boolean;
   /** Prompts are incomplete; nothing is calculated until they are complete again. */
@@ -68,6 +72,7 @@ const none: OutcomeState = {
   pictured: null,
   dimmed: false,
   stage: null,
+  share: 0,
   stopped: false,
   paused: false,
   isPictureHeld: false,
@@ -119,10 +124,12 @@ export function showBeginning(outcome: Outcome): void {
   );
 }
 
-/** Sets the shown progress: the stage, whether it was stopped, and whether values are missing. */
-export const showProgress = ({ stage, stopped, paused }: Pick<OutcomeState, "stage" | "stopped" | "paused">): void =>
+/** Sets the shown progress: the stage and its share, whether it was stopped, and whether values are missing. */
+export const showProgress = (now: Pick<OutcomeState, "stage" | "share" | "stopped" | "paused">): void =>
   useOutcome.setState((s) =>
-    s.stage === stage && s.stopped === stopped && s.paused === paused ? s : settled({ ...s, stage, stopped, paused }),
+    s.stage === now.stage && s.share === now.share && s.stopped === now.stopped && s.paused === now.paused
+      ? s
+      : settled({ ...s, ...now }),
   );
 
 /** Holds the picture while a block of the text is half typed; afterwards the newest result is shown. */

@@ -9,7 +9,7 @@ import { filesByName } from "../../program/state/program-files.ts";
 import { run } from "../../program/run/run.ts";
 import { incrementalRunner } from "../../program/run/incremental-run.ts";
 import { traceStock } from "../../sim/tracing.ts";
-import type { Planned, Stage } from "./outcome.ts";
+import type { AtStage, Planned } from "./outcome.ts";
 import type { Request } from "./request.ts";
 
 /** The parser, and what may be known of previous runs. */
@@ -21,7 +21,7 @@ const FRESH: By = { tracing: traceStock, read: parse };
 /** Reads a request and runs it; null if the run is not finished. */
 function planBy(
   request: Request,
-  atStage: (stage: Stage) => void,
+  atStage: AtStage,
   { read, ...known }: By,
   runs: (program: Program, shop: Shop, beside: NonNullable<Request["files"]>) => Run | null,
 ): Planned | null {
@@ -48,12 +48,12 @@ function planBy(
 const silent = () => undefined;
 
 /** From the program text to its moves, for page and worker alike. `atStage` is called as each stage begins. */
-export const planned = (request: Request, atStage: (stage: Stage) => void = silent): Planned =>
+export const planned = (request: Request, atStage: AtStage = silent): Planned =>
   planBy(request, atStage, FRESH, run) ?? never("a run without an end", request);
 
 /** Plans successive states of a work. */
 interface Planner {
-  (request: Request, atStage?: (stage: Stage) => void): Planned;
+  (request: Request, atStage?: AtStage): Planned;
   /**
    * Continues planning a request while `continuesStep` returns true at each point where it can pause; null until it is
    * finished.
@@ -72,7 +72,7 @@ export function planner(memory = new AnswerCache()): Planner {
     if (made) memory.runEnded();
     return made;
   };
-  const whole = (request: Request, atStage: (stage: Stage) => void = silent) =>
+  const whole = (request: Request, atStage: AtStage = silent) =>
     ended(planBy(request, atStage, by, runs)) ?? never("a run without an end", request);
   return Object.assign(whole, {
     part: (request: Request, goesOn: () => boolean) =>

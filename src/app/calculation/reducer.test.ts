@@ -9,7 +9,7 @@ import {
   type Wait,
   type CalculationInput,
 } from "./calculation-state.ts";
-import type { Outcome, Planned } from "./outcome.ts";
+import type { Outcome, Planned, Stage } from "./outcome.ts";
 import { reduce } from "./reducer.ts";
 
 /** An event, and its effects in words. */
@@ -46,7 +46,8 @@ const proved = (version: number, pace?: number): CalculationEvent => ({
   outcome: made(version, pace) as unknown as Outcome,
 });
 const rested = (from: Wait): CalculationEvent => ({ event: "rested", from });
-const began = (version: number, stage: "running" | "proving"): CalculationEvent => ({ event: "began", version, stage });
+const at = <Of extends Stage | null>(stage: Of) => ({ stage, share: stage === "proving" ? 0.5 : 0 });
+const began = (version: number, stage: Stage): CalculationEvent => ({ event: "began", version, ...at(stage) });
 const cancelled: CalculationEvent = { event: "cancelled" };
 const left: CalculationEvent = { event: "left" };
 
@@ -349,7 +350,7 @@ test.each<[what: string, begin: readonly CalculationEvent[], rows: readonly Row[
   expect(played(rows, begin)).toEqual(rows.map(([, effects = ""]) => effects));
 });
 
-test.each<[what: string, events: readonly CalculationEvent[], stage: string | null, stopped: boolean, paused: boolean]>(
+test.each<[what: string, events: readonly CalculationEvent[], stage: Stage | null, stopped: boolean, paused: boolean]>(
   [
     ["nothing is open", [], null, false, false],
     ["the worker reads", [edit()], "reading", false, false],
@@ -369,7 +370,7 @@ test.each<[what: string, events: readonly CalculationEvent[], stage: string | nu
     ["they are there again", [...OPEN, edit(null), edit()], null, false, false],
   ],
 )("the shown progress when %s", (_, events, stage, stopped, paused) => {
-  expect(progressOf(after(events))).toEqual({ stage, stopped, paused });
+  expect(progressOf(after(events))).toEqual({ ...at(stage), stopped, paused });
 });
 
 test("another work has a pace of its own", () => {

@@ -55,7 +55,7 @@ function orderFrom(state: Calculation, queued: Queued, from: WorkerTask["at"]): 
     at === "plan"
       ? { do: "plan", request, part: "whole" }
       : { do: "prove", request: { ...request, text }, planned, isVeiled };
-  const worker = { ...queued, at, stage: "reading" as const, outcome: null, isGivenUp: false };
+  const worker = { ...queued, at, stage: "reading" as const, share: 0, outcome: null, isGivenUp: false };
   return [{ ...state, worker }, [{ on: "worker", order }]];
 }
 
@@ -240,7 +240,7 @@ export function reduce(state: Calculation, event: CalculationEvent): Step {
       const { worker } = state;
       // For a planned text only the stage of its check is news.
       const isNews = worker?.request.version === event.version && (!worker.planned || event.stage === "proving");
-      return [isNews ? { ...state, worker: { ...worker, stage: event.stage } } : state, []];
+      return [isNews ? { ...state, worker: { ...worker, stage: event.stage, share: event.share ?? 0 } } : state, []];
     }
     case "planned":
       return planned(state, event);

@@ -1,7 +1,7 @@
 import { proxy } from "comlink";
 import { retryImport } from "../base/parts.ts";
 import { sourceFields, type Executor, type Order } from "./orders.ts";
-import type { Outcome, Stage } from "./outcome.ts";
+import type { AtStage, Outcome } from "./outcome.ts";
 import { simulationOf } from "./proof-delta.ts";
 import type { askAgain } from "./worker-life.ts";
 
@@ -13,7 +13,7 @@ export function workerExecutor(ask: typeof askAgain): Executor {
   /** The last answer: its checkpoints are not sent again. */
   let answered: Pick<Outcome, "version" | "simulation"> | null = null;
 
-  async function outcomeOf({ request, planned }: Order & { do: "prove" }, tell: (stage: Stage) => void) {
+  async function outcomeOf({ request, planned }: Order & { do: "prove" }, tell: AtStage) {
     const made = await ask(async (engine): Promise<Outcome> => {
       if (!planned) return { ...(await engine.update(request, proxy(tell))), ...sourceFields(request) };
       const proof = await engine.proved(request, answered?.version ?? null, proxy(tell));
@@ -25,7 +25,7 @@ export function workerExecutor(ask: typeof askAgain): Executor {
 
   return (order, tell) => {
     const { version } = order.request;
-    const began = (stage: Stage) => tell({ event: "began", version, stage });
+    const began: AtStage = (stage, share = 0) => tell({ event: "began", version, stage, share });
     const done = async () => {
       if (order.do === "plan") {
         const made = await retryImport(() => ask((engine) => engine.planned(order.request, proxy(began))));

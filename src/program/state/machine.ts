@@ -5,7 +5,7 @@ import { INCH, inchFeedUnit, type Feed } from "../../kernel/units.ts";
 import type { Statement } from "../../nc/statement.ts";
 import type { Label, Value } from "../../nc/words.ts";
 import { valueOf, type EvaluationError } from "../values/formula.ts";
-import { MOST_BLOCKS, MOST_MOVES, MOST_OPERATIONS, MOST_TURNED } from "../values/bounds.ts";
+import { LEAST_NUMBER, MOST_BLOCKS, MOST_MOVES, MOST_NUMBER, MOST_OPERATIONS, MOST_TURNED } from "../values/bounds.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
 import type { Mutable } from "../values/persistent.ts";
 import { ParameterStore } from "../values/known-values.ts";
@@ -201,7 +201,9 @@ export class Machine {
 
   /** A computed number, or null with an issue at the block. */
   resolveNumber(result: number | EvaluationError, index: number): number | null {
-    if (typeof result === "number") return result;
+    if (typeof result === "number" && Math.abs(result) <= MOST_NUMBER)
+      return Math.abs(result) < LEAST_NUMBER && result !== 0 ? 0 : result;
+    if (typeof result === "number") return this.resolveNumber({ kind: "notFinite" }, index);
     const unknown = result.kind === "unset" ? this.known.reasonOf(result.name) : null;
     this.known.lastUnknownReason = unknown ?? "told";
     if (unknown === "told") return null;

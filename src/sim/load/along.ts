@@ -5,7 +5,7 @@ import { cuttingSpeedAt, isAtLimit, pathOf, travelOf } from "../../kernel/time/t
 import { SAME, SLIVER } from "../../kernel/tolerance.ts";
 import { cutting } from "../cutting.ts";
 import { outlinesOf } from "../outlines.ts";
-import { CHECKPOINT_PIECES, CHECKPOINT_STEPS } from "../simulate.ts";
+import { isCheckpointDue } from "../marks.ts";
 import { statedBlanks } from "../stated-blanks.ts";
 import { sweptBy } from "../sweep.ts";
 import { takenBy } from "./engaged.ts";
@@ -135,8 +135,7 @@ export function* loadAlong({ blank, stated = [], steps, spindles }: LoadInput): 
     marked = 0;
   for (const [index, step] of steps.entries()) {
     const now = statements.at(index, cut);
-    if (now || index - marked >= CHECKPOINT_STEPS || cut.pieces >= CHECKPOINT_PIECES)
-      [cut, marked] = [cutting(now ?? cut.stock()), index];
+    if (now || isCheckpointDue(index, marked, cut.pieces)) [cut, marked] = [cutting(now ?? cut.stock()), index];
     const { insert } = outlines(step.tool),
       sweep = sweptBy(insert, step),
       travel = cuts(step);
