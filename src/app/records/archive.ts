@@ -80,7 +80,7 @@ function pathPart(name: string): string {
     // eslint-disable-next-line no-control-regex -- these are just what must not stand there
     .replace(/[\u0000-\u001f\\/:*?"<>|]/g, "_")
     .slice(0, 80)
-    .replace(/^[. ]+|[. ]+$/g, "");
+    .replace(/^[. ]+|(?<![. ])[. ]+$/g, "");
   return plain === "" || RESERVED.test(plain) ? `_${plain}` : plain;
 }
 

@@ -103,9 +103,9 @@ export function isoBlocks(text: string): IsoBlock[] {
   return blocks;
 }
 
-const FRAME = /^\s*%[^;]*G\s*7[01]\s*\*?\s*(?:;.*)?$/i;
-const IN_ISO = /^\s*\/?\s*(?:(?:N\s*\d+\s*)?\/?\s*G\s*\d{1,3}(?!\d)|N\s*\d+\b.*\*\s*$)/i;
-const IN_KLARTEXT = /^\s*\/?\s*\d*\s*(?:BEGIN|END)[ \t]+PGM\b/i;
+const FRAME = /^\s*%[^;]*G\s*7[01]\s*(?:\*\s*)?(?:;.*)?$/i;
+const IN_ISO = /^\s*(?:\/\s*)?(?:(?:N\s*\d+\s*)?(?:\/\s*)?G\s*\d{1,3}(?!\d)|N\s*\d+\b.*\*\s*$)/i;
+const IN_KLARTEXT = /^\s*(?:\/\s*)?(?:\d+\s*)?(?:BEGIN|END)[ \t]+PGM\b/i;
 /** Lines, and characters of each, that decide the language of a program. */
 const LOOKED_AT = 200;
 const LOOKED_ALONG = 200;

@@ -20,8 +20,8 @@ const KLARTEXT = new RegExp(
     String.raw`(?:CONTOUR[ \t]+DEF|DECLARE)(?![A-Z])|FN[ \t]*\d|Q[LRSC]?\d+[ \t]*=|L[ \t]+[A-Z]|C[ \t]+[A-PR-Z])`,
   "i",
 );
-const INLINE_CYCLE = /^CYCLE?[ \t]*DEF[ \t]*(\d{1,9})(?![\d.])[ \t]*(.*)$/i;
-const ISO_CYCLE = /^G[ \t]*(\d{3})(?!\d)[ \t]*(.*)$/i;
+const INLINE_CYCLE = /^CYCLE?[ \t]*DEF[ \t]*(\d{1,9})(?![\d.])[ \t]*(.*)/i;
+const ISO_CYCLE = /^G[ \t]*(\d{3})(?!\d)[ \t]*(.*)/i;
 const BEFORE_PARAMETERS = /^(.*?)(?=(?:^|[ \t])Q[LR]?\d{1,4}(?!\d)|$)/i;
 const NAME = /^[^\d=;+]*$/;
 const CALL = new RegExp(

@@ -168,7 +168,7 @@ export function readGrooveCode(text: string): MakerCode | null {
     ];
     return {
       kind: "maker",
-      code: found[0].replace(/[\s_/·]+/g, "-").replace(/-+$/, ""),
+      code: found[0].replace(/[\s_/·]+/g, "-").replace(/(?<!-)-+$/, ""),
       parts: [
         codePart("family", name.replace(/[\s_/·-]+/g, ""), { is: "nothing" }),
         ...(hand && !holder ? [codePart("hand", hand, { is: "hand", hand: hand as "R" })] : []),

@@ -45,7 +45,7 @@ function readOne(text: string): ToolCodes {
 
 /** Possible starts of a second code: after a space, a plus or a comma. */
 const placesOfSecond = (text: string) =>
-  [...text.matchAll(/[\s+,;]+(?=[A-Z])/g)].map((found) => [found.index, found[0].length] as const);
+  [...text.matchAll(/(?<![\s+,;])[\s+,;]+(?=[A-Z])/g)].map((found) => [found.index, found[0].length] as const);
 
 /**
  * Reads a typed code: of an insert, of a holder, or of both in either order, in any case, with any gaps. Never throws;

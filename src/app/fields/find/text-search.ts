@@ -8,7 +8,7 @@ const escaped = (text: string) => text.replace(/[\\^$.*+?()[\]{}|]/g, String.raw
 
 /** Longest block number with its skip mark, characters. */
 const LONGEST_NUMBER = 20;
-const BLOCK_NUMBER = /^[^\S\r\n]*\/?[^\S\r\n]*N?\d+(?![\d.,])/i;
+const BLOCK_NUMBER = /^[^\S\r\n]*(?:\/[^\S\r\n]*)?N?\d+(?![\d.,])/i;
 
 /**
  * Searches in upper and lower case alike. A blank finds any number of blanks, since `L  X+5` and `L X+5` are the same
