@@ -1,5 +1,6 @@
 import type { Extension, Range } from "@codemirror/state";
 import { Decoration, ViewPlugin, type DecorationSet, type EditorView, type ViewUpdate } from "@codemirror/view";
+import { LONGEST_LINE } from "../../../nc/longest-line.ts";
 import { tokensOf, type Token, type TokenKind } from "../../../nc/tokens.ts";
 
 const KINDS = [
@@ -30,7 +31,9 @@ const continued = Decoration.mark({ class: "nc-continued" });
 const known = new Map<string, readonly Token[]>();
 const MOST = 2000;
 
+/** A line that is too long to be read has no colours. */
 function wordsOf(line: string): readonly Token[] {
+  if (line.length > LONGEST_LINE) return [];
   const words = known.get(line) ?? tokensOf(line);
   if (known.size >= MOST) known.clear();
   known.set(line, words);
