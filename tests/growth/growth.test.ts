@@ -1,0 +1,117 @@
+import { Session } from "node:inspector";
+import { afterAll, beforeAll, expect, test } from "vitest";
+import { growthOf } from "../../scripts/lint/pattern-growth.mjs";
+import { PUMPS, READERS, type Reader } from "./readers.ts";
+
+/**
+ * Every reader of text is linear: a text of four times the length takes four times the steps. Steps are counted, not
+ * timed: how often each block of the source ran, and the characters and elements that built-in functions go through.
+ * Patterns are not stepped through; each that a reader uses is proved linear by itself.
+ */
+const [SHORT, TIMES] = [150, 4];
+/** A quarter more than linear, for steps that are made once; the square is four times as much. */
+const MOST = TIMES * 1.8;
+/** Steps per character below which a growth says nothing. */
+const FEW = 3;
+
+const session = new Session();
+const post = (method: string, params: object = {}): Record<string, unknown> => {
+  let answer: Record<string, unknown> = {};
+  session.post(method, params, (error, result) => {
+    if (error) throw error;
+    answer = (result ?? {}) as Record<string, unknown>;
+  });
+  return answer;
+};
+
+interface Covered {
+  readonly url: string;
+  readonly functions: readonly {
+    readonly functionName: string;
+    readonly ranges: readonly { readonly startOffset: number; readonly count: number }[];
+  }[];
+}
+
+/** Runs of each block of the source since the last call. */
+function blocksRun(): Map<string, number> {
+  const counts = new Map<string, number>();
+  for (const { url, functions } of post("Profiler.takePreciseCoverage")["result"] as readonly Covered[]) {
+    if (!url.includes("/src/")) continue;
+    for (const { functionName, ranges } of functions)
+      for (const { startOffset, count } of ranges)
+        if (count > 0) counts.set(`${url.replace(/^.*\/src\//, "")} ${functionName} ${startOffset}`, count);
+  }
+  return counts;
+}
+
+const seen = new Map<string, RegExp>();
+const built = new Map<string, number>();
+/** Built-in functions that go through their whole text or list. */
+const LONG: readonly (readonly [object, string])[] = [
+  ...["indexOf", "includes", "lastIndexOf", "split", "trim", "trimEnd", "trimStart", "toUpperCase", "padEnd"].map(
+    (name) => [String.prototype, name] as const,
+  ),
+  ...["indexOf", "includes", "slice", "concat", "splice", "shift", "unshift", "toSpliced", "with", "join"].map(
+    (name) => [Array.prototype, name] as const,
+  ),
+];
+const restored: (() => void)[] = [];
+
+beforeAll(() => {
+  session.connect();
+  post("Profiler.enable");
+  post("Profiler.startPreciseCoverage", { callCount: true, detailed: true });
+  for (const [of, name] of LONG) {
+    const own = Object.getOwnPropertyDescriptor(of, name);
+    if (!own) continue;
+    const call = own.value as (...args: unknown[]) => unknown;
+    Object.defineProperty(of, name, {
+      ...own,
+      value(this: { readonly length: number }, ...args: unknown[]) {
+        built.set(name, (built.get(name) ?? 0) + this.length);
+        return call.apply(this, args);
+      },
+    });
+    restored.push(() => Object.defineProperty(of, name, own));
+  }
+  const exec = Object.getOwnPropertyDescriptor(RegExp.prototype, "exec");
+  if (!exec) return;
+  const call = exec.value as RegExp["exec"];
+  Object.defineProperty(RegExp.prototype, "exec", {
+    ...exec,
+    value(this: RegExp, text: string) {
+      seen.set(`/${this.source}/${this.flags}`, this);
+      return call.call(this, text);
+    },
+  });
+  restored.push(() => Object.defineProperty(RegExp.prototype, "exec", exec));
+});
+
+afterAll(() => {
+  for (const restore of restored) restore();
+  session.disconnect();
+});
+
+/** Steps of a reader over all its texts, with repeats up to this length. */
+function steps({ read, frames = [], pumps = [] }: Reader, length: number): Map<string, number> {
+  built.clear();
+  blocksRun();
+  for (const [front, behind] of [["", ""], ["", "!"], ...frames])
+    for (const pump of [...PUMPS, ...pumps]) read(front + pump.repeat(Math.ceil(length / pump.length)) + behind);
+  const counts = blocksRun();
+  for (const [name, count] of built) counts.set(`built-in ${name}`, count);
+  return counts;
+}
+
+test.each(READERS)("$name", (reader) => {
+  steps(reader, SHORT);
+  const [less, more] = [steps(reader, SHORT), steps(reader, SHORT * TIMES)];
+  const least = FEW * SHORT * TIMES * PUMPS.length;
+  const grown = [...more].filter(([at, count]) => count > least && count > MOST * (less.get(at) ?? 0));
+  expect(grown.map(([at, count]) => `${at}: ${less.get(at) ?? 0} → ${count}`)).toEqual([]);
+});
+
+test("no pattern that a reader uses is worse than linear", () => {
+  expect(seen.size).toBeGreaterThan(300);
+  expect([...seen].flatMap(([at, { source, flags }]) => (growthOf(source, flags) === null ? [] : [at]))).toEqual([]);
+});
