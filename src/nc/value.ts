@@ -15,7 +15,7 @@ export function parameterOf(text: string): Parameter | null {
 }
 
 /** A number with point or comma, or a parameter, with an optional sign; blanks may stand behind the sign. */
-export const VALUE = String.raw`[+-]?[ \t]*(?:\d+(?:[.,]\d*)?|[.,]\d+|${PARAMETER})`;
+export const VALUE = String.raw`(?:[+-][ \t]*)?(?:\d+(?:[.,]\d*)?|[.,]\d+|${PARAMETER})`;
 
 /** Reads a match of `VALUE`; null for a number beyond the safe range. */
 export function readValue(text: string): Value | null {

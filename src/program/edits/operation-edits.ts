@@ -130,7 +130,7 @@ function composed(
   const made: Block[] = [];
   let now = modalSettingsAfter(program.blocks.slice(0, all.from), NO_MODAL_SETTINGS);
   const put = (blocks: readonly Block[]) => {
-    made.push(...blocks);
+    for (const block of blocks) made.push(block);
     now = modalSettingsAfter(blocks, now);
   };
   for (const group of groups) {

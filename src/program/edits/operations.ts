@@ -273,7 +273,7 @@ export function operationsOf({ blocks }: Program): Operations {
       };
     });
     const first = units.length;
-    units.push(...own);
+    for (const unit of own) units.push(unit);
     return { ...whole, opening: cuts.opening, closing: cuts.closing, units: own.map((_, k) => first + k) };
   });
   return { from: starts[0] ?? end, to: end, sections, units };
