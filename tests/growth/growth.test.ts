@@ -12,8 +12,8 @@ import { PUMPS, READERS, type Reader } from "./readers.ts";
 const [SHORT, TIMES] = [100, 8];
 /** Nearly twice the linear growth: most texts are linear even where one is not. */
 const MOST = TIMES * 1.8;
-/** Fewer steps say nothing. */
-const FEW = 20_000;
+/** Steps that say nothing: of a part that only a longer text comes to. */
+const FEW = 2500;
 /** Blocks that are read before a count, so that none of its own is known from before. */
 const OTHERS = Array.from({ length: 600 }, (_, i) => `LBL "${i}"\n`).join("");
 
@@ -74,7 +74,8 @@ beforeAll(() => {
       value(this: { readonly length: number }, ...args: unknown[]) {
         const result = call.apply(this, args);
         const from = name === "indexOf" && typeof args[1] === "number" ? args[1] : 0;
-        const to = name === "indexOf" && typeof result === "number" && result >= 0 ? result : this.length;
+        const made = name === "slice" ? (result as { readonly length: number }).length : this.length;
+        const to = name === "indexOf" && typeof result === "number" && result >= 0 ? result : made;
         if (isCounting) built.set(name, (built.get(name) ?? 0) + Math.max(0, to - from));
         return result;
       },
@@ -113,9 +114,9 @@ function steps({ read, frames = [], pumps = [] }: Reader, length: number): Map<s
   return counts;
 }
 
-test.each(READERS)("$name", (reader) => {
+test.each(READERS.filter(({ bound }) => bound === undefined))("$name", (reader) => {
   const [less, more] = [steps(reader, SHORT), steps(reader, SHORT * TIMES)];
-  const grown = [...more].filter(([at, count]) => count > FEW && count > MOST * (less.get(at) ?? 0));
+  const grown = [...more].filter(([at, count]) => count > MOST * (FEW + (less.get(at) ?? 0)));
   expect(grown.map(([at, count]) => `${at}: ${less.get(at) ?? 0} → ${count}`)).toEqual([]);
 });
 

@@ -61,6 +61,8 @@ export interface Reader {
   readonly read: (text: string) => unknown;
   /** What stands around the repeated text for this reader to come to it, in addition to nothing. */
   readonly frames?: readonly (readonly [front: string, behind: string])[];
+  /** What ends the growth of a reader that is not linear below it. */
+  readonly bound?: string;
   /** Repeated texts that only this reader tells apart. */
   readonly pumps?: readonly string[];
 }
@@ -319,7 +321,7 @@ export const READERS: readonly Reader[] = [
   },
   { name: "answers", read: (text) => [typedNumber(text), typedPlace(text)] },
   { name: "faults", read: (text) => possibleFaults(text.split("\n")), frames: [["1 L", "Z"]] },
-  { name: "slips", read: (text) => everySlip(text), frames: [["CYCL DEF 812 ~\nQ460=+1", "\n"]] },
+  { name: "slips", bound: "500 blocks", read: (text) => everySlip(text), frames: [["CYCL DEF 812 ~\nQ460=+1", "\n"]] },
   { name: "words", read: (text) => wordMarks(["M136", "CYCL DEF 812"], text) },
 ];
 

@@ -79,6 +79,8 @@ export const emptyLog = (): LogState => ({
 
 /** Blocks and words for which another spelling is tried: more slips are another language. */
 const MOST_SPELT = 40;
+/** Characters of their blocks, all together: each try reads its whole block. */
+const MOST_READ_AGAIN = 8000;
 
 /** Records steps and findings of a run, each at its block. */
 export class Log {
@@ -281,8 +283,9 @@ export class Log {
     const read = limitPerCode(this.read(missing));
     const unread = read.filter(({ issue }) => issue.code === "notUnderstood" || issue.code === "wordNotUnderstood");
     const spelt = new Set(unread.slice(0, MOST_SPELT));
+    const budget = { characters: MOST_READ_AGAIN };
     return [
-      ...read.map((found) => (spelt.has(found) ? this.spelt(found) : found)),
+      ...read.map((found) => (spelt.has(found) ? this.spelt(found, budget) : found)),
       ...limitPerCode(findings.toSorted(order)),
     ].sort(order);
   }
@@ -301,13 +304,15 @@ export class Log {
   }
 
   /** A finding of the reader with the right spelling, where a typing slip is its cause. */
-  private spelt(found: RunFinding): RunFinding {
+  private spelt(found: RunFinding, budget: { characters: number }): RunFinding {
     const { issue, line, inFile } = found;
     if (inFile || !("offset" in issue) || issue.fix) return found;
     const { blocks } = this.input.program;
     const at = this.input.lines.findLastIndex((start) => start <= (line ?? 0));
     const begin = blocks.slice(0, at).reduce((sum, { raw }) => sum + raw.length, 0);
-    const fix = spellingFix(issue, blocks[at]?.raw ?? "", begin);
+    const raw = blocks[at]?.raw ?? "";
+    budget.characters -= raw.length;
+    const fix = budget.characters < 0 ? null : spellingFix(issue, raw, begin);
     return fix ? { ...found, issue: { ...issue, fix } } : found;
   }
 

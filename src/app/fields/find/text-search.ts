@@ -28,7 +28,8 @@ function patternOf(sought: string): RegExp | null {
 
 /** Block numbers alone are not searched: they belong to no block, and replacing must not change them. */
 function isInNumber(text: string, { from, to }: Match): boolean {
-  const line = text.lastIndexOf("\n", from - 1) + 1;
+  const near = Math.max(0, to - LONGEST_NUMBER - 1);
+  const line = near + text.slice(near, from).lastIndexOf("\n") + 1;
   if (to - line > LONGEST_NUMBER) return false;
   return to - line <= (BLOCK_NUMBER.exec(text.slice(line, line + LONGEST_NUMBER))?.[0].length ?? 0);
 }
