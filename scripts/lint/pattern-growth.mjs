@@ -47,7 +47,7 @@ class Automaton {
     this.begin = this.node();
     this.accept = this.node();
     this.link(this.alternatives(pattern.alternatives, this.begin), this.accept);
-    this.alphabet(pattern);
+    this.alphabet(pattern.raw);
   }
 
   node() {
@@ -138,9 +138,9 @@ class Automaton {
   }
 
   /** Characters that no set and no assertion tells apart become one symbol. */
-  alphabet(pattern) {
-    const named = new Set([...SAMPLE, ...pattern.raw]);
-    for (const char of pattern.raw) {
+  alphabet(raw) {
+    const named = new Set([...SAMPLE, ...raw]);
+    for (const char of raw) {
       named.add(char.toLowerCase());
       named.add(char.toUpperCase());
     }
@@ -330,7 +330,12 @@ class Automaton {
 function reach(thread, next) {
   const found = new Set();
   const open = [thread];
-  while (open.length > 0) for (const to of next.get(open.pop())) if (!found.has(to)) (found.add(to), open.push(to));
+  while (open.length > 0)
+    for (const to of next.get(open.pop()) ?? []) {
+      if (found.has(to)) continue;
+      found.add(to);
+      open.push(to);
+    }
   return found;
 }
 

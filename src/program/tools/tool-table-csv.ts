@@ -32,26 +32,33 @@ const BOM = "\uFEFF";
 /** Splits a sheet into cells. A quoted cell may hold anything, with doubled quotes. Never throws. */
 export function cellsOfSheet(text: string, separator: string): string[][] {
   const lines: string[][] = [[]];
-  let cell = "";
-  let quoted = false;
+  let [cell, isBlank, quoted] = ["", true, false];
+  const begin = () => {
+    cell = "";
+    isBlank = true;
+  };
+  const add = (c: string) => {
+    cell += c;
+    isBlank &&= c.trim() === "";
+  };
   const push = () => {
     (lines.at(-1) as string[]).push(cell.trim());
-    cell = "";
+    begin();
   };
   for (let i = 0; i < text.length; i++) {
     const c = text[i] as string;
     if (quoted && c === '"' && text[i + 1] === '"') {
-      cell += c;
+      add(c);
       i++;
-    } else if (c === '"' && (quoted || cell.trim() === "")) {
+    } else if (c === '"' && (quoted || isBlank)) {
       quoted = !quoted;
-      if (quoted) cell = "";
+      if (quoted) begin();
     } else if (!quoted && c === separator) push();
     else if (!quoted && (c === "\n" || c === "\r")) {
       if (c === "\r" && text[i + 1] === "\n") i++;
       push();
       lines.push([]);
-    } else cell += c;
+    } else add(c);
   }
   push();
   return lines.filter((line) => line.some((each) => each !== ""));
