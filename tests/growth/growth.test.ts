@@ -13,7 +13,7 @@ const [SHORT, TIMES] = [100, 8];
 /** Nearly twice the linear growth: most texts are linear even where one is not. */
 const MOST = TIMES * 1.8;
 /** Steps that say nothing: of a part that only a longer text comes to. */
-const FEW = 2500;
+const FEW = 6000;
 /** Blocks that are read before a count, so that none of its own is known from before. */
 const OTHERS = Array.from({ length: 600 }, (_, i) => `LBL "${i}"\n`).join("");
 
