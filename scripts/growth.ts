@@ -1,4 +1,5 @@
-import { PUMPS, READERS } from "../tests/growth/readers.ts";
+import { PUMPS } from "../tests/growth/pumps.ts";
+import { READERS } from "../tests/growth/readers.ts";
 
 /** A text of an eighth of the length takes an eighth of the time where a reader is linear; from this ratio on it is told. */
 const TOLD = 20;

@@ -2,7 +2,8 @@ import { Session } from "node:inspector";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { growthOf } from "../../scripts/lint/pattern-growth.mjs";
 import { parse } from "../../src/nc/parse.ts";
-import { PUMPS, READERS, type Reader } from "./readers.ts";
+import { PUMPS } from "./pumps.ts";
+import { READERS, type Reader } from "./readers.ts";
 
 /**
  * Every reader of text is linear: a text of four times the length takes four times the steps. Steps are counted, not
