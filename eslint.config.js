@@ -2,6 +2,7 @@ import js from "@eslint/js";
 import reactHooks from "eslint-plugin-react-hooks";
 import { defineConfig } from "eslint/config";
 import tseslint from "typescript-eslint";
+import { own } from "./scripts/lint/linear-patterns.mjs";
 
 /** No file is longer than this; tables of data and texts aside. */
 const LONGEST = 380;
@@ -99,6 +100,12 @@ export default defineConfig([
   {
     files: ["src/**/*.{ts,tsx}", "scripts/**/*.ts", "e2e/**/*.ts", "tests/**/*.ts"],
     rules: { "no-restricted-syntax": ["error", ...form] },
+  },
+  {
+    files: ["src/**/*.{ts,tsx}", "scripts/serve.mjs"],
+    ignores: ["**/*.test.{ts,tsx}"],
+    plugins: { own },
+    rules: { "own/linear-patterns": "error" },
   },
   {
     files: ["src/{kernel,nc,control-file,cycles,program,sim,view,i18n,report,course}/**/*.ts"],

@@ -33,6 +33,7 @@ function fingerprint() {
     "tests/planning",
     "tests/better-ways",
     "tests/judge",
+    "tests/growth",
     "e2e/pages",
   ])
     walk(folder);

@@ -71,7 +71,7 @@ const packers = {
 function packingFor(accepted = "") {
   const wanted = accepted
     .split(",")
-    .map((each) => each.trim().split(/\s*;\s*q=/))
+    .map((each) => each.split(/;\s*q=/).map((part) => part.trim()))
     .filter(([, q = "1"]) => Number(q) > 0)
     .map(([name]) => name);
   return Object.keys(packers).find((name) => wanted.includes(name)) ?? null;
@@ -140,7 +140,7 @@ export function site(folder, under = "/") {
       ETag: mark,
       ...(PACKED.has(ending) && { Vary: "Accept-Encoding" }),
     };
-    if (request.headers["if-none-match"]?.split(/\s*,\s*/).includes(mark)) return end(304, headers);
+    if (request.headers["if-none-match"]?.split(",").some((each) => each.trim() === mark)) return end(304, headers);
     end(200, { ...headers, "Content-Length": body.length, ...(packing && { "Content-Encoding": packing }) }, body);
   };
 }

@@ -111,6 +111,7 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   wordTwice: { word: "X" },
   equalsMissing: { text: "Q493+50" },
   blankBeforeEquals: { text: "Q499 =+0" },
+  lineTooLong: { most: 2000 },
   badNumber: { text: "1.2.3" },
   wordMissing: { word: "R" },
   blockNumber: { found: 9, expected: 7 },

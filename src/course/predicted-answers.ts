@@ -16,7 +16,7 @@ export function answerKindOf({ ask }: Prediction): AnswerKind {
 /** A typed number with point or comma; null where the text is no number. */
 export function typedNumber(text: string): number | null {
   const plain = text.trim().replace(",", ".").replace("−", "-");
-  return /^[+-]?(?:\d+\.?\d*|\.\d+)$/.test(plain) ? Number(plain) : null;
+  return /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)$/.test(plain) ? Number(plain) : null;
 }
 
 /** A typed place: ⌀ and Z separated by a space; null where one is no number. Below the axis is the same place. */

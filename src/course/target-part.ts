@@ -38,7 +38,7 @@ export function blankOfLines(lines: readonly string[]): {
   readonly rings: readonly Ring[];
   readonly issues: readonly Found[];
 } {
-  const states = (line: string) => /^\s*\d*\s*BLK\s+FORM/.test(line);
+  const states = (line: string) => /^\s*(?:\d+\s*)?BLK\s+FORM/.test(line);
   const contours = lines.filter((line) => !states(line));
   const { blank, issues } = run(framed([...lines.filter(states), "FUNCTION MODE TURN", "M30", ...contours]), SHOP);
   return { rings: blank, issues: faulty(issues.map((f) => f.issue)) };

@@ -77,7 +77,7 @@ function freeValues(said: string, lines: readonly string[]): readonly Value[] {
     starts = startLines(program),
     numbers = blockNumbers(program);
   return lines.flatMap((whole, line) => {
-    const raw = whole.replace(/;.*$/, "");
+    const raw = whole.replace(/;.*/, "");
     if (/BLK\s+FORM|TOOL\s+CALL|FUNCTION|\bM30\b/i.test(raw)) return [];
     const block = numbers[starts.findLastIndex((start) => start <= line + 1)] ?? 0;
     return [...raw.matchAll(VALUE)].flatMap(({ groups, index }): Value[] => {

@@ -15,7 +15,7 @@ function fixed(value: number, decimals: number): string {
 /** A number for running text: at most `decimals`, no trailing zeros: 25.4, 0,5. */
 export function formatNumber(language: Language, value: number, decimals = 3): string {
   const text = fixed(value, decimals);
-  return sign(language, text.includes(".") ? text.replace(/\.?0+$/, "") : text);
+  return sign(language, text.includes(".") ? text.replace(/\.0+$|(?<!0)0+$/, "") : text);
 }
 
 /** A number with a fixed count of decimals, for columns that must not jump: 25.400. */

@@ -74,7 +74,7 @@ function commentOf(body: string): string {
     if (first[i] === '"') quoted = !quoted;
     else if (first[i] === ";" && (!quoted || !first.includes('"', i))) {
       const from = first.slice(0, i).trimEnd().length;
-      return first.slice(from).replace(/[ \t]*~[ \t]*$/, "");
+      return first.slice(from).replace(/(?<![ \t])[ \t]*~[ \t]*$/, "");
     }
   }
   return "";
@@ -99,7 +99,7 @@ export function withInserted(program: Program, index: number, statement: Stateme
   const before = program.blocks[index - 1];
   const open = before !== undefined && lineEndOf(before.raw) === "";
   // Uses N numbers where neighbouring blocks do.
-  const letter = [program.blocks[index], before].some((b) => b && /^[ \t]*\/?[ \t]*N\d/i.test(b.raw)) ? "N" : "";
+  const letter = [program.blocks[index], before].some((b) => b && /^[ \t]*(?:\/[ \t]*)?N\d/i.test(b.raw)) ? "N" : "";
   const text =
     (numbered && statement.kind !== "empty" ? `${letter}${number} ` : "") +
     statementLines(statement, style).join(style.newLine) +
@@ -121,7 +121,7 @@ function withNumber(b: Block, number: number, letter: string): Block {
   const old = headOf(b.raw);
   const head =
     b.number === null
-      ? old.replace(/\/?[ \t]*$/, (mark) => `${mark.trimEnd()}${letter}${number} `)
+      ? old.replace(/\/[ \t]*$|(?<![ \t])[ \t]*$/, (mark) => `${mark.trimEnd()}${letter}${number} `)
       : old.replace(/\d+/, String(number));
   return {
     ...b,
@@ -133,7 +133,7 @@ function withNumber(b: Block, number: number, letter: string): Block {
 
 /** `N` where the numbers of a program are written with it. */
 const letterOf = (blocks: readonly Block[]) =>
-  blocks.some((b) => b.number !== null && /^[ \t]*\/?[ \t]*N\d/i.test(b.raw)) ? "N" : "";
+  blocks.some((b) => b.number !== null && /^[ \t]*(?:\/[ \t]*)?N\d/i.test(b.raw)) ? "N" : "";
 
 const isBlank = ({ statement: { kind } }: Block) => kind === "empty";
 

@@ -15,6 +15,8 @@ interface Data {
   equalsMissing: { text: string };
   /** A blank between a Q number and its equals sign in a cycle. */
   blankBeforeEquals: { text: string };
+  /** A line with more than `most` characters, which is not read. */
+  lineTooLong: { most: number };
   /** A number that cannot be read. */
   badNumber: { text: string };
   /** A block needs this word. */

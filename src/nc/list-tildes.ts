@@ -21,7 +21,9 @@ function withTildes(program: Program, index: number, block: Block): readonly Blo
   const last = written.at(-1) ?? 0;
   const made = lines.map((line, i) => {
     const bare = line.trimEnd();
-    return i >= last || bare === "" || bare.endsWith("~") ? line : `${bare} ~${/[\r\n]*$/.exec(line)?.[0] ?? ""}`;
+    return i >= last || bare === "" || bare.endsWith("~")
+      ? line
+      : `${bare} ~${/(?:\r\n|\n|\r)$/.exec(line)?.[0] ?? ""}`;
   });
   return parse(made.join("")).blocks;
 }

@@ -1,4 +1,5 @@
 import { describe, expect, test } from "vitest";
+import { LONGEST_LINE } from "./longest-line.ts";
 import { parse } from "./parse.ts";
 import { issuesOf, print, startLines } from "./program.ts";
 
@@ -237,13 +238,21 @@ test("numbering in tens is reported once, a jump in it again", () => {
   ]);
 });
 
-test("a line longer than any block is kept and reported, not read word by word", () => {
-  const long = `1 L ${"X+1 ".repeat(5000)}\n`;
-  const program = parse(long);
-  expect(print(program)).toBe(long);
-  expect(program.blocks[0]?.statement.kind).toBe("unknown");
-  expect(program.blocks[0]?.issues.map((i) => i.code)).toEqual(["notUnderstood"]);
-  expect(parse(`1 L ${"X+1 ".repeat(2000)}\n`).blocks[0]?.statement.kind).toBe("path");
+test.each([
+  ["a straight line", `1 L X+1${" ".repeat(LONGEST_LINE)}\n`, 0],
+  ["words", `1 L ${"X+1 ".repeat(LONGEST_LINE)}\n`, 0],
+  ["a comment", `1 M3 ;${"x".repeat(LONGEST_LINE)}\n`, 0],
+  ["the second line of a cycle", `1 CYCL DEF 7.0 A ~\nQ200=+1 ;${"x".repeat(LONGEST_LINE)}\n`, 19],
+])("a line longer than a block can be is kept, told and not read: %s", (_, long, offset) => {
+  const program = parse(`0 M3\n${long}2 M5\n`);
+  expect(print(program)).toBe(`0 M3\n${long}2 M5\n`);
+  expect(program.blocks.map(({ statement }) => statement.kind)).toEqual(["functions", "unknown", "functions"]);
+  expect(program.blocks[1]?.issues).toMatchObject([{ code: "lineTooLong", offset, data: { most: LONGEST_LINE } }]);
+});
+
+test("a line of the longest length is read", () => {
+  const { blocks } = parse(`1 L X+1 ;${"x".repeat(LONGEST_LINE - 9)}\n`);
+  expect(blocks.map(({ statement, issues }) => [statement.kind, issues])).toEqual([["path", []]]);
 });
 
 test("consecutive words that are not understood are one finding over their full length", () => {

@@ -2,6 +2,7 @@ import { klartext } from "./blocks/klartext.ts";
 import { detachedText } from "./detached-text.ts";
 import type { Block, Program } from "./program.ts";
 import type { BlockIssue } from "./issue.ts";
+import { LONGEST_LINE } from "./longest-line.ts";
 import type { BlockLine } from "./read-cycle.ts";
 import { readLine } from "./read-line.ts";
 import { splitBlocks, splitLines, type Lines, type Slice } from "./split.ts";
@@ -42,9 +43,30 @@ const NONE: readonly BlockIssue[] = [];
 const known = [new Map<string, Block>(), new Map<string, Block>()] as const;
 const MOST_KNOWN = 500;
 
-function readBlock(text: string, s: Slice): Block {
-  const line = s.first === s.last && !s.open ? readLine(text, s.body) : null;
+/** A block with a line that is longer than lines are is kept as text, with an issue at each such line; null for others. */
+function tooLong({ starts, ends }: Lines, s: Slice, raw: string): Block | null {
+  const issues: BlockIssue[] = [];
+  for (let i = s.first; i <= s.last; i += 1) {
+    const [from, to] = [starts[i] ?? 0, ends[i] ?? 0];
+    if (to - from > LONGEST_LINE)
+      issues.push({
+        code: "lineTooLong",
+        severity: "error",
+        offset: from - s.from,
+        length: LONGEST_LINE,
+        data: { most: LONGEST_LINE },
+      });
+  }
+  if (issues.length === 0) return null;
+  const statement = { kind: "unknown", text: raw.slice(s.body - s.from).trim() } as const;
+  return { raw, lines: s.last - s.first + 1, number: s.number, skip: s.skip, statement, comment: null, issues };
+}
+
+function readBlock(text: string, lines: Lines, s: Slice): Block {
   const raw = text.slice(s.from, s.to);
+  const kept = raw.length > LONGEST_LINE ? tooLong(lines, s, raw) : null;
+  if (kept) return kept;
+  const line = s.first === s.last && !s.open ? readLine(text, s.body) : null;
   if (line) return { raw, lines: 1, number: s.number, skip: s.skip, statement: line, comment: null, issues: NONE };
   const before = known[s.open ? 1 : 0];
   let read = before.get(raw);
@@ -117,5 +139,6 @@ function readWords(text: string, all: Lines, s: Slice): Block {
 
 /** Reads any text. Never throws; text that is not understood is kept and reported. `print` returns the same text. */
 export function parse(text: string): Program {
-  return { blocks: splitBlocks(text, splitLines(text)).map((s) => readBlock(text, s)) };
+  const lines = splitLines(text);
+  return { blocks: splitBlocks(text, lines).map((s) => readBlock(text, lines, s)) };
 }

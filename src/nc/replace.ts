@@ -1,7 +1,7 @@
 import type { Block, Program } from "./program.ts";
 
 /** The text before a block's number: blanks, a skip mark, the letter N. */
-const NUMBER = /^([ \t\u00a0\ufeff]*\/?[ \t]*[Nn]?)\d+/;
+const NUMBER = /^([ \t\u00a0\ufeff]*(?:\/[ \t]*)?[Nn]?)\d+/;
 const SKIP = /^([ \t\u00a0\ufeff]*)\/[ \t]*/;
 const LINE_END = /(?:\r\n|\n|\r)$/;
 

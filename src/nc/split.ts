@@ -46,7 +46,7 @@ const HEAD = /[ \t\u00a0\ufeff]*(\/?)[ \t]*(?:[Nn]?(\d+)(?![\d.,])[ \t\u00a0]*(\
 const CYCLE_HEAD = /(?:CYCLE?[ \t]*DEF|TCH[ \t]+PROBE)[ \t]*(?!\d{1,2}[ \t]+\.\d{1,3}(?!\S))\d+(?![\d.])/iy;
 const Q_LINE = /[ \t\u00a0]*Q(\d+)[ \t\u00a0]*(?:=|[+-][ \t]*[\d.,])/iy;
 const NEW_BLOCK = new RegExp(
-  String.raw`[ \t\u00a0\ufeff]*(?:\/?[ \t]*N?\d+[ \t/]|` +
+  String.raw`[ \t\u00a0\ufeff]*(?:(?:\/[ \t]*)?N?\d+[ \t/]|` +
     String.raw`(?:CYCLE?(?:DEF|CALL)?|BEGIN|END|LBL|CALL|TOOL|BLK|FUNCTION|L|C|CR|CT|CC|RND|CHF|APPR|DEP|STOP|` +
     String.raw`M\d+|SEL|FN|IF|TRANS)(?![A-Z])|\*|;)`,
   "iy",

@@ -62,7 +62,7 @@ export function tokensOf(line: string): Token[] {
     if (add("string", scan.take(STRING)) || add("parameter", scan.take(NAMED))) continue;
     if (named && !line.slice(scan.at).startsWith("~")) {
       const from = scan.at;
-      const word = scan.word().replace(/[;~].*$/, "");
+      const word = scan.word().replace(/[;~].*/, "");
       scan.at = from + Math.max(1, word.length);
       tokens.push({ kind: "name", from, to: scan.at });
       continue;

@@ -88,6 +88,8 @@ function candidates(text: string): readonly Candidate[] {
 
 const UNREAD: ReadonlySet<NcCode> = new Set<NcCode>(["notUnderstood", "wordNotUnderstood", "wordMissing", "badNumber"]);
 
+/** A longer text is no word with a slip, and every word of it would be tried; a block with it is read again for each try. */
+const LONGEST = { text: 200, block: 20_000 } as const;
 /** Most corrections tried in a block that has two slips. */
 const MOST = 6;
 
@@ -108,6 +110,7 @@ function correctedText(typed: string, isRead: (text: string) => boolean): string
  */
 export function spellingFix({ code, offset, length }: NcIssue, raw: string, begin: number): NcFix | null {
   if (code !== "notUnderstood" && code !== "wordNotUnderstood") return null;
+  if (length > LONGEST.text || raw.length > LONGEST.block) return null;
   const [from, to] = [offset - begin, offset - begin + length];
   const text = correctedText(raw.slice(from, to), (spelt) => {
     const read = parse(raw.slice(0, from) + spelt + raw.slice(to)).blocks;

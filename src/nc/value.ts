@@ -6,7 +6,7 @@ export const NUMBER_PARAMETER = String.raw`Q[LR]?\d{1,4}(?!\d)`;
 export const TEXT_PARAMETER = String.raw`QS\d{1,4}(?!\d)`;
 /** Any parameter: text parameters may replace names and numbers. */
 export const PARAMETER = `(?:${NUMBER_PARAMETER}|${TEXT_PARAMETER})`;
-const ALONE = new RegExp(String.raw`^\s*([+-]?)\s*(${PARAMETER})\s*$`, "i");
+const ALONE = new RegExp(String.raw`^\s*(?:([+-])\s*)?(${PARAMETER})\s*$`, "i");
 
 /** The parameter with its sign, if the text is only a parameter. */
 export function parameterOf(text: string): Parameter | null {
@@ -15,7 +15,7 @@ export function parameterOf(text: string): Parameter | null {
 }
 
 /** A number with point or comma, or a parameter, with an optional sign; blanks may stand behind the sign. */
-export const VALUE = String.raw`[+-]?[ \t]*(?:\d+(?:[.,]\d*)?|[.,]\d+|${PARAMETER})`;
+export const VALUE = String.raw`(?:[+-][ \t]*)?(?:\d+(?:[.,]\d*)?|[.,]\d+|${PARAMETER})`;
 
 /** Reads a match of `VALUE`; null for a number beyond the safe range. */
 export function readValue(text: string): Value | null {

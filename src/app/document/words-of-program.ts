@@ -4,7 +4,8 @@ import { comparePrograms, type BlockDifference } from "../../program/compare/com
 import { joinedWords, valueWords } from "./words-of-list.ts";
 
 /** Text of a block without its number: inserting a block renumbers all that follow. */
-const unnumbered = ({ raw, number }: Block): string => (number === null ? raw : raw.replace(/^(\s*\/?\s*)\d+/, "$1"));
+const unnumbered = ({ raw, number }: Block): string =>
+  number === null ? raw : raw.replace(/^(\s*(?:\/\s*)?)\d+/, "$1");
 const isSame = (a: Block | undefined, b: Block | undefined): boolean =>
   a === b || (a !== undefined && b !== undefined && unnumbered(a) === unnumbered(b));
 

@@ -20,7 +20,10 @@ const EARLIER_VERSION = 2;
 const toBase64Url = (bytes: Uint8Array): string => {
   let text = "";
   for (let i = 0; i < bytes.length; i += 0x8000) text += String.fromCharCode(...bytes.subarray(i, i + 0x8000));
-  return btoa(text).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
+  return btoa(text)
+    .replaceAll("+", "-")
+    .replaceAll("/", "_")
+    .replace(/={1,2}$/, "");
 };
 
 const fromBase64Url = (text: string): Uint8Array =>

@@ -2,7 +2,7 @@
 const ITSELF = /^(localhost|.+\.localhost|127(\.\d+){3}|\[::1\])$/;
 
 /** The address of this page, without query and fragment. */
-export const pageAddress = (): string => location.href.replace(/[?#].*$/, "");
+export const pageAddress = (): string => location.href.replace(/[?#].*/, "");
 
 /** True if the address is local, so that another device cannot open a link to it. */
 export function isLocalAddress(page: string): boolean {

@@ -151,11 +151,15 @@ function meantEnds(start: Literal, end: Literal): readonly (readonly ["side" | "
       ];
 }
 
+/** Each slip is a program of its own, and each pair of values a slip: a longer program is no exercise. */
+const MOST_BLOCKS = 500;
+
 /** Every program that differs from a program by one slip. */
 export function everySlip(text: string): readonly PossibleSlip[] {
   const program = parse(text),
     numbers = blockNumbers(program),
     { blocks } = program;
+  if (blocks.length > MOST_BLOCKS) return [];
   const all = blocks.flatMap((block, i) => literalsOf(block, i, numbers[i] ?? 0));
   const positions = all.filter(({ measure }) => measure !== "size");
   const put = (kind: Slip["kind"], ...changes: readonly Change[]): PossibleSlip => ({

@@ -16,9 +16,9 @@ const said = (raw: string) =>
   plain(
     raw
       .split(/\r?\n/)
-      .map((line) => line.replace(/;.*$/, "").replace(/~\s*$/, ""))
+      .map((line) => line.replace(/;.*/, "").replace(/~\s*$/, ""))
       .join(" ")
-      .replace(/^\s*\/?\s*\d+\s/, ""),
+      .replace(/^\s*(?:\/\s*)?\d+\s/, ""),
   );
 
 /**

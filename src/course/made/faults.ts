@@ -16,7 +16,7 @@ const inFirst =
 /** The tip is inside the material at the cycle call. */
 const startInside: Put = (lines) => {
   const call = lines.findIndex((line) => /\bCYCL CALL\b/.test(line));
-  const at = lines.slice(0, Math.max(0, call)).findLastIndex((line) => /^\s*\d*\s*L\s.*\bZ[+-]?[\d.]+/.test(line)),
+  const at = lines.slice(0, Math.max(0, call)).findLastIndex((line) => /^\s*(?:\d+\s*)?L\s.*\bZ[+-]?[\d.]/.test(line)),
     line = lines[at];
   return line === undefined ? null : lines.with(at, line.replace(/\bZ[+-]?[\d.]+/, "Z-5"));
 };
@@ -26,7 +26,7 @@ const times = (text: string, by: number): string => String(Math.round(Number(tex
 
 const PUT: Readonly<Record<FaultKind, Put>> = {
   perRevolution: (lines) => {
-    const at = lines.findIndex((line) => /^\s*\d*\s*M136\s*$/.test(line));
+    const at = lines.findIndex((line) => /^\s*(?:\d+\s*)?M136\s*$/.test(line));
     return at < 0 ? null : lines.toSpliced(at, 1);
   },
   minus: inFirst(/\b(Q49[24])=-(\d[\d.]*)/, (_, q = "", value = "") => `${q}=+${value}`),

@@ -286,7 +286,7 @@ const idOf = (title: string, mark: string): string =>
       .normalize("NFKD")
       .toLowerCase()
       .replace(/[^a-z0-9]+/g, "-")
-      .replace(/^-+|-+$/g, "")
+      .replace(/^-|-$/g, "")
       .slice(0, 36) || "task"
   }-${mark}`;
 

@@ -123,7 +123,7 @@ export function shownLines(
   const text = kind === "note" || kind === "form" ? block.raw : bareText(block);
   const lines = text
     .split(/\r\n?|\n/)
-    .map((line) => line.trim().replace(/\s*~$/, ""))
+    .map((line) => line.trim().replace(/(?<!\s)\s*~$/, ""))
     .filter((line) => line !== "");
   if (block.statement.kind !== "cycle" || words.length === 0) return lines;
   const names = words.map(({ name }) => new RegExp(String.raw`^${name}(?!\d)`, "i"));

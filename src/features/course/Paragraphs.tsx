@@ -11,7 +11,7 @@ interface Props {
 
 /** A text of the course, with paragraphs at empty lines. */
 export function Paragraphs({ text, before }: Props) {
-  const paragraphs = text.split(/\n\s*\n/);
+  const paragraphs = text.split(/\n[^\S\n]*\n/).filter((each, i) => i === 0 || each.trim() !== "");
   const said = (plain: boolean) =>
     paragraphs.map((each, i) => (
       <p key={i}>{plain ? unbroken(each) : <GlossaryText text={each} plain={unbroken} />}</p>

@@ -24,7 +24,7 @@ export async function readDrawingFile(file: File, given: DrawingGiven = {}): Pro
       ? { kind: "drawing", name, ...read }
       : { kind: "failed", notes: read.drawing.notes };
   } catch {
-    const kind = /[^.]*$/.exec(file.name)?.[0]?.toUpperCase() ?? "";
+    const kind = file.name.slice(file.name.lastIndexOf(".") + 1).toUpperCase();
     return failed({ code: "unreadable", severity: "error", values: { kind } });
   }
 }

@@ -63,11 +63,11 @@ export function ncWordOf({ make }: Offered, language: Language): string {
   if (!make) return "CYCL DEF";
   const [first = "", ...more] = statementLine(make(language)).split(" ");
   const naming = more.slice(0, (NAMING_WORDS[first] ?? 1) - 1).flatMap((word) => /^[A-Z]{2,}/.exec(word)?.[0] ?? []);
-  return [first.replace(/\d+$/, ""), ...naming].join(" ");
+  return [first.replace(/(?<!\d)\d+$/, ""), ...naming].join(" ");
 }
 
 /** The name of a kind without its word of the program in brackets. */
-export const plainName = (name: string): string => name.replace(/\s*[(（][^)）]*[)）]$/, "");
+export const plainName = (name: string): string => name.replace(/(?<!\s)\s*[(（][^()（）]*[)）]$/, "");
 
 /** Every kind of block that can be inserted. */
 export const palette = paletteOf(klartext);

@@ -9,7 +9,7 @@ import { sayOpened, showTab } from "./plan-place.ts";
 /** Longer files are no part, bytes. */
 const LARGEST = 1_000_000;
 /** The format of any edition, as a part file begins with it. */
-const FORMAT = PART_FORMAT.replace(/\d+$/, "");
+const FORMAT = PART_FORMAT.replace(/(?<!\d)\d+$/, "");
 
 /** The file of a finished part among others; null where none is one. */
 export async function findPartFile(files: readonly File[]): Promise<File | null> {

@@ -7,7 +7,7 @@ const MOST_BLOCKS = 4000;
 function blocksOf(program: Program): readonly string[] {
   const numbers = blockNumbers(program);
   return program.blocks.flatMap(({ raw, number, statement }, i) => {
-    const text = raw.replace(/[\r\n]+$/, "");
+    const text = raw.replace(/(?<![\r\n])[\r\n]+$/, "");
     if (text.trim() === "") return [];
     const silent = statement.kind === "empty" || (statement.kind === "comment" && number === null);
     return [number === null && !silent ? `${numbers[i] ?? ""} ${text}` : text];

@@ -58,7 +58,7 @@ export function toleranceMiddle(typed: string, nominal: number): ToleratedSize |
   return read && { ...read, nominal, middle: rounded(nominal + (read.upper + read.lower) / 2) };
 }
 
-const SIZED = new RegExp(String.raw`^(?:⌀|ø)?\s?(${NUMBER})\s*(?:mm\s)?\s*([^\d.\s].*|0\s?[/;].*)$`, "i");
+const SIZED = new RegExp(String.raw`^(?:⌀|ø)?\s?(${NUMBER})\s*(?:mm\s+)?([^\d.\s].*|0\s?[/;].*)$`, "i");
 /** A size with one deviation, or two without a slash, is a sum. */
 const SUM = new RegExp(String.raw`^[+-]\s?${NUMBER}(?:\s?[+-]\s?${NUMBER})?$`);
 

@@ -26,13 +26,13 @@ const LONGEST = 60;
 const WORDS =
   /\b(?:iso|din|asme|ansi|bs|en|jis|gb)\s*(?:b?\d[\d.]*(?:-\d+)?)?(?=[\s:])|\b(?:thread|gewinde|filetage|(?:metric|metrisch(?:es)?|métrique)(?=\s))|螺纹|:/gi;
 const INCHES = /["″”“'′]+|\b(?:zoll|inch(?:es)?|pouces?)\b|英寸/gi;
-const LEFT = /[\s-]*(?:\b(?:lh|left(?:[\s-]?hand(?:ed)?)?|links?|li|gauche|à gauche)\b|左旋?)\s*$/i;
-const RIGHT = /[\s-]+(?:rh|right(?:[\s-]?hand(?:ed)?)?|rechts|droite)\s*$/i;
+const LEFT = /(?<![\s-])[\s-]*(?:\b(?:lh|left(?:[\s-]?hand(?:ed)?)?|links?|li|gauche|à gauche)\b|左旋?)$/i;
+const RIGHT = /(?<![\s-])[\s-]+(?:rh|right(?:[\s-]?hand(?:ed)?)?|rechts|droite)$/i;
 /** Grade and position of metric and trapezoidal threads: small letters are external, capitals internal. */
 const GRADES =
-  /(?<=[\d)\s-])[\s-]*\b((?:\d[c-h]){1,2}|(?:\d[C-H]){1,2})(?:\s*\/\s*((?:\d[c-h]){1,2}|(?:\d[C-H]){1,2}))?\s*$/;
+  /(?:(?<=[\d)])[\s-]*|(?<=[\s-]))\b((?:\d[c-h]){1,2}|(?:\d[C-H]){1,2})(?:\s*\/\s*((?:\d[c-h]){1,2}|(?:\d[C-H]){1,2}))?$/;
 /** Classes of unified threads. */
-const UNIFIED = /[\s-]+([123])([AB])\s*$/i;
+const UNIFIED = /(?<![\s-])[\s-]+([123])([AB])$/i;
 
 /** The same thread in one spelling, whatever the keyboard: full-width digits, ½, Cyrillic letters, decimal comma. */
 const spelled = (text: string): string =>
@@ -65,8 +65,9 @@ export function typedName(text: string): TypedName {
   if (unified) rest = rest.slice(0, unified.index);
   const size = rest
     .toLowerCase()
-    .replace(/[\s-]+$/, "")
-    .replace(/\s*([x/-])\s*/g, "$1")
+    .replace(/(?<![\s-])[\s-]+$/, "")
+    .replace(/(?<!\s)\s+(?=[x/-])/g, "")
+    .replace(/([x/-])\s+/g, "$1")
     .replace(/\s+/g, " ");
   return { size, leftHand: left !== null, ...classes };
 }

@@ -9,7 +9,7 @@ const SIGNED: Style = { ...BARE, plus: true };
 
 const QUOTED = /("[^"]*")/;
 const NUMBER =
-  /(?<![\w.,])([+-]?)[ \t]*(\d+(?:[.,]\d*)?|[.,]\d+)(?![\w.,])|(?<=[A-Z])([+-]?)(\d+[.,]\d*|[.,]\d+)(?![\w.,])/gi;
+  /(?<![\w.,])(?:([+-])[ \t]*|(?<![\w.,\s])[ \t]+)?(\d+(?:[.,]\d*)?|[.,]\d+)(?![\w.,])|(?<=[A-Z])([+-]?)(\d+[.,]\d*|[.,]\d+)(?![\w.,])/gi;
 const plainNumber = (sign: string, digits: string): string => {
   const size = Number(digits.replace(",", "."));
   return `${sign === "-" && size !== 0 ? "-" : ""}${size}`;

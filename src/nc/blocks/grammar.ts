@@ -1,4 +1,5 @@
 import type { BlockIssue } from "../issue.ts";
+import { LONGEST_LINE } from "../longest-line.ts";
 import type { BlockLine } from "../read-cycle.ts";
 import { Scan } from "../scan.ts";
 import type { Style } from "../style.ts";
@@ -18,9 +19,6 @@ interface AnyStatement {
   readonly kind: string;
 }
 type Held = Record<string, unknown> & AnyStatement;
-
-/** Most characters of one line; longer text is no block of a control and would fill the memory word by word. */
-const LONGEST = 10_000;
 
 /** A statement for comparison: pairing keys and words; null words: compare as text. */
 export interface Compared {
@@ -140,7 +138,7 @@ export function grammarOf<S extends AnyStatement = AnyStatement>(kinds: readonly
       if (scan.done && lines.length === 1)
         return made(head.comment === null ? { kind: "empty" } : { kind: "comment", text: head.comment }, []);
       const issues: BlockIssue[] = [];
-      const statement = head.text.length > LONGEST ? null : dispatch(scan, lines, issues);
+      const statement = head.text.length > LONGEST_LINE ? null : dispatch(scan, lines, issues);
       if (!statement || (lines.length > 1 && !isWrapped && blockOf(statement).lines !== "own")) {
         const text = lines.map((l) => l.text.trim()).join(" ");
         const whole: BlockIssue = {

@@ -2,7 +2,7 @@ import { defineBlock } from "./define.ts";
 import { CONE, cut } from "./sample.ts";
 import { choiceField, value, word } from "./words.ts";
 
-const VCONST = /VCONST[ \t]*:?[ \t]*(ON|OFF)(?![A-Z])/iy;
+const VCONST = /VCONST[ \t]*(?::[ \t]*)?(ON|OFF)(?![A-Z])/iy;
 const FACE = ["L X+40 Z+1 FMAX", "L X+2 F0.2", "L Z+3 FMAX"];
 
 /** The turning spindle: constant cutting speed up to a limit, or constant rpm. */

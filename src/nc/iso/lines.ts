@@ -1,3 +1,4 @@
+import { LONGEST_LINE } from "../longest-line.ts";
 import { isoTokens } from "./tokens.ts";
 import { FIRST_CYCLE } from "./words.ts";
 
@@ -24,8 +25,6 @@ export interface IsoBlock extends IsoLine {
 const HEAD =
   /^[ \t\u00a0\ufeff]*(\/?)[ \t]*(?:(?:N[ \t]*|(?=\d+[ \t]+[A-Z%]))(\d{1,9})(?!\d)[ \t]*(\/?))?[ \t\u00a0]*/i;
 const CYCLE = /^G[ \t]*[1-9]\d\d(?!\d)/i;
-/** Characters of one line; a longer one is no block, and is kept as it stands. */
-export const LONGEST_LINE = 10_000;
 
 /** The text without a mark and the blanks around it at its end; null without the mark. */
 function withoutEnding(text: string, mark: string): string | null {
@@ -103,9 +102,9 @@ export function isoBlocks(text: string): IsoBlock[] {
   return blocks;
 }
 
-const FRAME = /^\s*%[^;]*G\s*7[01]\s*\*?\s*(?:;.*)?$/i;
-const IN_ISO = /^\s*\/?\s*(?:(?:N\s*\d+\s*)?\/?\s*G\s*\d{1,3}(?!\d)|N\s*\d+\b.*\*\s*$)/i;
-const IN_KLARTEXT = /^\s*\/?\s*\d*\s*(?:BEGIN|END)[ \t]+PGM\b/i;
+const FRAME = /^\s*%[^;]*G\s*7[01]\s*(?:\*\s*)?(?:;.*)?$/i;
+const IN_ISO = /^\s*(?:\/\s*)?(?:(?:N\s*\d+\s*)?(?:\/\s*)?G\s*\d{1,3}(?!\d)|N\s*\d+\b.*\*\s*$)/i;
+const IN_KLARTEXT = /^\s*(?:\/\s*)?(?:\d+\s*)?(?:BEGIN|END)[ \t]+PGM\b/i;
 /** Lines, and characters of each, that decide the language of a program. */
 const LOOKED_AT = 200;
 const LOOKED_ALONG = 200;

@@ -83,7 +83,7 @@ export function isoProgramText(program: Program): IsoProgram {
       const head = silent ? "" : ends ? `${isoWordFor({ kind: "block", block: "end" })} ` : `N${at} `;
       lines.push(
         `${skip ? "/" : ""}${head}${word ?? keptText(s)}${comment === null ? "" : ` ;${comment}`} *`.replace(
-          / {2,}\*$/,
+          /(?<! ) {2,}\*$/,
           " *",
         ),
       );

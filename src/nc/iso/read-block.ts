@@ -4,7 +4,8 @@ import type { Statement } from "../statement.ts";
 import type { CycleParameter, Formula, Label, Parameter, Value } from "../words.ts";
 import { coordinatesOf, dimensionOf } from "./coordinates.ts";
 import type { IsoProblem } from "./issue.ts";
-import { LONGEST_LINE, type IsoBlock } from "./lines.ts";
+import { LONGEST_LINE } from "../longest-line.ts";
+import type { IsoBlock } from "./lines.ts";
 import type { IsoContext } from "./modal.ts";
 import type { IsoNames } from "./names.ts";
 import { olderCycleOfIso, programCycleOfIso } from "./older-cycles.ts";
@@ -20,8 +21,8 @@ const KLARTEXT = new RegExp(
     String.raw`(?:CONTOUR[ \t]+DEF|DECLARE)(?![A-Z])|FN[ \t]*\d|Q[LRSC]?\d+[ \t]*=|L[ \t]+[A-Z]|C[ \t]+[A-PR-Z])`,
   "i",
 );
-const INLINE_CYCLE = /^CYCLE?[ \t]*DEF[ \t]*(\d{1,9})(?![\d.])[ \t]*(.*)$/i;
-const ISO_CYCLE = /^G[ \t]*(\d{3})(?!\d)[ \t]*(.*)$/i;
+const INLINE_CYCLE = /^CYCLE?[ \t]*DEF[ \t]*(\d{1,9})(?![\d.])[ \t]*(.*)/i;
+const ISO_CYCLE = /^G[ \t]*(\d{3})(?!\d)[ \t]*(.*)/i;
 const BEFORE_PARAMETERS = /^(.*?)(?=(?:^|[ \t])Q[LR]?\d{1,4}(?!\d)|$)/i;
 const NAME = /^[^\d=;+]*$/;
 const CALL = new RegExp(

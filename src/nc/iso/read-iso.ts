@@ -23,7 +23,7 @@ interface KlartextBlock {
   readonly comment: string | null;
 }
 
-const FRAME = /^%[ \t]*(.*?)[ \t]*G[ \t]*7([01])$/i;
+const FRAME = /^%(.*)G[ \t]*7([01])$/i;
 const LONGEST_FRAME = 500;
 /** Number of the last block, regardless of those before it. */
 const LAST_NUMBER = 99_999_999;
@@ -34,7 +34,7 @@ function frameOf({ text, number }: IsoBlock, hasStarted: boolean): Statement | n
   return (
     m && {
       kind: hasStarted || number === LAST_NUMBER ? "end" : "begin",
-      name: m[1] ?? "",
+      name: (m[1] ?? "").trim(),
       unit: m[2] === "0" ? "INCH" : "MM",
     }
   );

@@ -49,7 +49,7 @@ function probed(machine: Machine, text: string): void {
 }
 /** Name of a block: its first words, with the number of FN and TCH PROBE. */
 const NAME = /^(?:FN[ \t]*\d+|TCH[ \t]+PROBE[ \t]*\d+(?:\.\d+)?|[A-Z][A-Z-]*(?:[ \t]+[A-Z][A-Z-]*(?![\w:.\\]))?)/i;
-const NUMBERS = new RegExp(String.raw`([A-Z]+)[ \t]*(${VALUE})`, "gi");
+const NUMBERS = new RegExp(String.raw`(?<![A-Z])([A-Z]+)[ \t]*(${VALUE})`, "gi");
 
 /** Name of a block that is not simulated. */
 export const nameOf = (text: string): string =>

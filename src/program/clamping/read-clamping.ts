@@ -44,9 +44,9 @@ const KINDS: readonly (readonly [RegExp, ClampingKind])[] = [
 /** Words that belong to a kind and mean nothing alone. */
 const SILENT = /^(CHUCK|SOFT|JAWS?|COLLET|BETWEEN|CENT(RE|ER)S?|INSIDE|OUTSIDE|TAILSTOCK|LIMITS?|MM|INCH)$/;
 /** A word with its number, or one alone. */
-const TOKEN = /([^\s\d:=+.,;-]+)(?:\s*[:=]?\s*([+-]?\d*[.,]?\d+))?|\S/gu;
+const TOKEN = /([^\s\d:=+.,;-]+)(?:\s*(?:[:=]\s*)?([+-]?(?:\d+(?:[.,]\d+)?|[.,]\d+)))?|\S/gu;
 
-const AXIS = /\b(FACE|TIP|LIMIT)\s+([ZX])(?=\s*[:=]?\s*[+-]?[\d.])/gu;
+const AXIS = /\b(FACE|TIP|LIMIT)\s+([ZX])(?=\s*(?:[:=]\s*)?[+-]?[\d.])/gu;
 
 const known = (word: string): ClampingWord | undefined => ALSO[word] ?? CLAMPING_WORDS.find((w) => w === word);
 const takes = (word: ClampingWord, n: number) =>
@@ -55,7 +55,7 @@ const takes = (word: ClampingWord, n: number) =>
 /** Reads a comment, without its `;`; null for one without a clamping. Spelling, order and decimal sign are free. */
 export function readClamping(comment: string): ReadClamping | null {
   // An axis may precede its value: FACE Z-75, LIMIT Z-70.
-  const text = /^\s*CLAMPING\b[\s:=]*(.*)$/iu
+  const text = /^\s*CLAMPING\b[\s:=]*(.*)/iu
     .exec(comment)?.[1]
     ?.toUpperCase()
     .replace(AXIS, (_, word: string, axis: string) => (word === "LIMIT" ? word + axis : word));

@@ -74,7 +74,7 @@ export function aligned(a: Int32Array, b: Int32Array): readonly Pair[] {
   let at: Pair = [first, first];
   while (at[0] < restA.length && at[1] < restB.length) {
     const way = search(restA, restB, at);
-    pairs.push(...equalsOn(way, at).reverse());
+    for (const pair of equalsOn(way, at).reverse()) pairs.push(pair);
     at = way.end;
   }
   for (let i = last; i > 0; i -= 1) pairs.push([a.length - i, b.length - i]);

@@ -67,25 +67,32 @@ function partnersOf(a: Placed, b: Placed, partners: Int32Array): Int32Array {
   });
 }
 
+/** The first number below `count` from which on a condition holds; `count` if it never does. */
+function firstWhere(count: number, holds: (at: number) => boolean): number {
+  let [low, high] = [0, count];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (holds(middle)) high = middle;
+    else low = middle + 1;
+  }
+  return low;
+}
+
 /** Moved operations: all outside the longest subsequence in unchanged order. */
 function outOfOrder(partner: Int32Array): ReadonlySet<number> {
   const kept = [...partner.keys()].filter((i) => (partner[i] ?? -1) >= 0);
-  const length = new Map<number, { readonly count: number; readonly before: number | null }>();
+  const of = (i: number | undefined) => partner[i ?? -1] ?? 0;
+  // The ends of ascending rows of each length; the partners of those of one length descend.
+  const ends: number[][] = [];
+  const before = new Map<number, number | undefined>();
   for (const i of kept) {
-    let best: { readonly count: number; readonly before: number | null } = { count: 1, before: null };
-    for (const j of kept) {
-      const up = length.get(j);
-      if (j < i && up && (partner[j] ?? 0) < (partner[i] ?? 0) && up.count + 1 > best.count)
-        best = { count: up.count + 1, before: j };
-    }
-    length.set(i, best);
+    const length = firstWhere(ends.length, (row) => of(ends[row]?.at(-1)) >= of(i));
+    const shorter = ends[length - 1] ?? [];
+    before.set(i, shorter[firstWhere(shorter.length, (at) => of(shorter[at]) < of(i))]);
+    (ends[length] ??= []).push(i);
   }
-  let [last] = [...length].sort(([, one], [, other]) => other.count - one.count)[0] ?? [null];
   const stays = new Set<number>();
-  while (last !== null) {
-    stays.add(last);
-    last = length.get(last)?.before ?? null;
-  }
+  for (let last = ends.at(-1)?.[0]; last !== undefined; last = before.get(last)) stays.add(last);
   return new Set(kept.filter((i) => !stays.has(i)));
 }
 

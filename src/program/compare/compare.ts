@@ -206,7 +206,7 @@ function compareInOrder(a: Program, b: Program): ProgramComparison {
     const [endA, endB] = [saidA.at[i] ?? a.blocks.length, saidB.at[j] ?? b.blocks.length];
     const startA = nextA === 0 ? 0 : (saidA.at[nextA - 1] ?? 0) + 1;
     const startB = nextB === 0 ? 0 : (saidB.at[nextB - 1] ?? 0) + 1;
-    differences.push(...notesBetween(a, b, [startA, endA], [startB, endB]));
+    for (const note of notesBetween(a, b, [startA, endA], [startB, endB])) differences.push(note);
     for (; nextA < i; nextA += 1)
       if (!movedA.has(nextA)) differences.push({ kind: "removed", a: saidA.at[nextA] ?? 0, b: null, words: [] });
     for (; nextB < j; nextB += 1) {

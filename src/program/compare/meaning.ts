@@ -23,7 +23,10 @@ export const isSaid = ({ statement: { kind } }: Block): boolean =>
 export const bareText = ({ raw, number, skip }: Pick<Block, "raw" | "number" | "skip">): string =>
   raw
     .replace(skip || number !== null ? /^\s*\/?[ \t]*(?:N?\d+(?![\d.,]))?[ \t]*\/?/i : /^\s*/, "")
-    .replace(/;[^\r\n"]*(?=[\r\n]|$)/g, "");
+    .replace(/[^\r\n]+/g, (line) => {
+      const from = line.indexOf(";", line.lastIndexOf('"') + 1);
+      return from < 0 ? line : line.slice(0, from);
+    });
 
 /**
  * Normalized meaning of a block: case, blanks, word order, names of cycles and labels of their parameters do not count.

@@ -25,7 +25,7 @@ const FORMATS: Readonly<Record<DrawingKind, Format>> = {
     load: async () => (await import("./dxf/read-dxf.ts")).readDxfFile,
   },
   STEP: {
-    begins: /^(?:\uFEFF|ï»¿)?\s*(?:\/\*[^]*?\*\/\s*)*ISO-10303-21\s*;/,
+    begins: /^(?:\uFEFF|ï»¿)?\s*(?:\/\*(?:[^*]|\*(?!\/))*\*\/\s*)*ISO-10303-21\s*;/,
     load: async () => (await import("./step/read-step.ts")).readStep,
   },
   SVG: {

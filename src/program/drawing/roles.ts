@@ -2,15 +2,21 @@ import type { LineRole } from "./drawing.ts";
 
 /** Names of linetypes and layers, in the languages of common programs; as tests of capitals. */
 const CENTRE =
-  /CENT(ER|RE)|MITTEL|ACHS|\bAXI?S?\b|\bAXES?\b|SYMM|DASH[ _-]?DOT(?!.*DOT)|STRICHPUNKT|TRAIT.?MIXTE|ISO(04|08|10)W|中心|轴线|点画线/;
+  /CENT(ER|RE)|MITTEL|ACHS|\bAXI?S?\b|\bAXES?\b|SYMM|STRICHPUNKT|TRAIT.?MIXTE|ISO(04|08|10)W|中心|轴线|点画线/;
 const HIDDEN = /HIDDEN|VERDECKT|UNSICHTBAR|CACH[EÉ]|DASHED|GESTRICHELT|INTERROMPU|ISO(02|03)W|虚线|隐藏/;
 const THIN =
   /\bDIM|DIMENSION|BEMA(SS|ß|ẞ)|\bMA(SS|ß)E?\b|\bCOTE|COTATION|HATCH|SCHRAFF|HACHUR|\bTHIN|SCHMAL|GEWINDE|THREAD|FILETAGE|PHANTOM|ISO(05|09|12)W|\bTEXT|TITLE|BORDER|\bFRAME|RAHMEN|CARTOUCHE|CADRE|DEFPOINTS|CONSTRUCT|HILFS|尺寸|标注|剖面|细实线|文字|图框|双点/;
 
+/** Dash and dot, without the second dot of a phantom line. */
+function isDashDot(capitals: string): boolean {
+  const dot = capitals.lastIndexOf("DOT");
+  return dot >= 0 && /DASH[ _-]?$/.test(capitals.slice(Math.max(0, dot - 5), dot));
+}
+
 /** Role by the name of a linetype or layer; an unknown name says nothing. */
 export function roleOfName(name: string): LineRole {
   const capitals = name.toUpperCase();
-  if (CENTRE.test(capitals)) return "centre";
+  if (CENTRE.test(capitals) || isDashDot(capitals)) return "centre";
   if (HIDDEN.test(capitals)) return "hidden";
   return THIN.test(capitals) ? "thin" : "outline";
 }

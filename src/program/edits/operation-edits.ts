@@ -39,7 +39,7 @@ const sameBlocks = (a: readonly Block[], b: readonly Block[]): boolean =>
     const other = b[i];
     return other !== undefined && bare(block) === bare(other);
   });
-const bare = ({ raw }: Block): string => raw.replace(/^([ \t]*\/?[ \t]*[Nn]?)\d+(?![\d.,])/, "$1");
+const bare = ({ raw }: Block): string => raw.replace(/^([ \t]*(?:\/[ \t]*)?[Nn]?)\d+(?![\d.,])/, "$1");
 
 /** Blocks of statements, in the style of a program; numbered where its blocks are. */
 export function blocksOfStatements(
@@ -48,7 +48,7 @@ export function blocksOfStatements(
   statements: readonly Statement[],
 ): readonly Block[] {
   const style = styleAt(program, Math.max(0, Math.min(index, program.blocks.length - 1)));
-  const letter = program.blocks.some(({ raw }) => /^[ \t]*\/?[ \t]*N\d/i.test(raw)) ? "N" : "";
+  const letter = program.blocks.some(({ raw }) => /^[ \t]*(?:\/[ \t]*)?N\d/i.test(raw)) ? "N" : "";
   const head = program.blocks.some(({ number }) => number !== null) ? `${letter}0 ` : "";
   return statements.flatMap(
     (s) =>
@@ -130,7 +130,7 @@ function composed(
   const made: Block[] = [];
   let now = modalSettingsAfter(program.blocks.slice(0, all.from), NO_MODAL_SETTINGS);
   const put = (blocks: readonly Block[]) => {
-    made.push(...blocks);
+    for (const block of blocks) made.push(block);
     now = modalSettingsAfter(blocks, now);
   };
   for (const group of groups) {

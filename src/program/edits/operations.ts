@@ -199,6 +199,22 @@ function tiedStretches(blocks: readonly Block[], end: number): readonly BlockRan
   return tied;
 }
 
+/** Whether a range has a block in common with any of these, of a program of `count` blocks. */
+function touches(ranges: readonly BlockRange[], count: number): (range: BlockRange) => boolean {
+  const open = new Int32Array(count + 1);
+  for (const { from, to } of ranges) {
+    open[from] = (open[from] ?? 0) + 1;
+    open[to] = (open[to] ?? 0) - 1;
+  }
+  const covered = new Int32Array(count + 1);
+  let depth = 0;
+  for (let i = 0; i < count; i += 1) {
+    depth += open[i] ?? 0;
+    covered[i + 1] = (covered[i] ?? 0) + (depth > 0 ? 1 : 0);
+  }
+  return ({ from, to }) => (covered[to] ?? 0) > (covered[from] ?? 0);
+}
+
 function tieFor({
   hasLabel,
   framed,
@@ -220,21 +236,18 @@ export function operationsOf({ blocks }: Program): Operations {
   const at = (i: number): Statement => blocks[i]?.statement ?? { kind: "empty" };
   for (let i = 0; i < end; i += 1) if (callsTool(at(i))) tools.push(i);
   const firstCut = blocks.findIndex(({ statement: s }, i) => i < end && (definesCycle(s) || callsCycle(s)));
-  const frame =
-    blocks
-      .slice(0, end)
-      .findLastIndex(
-        ({ statement: s }, i) => klartext.has(s, "opening") && i < Math.min(...tools, firstCut < 0 ? end : firstCut),
-      ) + 1;
+  const begins = Math.min(tools[0] ?? end, firstCut < 0 ? end : firstCut);
+  const frame = blocks.slice(0, begins).findLastIndex(({ statement: s }) => klartext.has(s, "opening")) + 1;
   const toolStarts = tools.map((tool, k) =>
     backOver(blocks, tool, k === 0 ? frame : (tools[k - 1] ?? 0) + 1, leadsTool),
   );
   const [firstTool = Infinity] = toolStarts;
   const headless = firstCut >= 0 && firstCut < firstTool;
   const starts = [...(headless ? [frame] : []), ...toolStarts];
-  const tied = tiedStretches(blocks, end);
-  const isTied = ({ from, to }: BlockRange) => tied.some((each) => each.from < to && each.to > from);
+  const isTied = touches(tiedStretches(blocks, end), blocks.length);
   const units: OperationPart[] = [];
+  // Parts follow each other, so the last tool call before the end of one is at or behind that of the one before.
+  let called = -1;
   const sections = starts.map((from, section): ToolSection => {
     const whole = { from, to: starts[section + 1] ?? end };
     const hasLabel = isTied(whole);
@@ -243,7 +256,8 @@ export function operationsOf({ blocks }: Program): Operations {
       : partsOf(blocks, whole);
     const own = cuts.parts.map((part, k): OperationPart => {
       const inside = blocks.slice(part.from, part.to);
-      const toolCall = blocks.slice(0, part.to).findLastIndex(({ statement: s }) => callsTool(s));
+      while ((tools[called + 1] ?? Infinity) < part.to) called += 1;
+      const toolCall = tools[called] ?? -1;
       const framed = blocks
         .slice(k === 0 ? from : part.from, k === cuts.parts.length - 1 ? whole.to : part.to)
         .some(({ statement: s }) => changesFrame(s));
@@ -259,7 +273,7 @@ export function operationsOf({ blocks }: Program): Operations {
       };
     });
     const first = units.length;
-    units.push(...own);
+    for (const unit of own) units.push(unit);
     return { ...whole, opening: cuts.opening, closing: cuts.closing, units: own.map((_, k) => first + k) };
   });
   return { from: starts[0] ?? end, to: end, sections, units };

@@ -140,8 +140,8 @@ function readChoices(typed: string, at: string, say: Say): readonly OwnChoice[] 
     .map(trimmed)
     .filter((part) => part !== "");
   const choices = parts.flatMap((part) => {
-    const m = /^([+-]?\d{1,5}(?:\.\d{1,4})?)(?:[ =:]+(.*))?$/.exec(part);
-    return m ? [{ value: Number(m[1]), meaning: m[2] ?? "" }] : [];
+    const m = /^([+-]?\d{1,5}(?:\.\d{1,4})?)(?:[ =:](.*))?$/.exec(part);
+    return m ? [{ value: Number(m[1]), meaning: (m[2] ?? "").replace(/^[ =:]+/, "") }] : [];
   });
   const twice = choices.find(({ value }, i) => choices.findIndex((each) => each.value === value) < i);
   if (choices.length < parts.length || choices.length === 0) say(at, "choices");

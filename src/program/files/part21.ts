@@ -242,7 +242,7 @@ class Reader {
 
 /** Whether a text begins as a Part 21 file does. */
 export const isPart21 = (text: string) =>
-  /^\uFEFF?(?:\s|\/\*[^]{0,2000}?\*\/)*ISO-10303-21\s*;/.test(text.slice(0, 4096));
+  /^\uFEFF?(?:\s|\/\*(?:[^*]|\*(?!\/))*\*\/)*ISO-10303-21\s*;/.test(text.slice(0, 4096));
 
 const schemasOf = (header: readonly Part21Record[]): string[] => {
   const list = header.find((r) => r.type === "FILE_SCHEMA")?.values[0];

@@ -60,19 +60,23 @@ const closed = (o: Open): XmlElement => ({ ...o, local: localName(o.name) });
 class Reader {
   readonly text: string;
   at = 0;
-  private lineAt = 0;
   private line = 1;
+  /** Where that line ends. */
+  private lineEnd: number;
 
   constructor(text: string) {
     this.text = text;
+    this.lineEnd = this.endBehind(0);
+  }
+
+  private endBehind(place: number): number {
+    const end = this.text.indexOf("\n", place);
+    return end < 0 ? Infinity : end;
   }
 
   /** Line of a place; places are asked for in their order. */
   lineOf(place: number): number {
-    for (let i = this.text.indexOf("\n", this.lineAt); i >= 0 && i < place; i = this.text.indexOf("\n", i + 1)) {
-      this.line += 1;
-      this.lineAt = i + 1;
-    }
+    for (; this.lineEnd < place; this.lineEnd = this.endBehind(this.lineEnd + 1)) this.line += 1;
     return this.line;
   }
 

@@ -28,7 +28,7 @@ const FAMILIES: readonly Family[] = [
   // L123G2-0300-0502-CM has CW 3, 5° and RE 0.2 in the list of the maker.
   {
     maker: "Sandvik CoroCut 1-2",
-    pattern: family("(?<name>(?<hand>[NRL])123 [A-Z] \\d?) (?<width>\\d{4}) (?<angle>\\d{2})(?<radius>\\d{2})"),
+    pattern: family("(?<name>(?<hand>[NRL])123 [A-Z](?: \\d)?) (?<width>\\d{4}) (?<angle>\\d{2})(?<radius>\\d{2})"),
     width: 100,
     radius: 10,
     type: "RECESS",
@@ -36,7 +36,7 @@ const FAMILIES: readonly Family[] = [
   },
   {
     maker: "Sandvik CoroCut 1-2",
-    pattern: family("(?<name>(?<hand>[NRL])123 [A-Z] \\d?) (?<width>\\d{4}) R[OMSE]"),
+    pattern: family("(?<name>(?<hand>[NRL])123 [A-Z](?: \\d)?) (?<width>\\d{4}) R[OMSE]"),
     width: 100,
     isRound: true,
     type: "RECESS",
@@ -168,7 +168,7 @@ export function readGrooveCode(text: string): MakerCode | null {
     ];
     return {
       kind: "maker",
-      code: found[0].replace(/[\s_/·]+/g, "-").replace(/-+$/, ""),
+      code: found[0].replace(/[\s_/·]+/g, "-").replace(/(?<!-)-+$/, ""),
       parts: [
         codePart("family", name.replace(/[\s_/·-]+/g, ""), { is: "nothing" }),
         ...(hand && !holder ? [codePart("hand", hand, { is: "hand", hand: hand as "R" })] : []),

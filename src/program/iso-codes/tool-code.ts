@@ -43,16 +43,19 @@ function readOne(text: string): ToolCodes {
   return insert ? { ...none, insert } : { ...none, notCovered: "unknown" };
 }
 
+/** Characters of two codes with all that may stand between their parts. */
+const LONGEST = 200;
+
 /** Possible starts of a second code: after a space, a plus or a comma. */
 const placesOfSecond = (text: string) =>
-  [...text.matchAll(/[\s+,;]+(?=[A-Z])/g)].map((found) => [found.index, found[0].length] as const);
+  [...text.matchAll(/(?<![\s+,;])[\s+,;]+(?=[A-Z])/g)].map((found) => [found.index, found[0].length] as const);
 
 /**
  * Reads a typed code: of an insert, of a holder, or of both in either order, in any case, with any gaps. Never throws;
  * an empty text has neither.
  */
 export function readToolCodes(typed: string): ToolCodes {
-  const text = typed.trim().toUpperCase();
+  const text = typed.trim().slice(0, LONGEST).toUpperCase();
   if (text === "") return { insert: null, holder: null, notCovered: null };
   const strong = (codes: ToolCodes) =>
     codes.notCovered === null && (codes.holder?.parts.length ?? codes.insert?.parts.length ?? 0) > 4;

@@ -5,7 +5,7 @@ import type { Job } from "./job.ts";
 /** Q parameters in the prompts of the job's cycle, sorted by number. */
 export function usedParameters(job: Job): readonly string[] {
   const names = new Set(Object.values(job.drafts[job.cycle] ?? {}).flatMap(parametersIn));
-  const order = (name: string) => Number(/\d+$/.exec(name)?.[0] ?? 0);
+  const order = (name: string) => Number(/(?<!\d)\d+$/.exec(name)?.[0] ?? 0);
   return [...names].sort((a, b) => order(a) - order(b) || (a < b ? -1 : 1));
 }
 

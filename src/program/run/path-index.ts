@@ -177,7 +177,7 @@ function ofBlocks(run: Run, { span: { from, to }, line }: Extract<PathChoice, { 
   const { blocks, ofBlock, definedAt, contourAt } = pathIndex(run);
   const own: MoveSpan[] = [];
   for (let i = placeInSorted(blocks, from); i < blocks.length && (blocks[i] ?? to + 1) <= to; i += 1)
-    own.push(...(ofBlock.get(blocks[i] ?? -1) ?? []));
+    for (const span of ofBlock.get(blocks[i] ?? -1) ?? []) own.push(span);
   if (own.length > 0) return marking(inOrder(own));
   const defined = definedAt.get(keyOf(undefined, line))?.flatMap((operation) => stretchOf(run, operation)) ?? [];
   if (defined.length > 0) return marking(defined);

@@ -31,7 +31,7 @@ export function milledBy(run: Pick<Run, "plane">, { from, to }: BlockSpan): read
   const { blocks, ofBlock } = planeIndex(run);
   const own: MoveSpan[] = [];
   for (let i = placeInSorted(blocks, from); i < blocks.length && (blocks[i] ?? to + 1) <= to; i += 1)
-    own.push(...(ofBlock.get(blocks[i] ?? -1) ?? []));
+    for (const span of ofBlock.get(blocks[i] ?? -1) ?? []) own.push(span);
   return own.sort((a, b) => a.first - b.first);
 }
 

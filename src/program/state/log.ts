@@ -79,6 +79,8 @@ export const emptyLog = (): LogState => ({
 
 /** Blocks and words for which another spelling is tried: more slips are another language. */
 const MOST_SPELT = 40;
+/** Characters of their blocks, all together: each try reads its whole block. */
+const MOST_READ_AGAIN = 8000;
 
 /** Records steps and findings of a run, each at its block. */
 export class Log {
@@ -281,8 +283,9 @@ export class Log {
     const read = limitPerCode(this.read(missing));
     const unread = read.filter(({ issue }) => issue.code === "notUnderstood" || issue.code === "wordNotUnderstood");
     const spelt = new Set(unread.slice(0, MOST_SPELT));
+    const again = { characters: MOST_READ_AGAIN, begins: spelt.size > 0 ? this.beginnings() : [] };
     return [
-      ...read.map((found) => (spelt.has(found) ? this.spelt(found) : found)),
+      ...read.map((found) => (spelt.has(found) ? this.spelt(found, again) : found)),
       ...limitPerCode(findings.toSorted(order)),
     ].sort(order);
   }
@@ -301,24 +304,39 @@ export class Log {
   }
 
   /** A finding of the reader with the right spelling, where a typing slip is its cause. */
-  private spelt(found: RunFinding): RunFinding {
+  private spelt(found: RunFinding, again: { characters: number; readonly begins: readonly number[] }): RunFinding {
     const { issue, line, inFile } = found;
     if (inFile || !("offset" in issue) || issue.fix) return found;
-    const { blocks } = this.input.program;
-    const at = this.input.lines.findLastIndex((start) => start <= (line ?? 0));
-    const begin = blocks.slice(0, at).reduce((sum, { raw }) => sum + raw.length, 0);
-    const fix = spellingFix(issue, blocks[at]?.raw ?? "", begin);
+    const at = this.blockOn(line ?? 0);
+    const raw = this.input.program.blocks[at]?.raw ?? "";
+    again.characters -= raw.length;
+    const fix = again.characters < 0 ? null : spellingFix(issue, raw, again.begins[at] ?? 0);
     return fix ? { ...found, issue: { ...issue, fix } } : found;
   }
 
-  private located(issue: NcIssue): RunFinding {
-    const { lines, numbers } = this.input;
+  /** Where each block begins in the text. */
+  private beginnings(): readonly number[] {
+    let offset = 0;
+    return this.input.program.blocks.map(({ raw }) => {
+      offset += raw.length;
+      return offset - raw.length;
+    });
+  }
+
+  /** Index of the block on a line. */
+  private blockOn(line: number): number {
+    const { lines } = this.input;
     let [low, high] = [0, lines.length - 1];
     while (low < high) {
       const middle = (low + high + 1) >> 1;
-      if ((lines[middle] ?? 0) <= issue.line) low = middle;
+      if ((lines[middle] ?? 0) <= line) low = middle;
       else high = middle - 1;
     }
-    return { issue, block: numbers[low] ?? null, line: issue.line, operation: null };
+    return low;
+  }
+
+  private located(issue: NcIssue): RunFinding {
+    const block = this.input.numbers[this.blockOn(issue.line)] ?? null;
+    return { issue, block, line: issue.line, operation: null };
   }
 }

@@ -11,18 +11,28 @@ export function noTool(machine: Machine, index: number): void {
   if (!machine.now.toolRefused) machine.log.report(programIssue("noToolCalled", "error", {}), index);
 }
 
-/** Line of a parameter in its definition, from 0: its first or second occurrence. */
-export function lineOfParameter(raw: string, q: string, time = 1): number {
-  const found = [...raw.matchAll(new RegExp(String.raw`(?:^|[\r\n]|[ \t])[ \t]*${q}(?![\d])`, "gi"))][time - 1];
-  return found ? raw.slice(0, found.index + 1).split(/\r\n|\n|\r/).length - 1 : 0;
+/** Lines of the parameters in a definition, from 0: of the first or second occurrence of each, 0 for none. */
+export function linesOfParameters(raw: string): (q: string, time?: number) => number {
+  const lines = new Map<string, number[]>();
+  raw.split(/\r\n|\n|\r/).forEach((text, line) => {
+    for (const [q] of text.matchAll(/(?<![^ \t])Q[LRS]?\d+/gi)) {
+      const known = lines.get(q.toUpperCase());
+      if (known) known.push(line);
+      else lines.set(q.toUpperCase(), [line]);
+    }
+  });
+  return (q, time = 1) => lines.get(q.toUpperCase())?.[time - 1] ?? 0;
 }
+
+/** Line of one parameter, from 0. */
+export const lineOfParameter = (raw: string, q: string): number => linesOfParameters(raw)(q);
 
 /**
  * Reports parameters that the cycle lacks, and duplicates: a control refuses the former and takes the last of the
  * latter.
  */
 export function foreignParameters(machine: Machine, cycle: Cycle, names: readonly string[], index: number): void {
-  const raw = machine.blocks[index]?.raw ?? "";
+  const lineOf = linesOfParameters(machine.blocks[index]?.raw ?? "");
   const met = new Set<string>();
   for (const q of names) {
     const twice = met.has(q);
@@ -31,7 +41,7 @@ export function foreignParameters(machine: Machine, cycle: Cycle, names: readonl
       machine.log.report(
         programIssue("parameterForeign", "warning", { name: q, cycle: cycle.number }, q),
         index,
-        lineOfParameter(raw, q, twice ? 2 : 1),
+        lineOf(q, twice ? 2 : 1),
       );
   }
 }

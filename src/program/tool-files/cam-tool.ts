@@ -140,8 +140,8 @@ function shapeOf(reader: PropertyReader, kind: FileToolKind): Facts {
   const mode = reader.text("geometry.SIZE_SPECIFICATION_MODE", "tool_insertSizeSpecificationMode")?.value ?? "";
   const size = reader.length(["geometry.INSD", "insert.diameter", "tool_insertSize"]);
   if (!size) return shape;
-  if (/^(?:CE|.*edge.*)$/i.test(mode)) return { ...shape, edge: size };
-  return { ...shape, circle: /^(?:IC|.*circle.*)$/i.test(mode) ? size : { ...size, why: "circleAssumed" } };
+  if (/^CE$|edge/i.test(mode)) return { ...shape, edge: size };
+  return { ...shape, circle: /^IC$|circle/i.test(mode) ? size : { ...size, why: "circleAssumed" } };
 }
 
 /** A tool of such a library, or why it is none; `type` is its kind as the library names it. */

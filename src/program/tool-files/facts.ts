@@ -146,14 +146,14 @@ const UNITS: readonly (readonly [RegExp, LengthUnit])[] = [
 /** Unit of length by its name; null for others. */
 export const unitOf = (name: string): LengthUnit | null => UNITS.find(([form]) => form.test(name.trim()))?.[1] ?? null;
 
-const MEASURE = /^\s*([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d{1,3})?)\s*(\S{0,12})\s*$/;
+const MEASURE = /^([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d{1,3})?)\s*(\S{0,12})$/;
 
 /** Number of a property and its unit, the one behind the number before that of the property. Both decimal signs are read. */
 export function measureOf({ value, unit }: FileProperty): {
   readonly value: number | null;
   readonly unit?: LengthUnit;
 } {
-  const found = typeof value === "number" ? ["", String(value), ""] : MEASURE.exec(String(value).slice(0, 64));
+  const found = typeof value === "number" ? ["", String(value), ""] : MEASURE.exec(String(value).slice(0, 64).trim());
   const number = found ? Number((found[1] ?? "").replace(",", ".")) : NaN;
   const own = unitOf(found?.[2] ?? "") ?? unit;
   return { value: Math.abs(number) <= LARGEST ? number : null, ...(own && { unit: own }) };

@@ -9,8 +9,8 @@ import { kindOfWords } from "./tool-words.ts";
  * edge, from +Z on, in the direction from +Z to +X. Sources: docs/decisions, tool files of other systems.
  */
 
-const WORDS = /^\s*(?:[A-Z]\s*[+-]?(?:\d+\.?\d*|\.\d+)\s*)+$/i;
-const WORD = /([A-Z])\s*([+-]?(?:\d+\.?\d*|\.\d+))/gi;
+const WORDS = /^\s*(?:[A-Z]\s*[+-]?(?:\d+(?:\.\d*)?|\.\d+)\s*)+$/i;
+const WORD = /([A-Z])\s*([+-]?(?:\d+(?:\.\d*)?|\.\d+))/gi;
 
 interface Line {
   readonly words: ReadonlyMap<string, number>;

@@ -32,7 +32,7 @@ const symbolOf = (cell: string) =>
   cell
     .trim()
     .toUpperCase()
-    .replace(/\s*[[(](?:MM|INCH|IN|DEG|°)[\])]$/, "");
+    .replace(/(?<!\s)\s*[[(](?:MM|INCH|IN|DEG|°)[\])]$/, "");
 const countSymbols = (names: readonly string[]) => new Set(names.filter((name) => ISO13399_SYMBOLS.has(name))).size;
 const NAMES = ["NAME", "DESCRIPTION", "PRODUCT", "ORDERCODE", "ORDER CODE", "ITEMNUMBER", "ID"];
 

@@ -48,4 +48,4 @@ export const controlName = (text: string): string =>
     .toUpperCase()
     .replace(/[^A-Z0-9#$%&,\-._]+/g, "-")
     .slice(0, LONGEST_NAME)
-    .replace(/^-+|-+$/g, "");
+    .replace(/^-+|(?<!-)-+$/g, "");

@@ -102,7 +102,7 @@ const bare = (text: string) =>
 /** A title as it is compared: small letters without accents, signs and units. */
 export const plainTitle = (title: string): string =>
   bare(title)
-    .replace(/[[(][^\])]*[\])]/g, " ")
+    .replace(/[[(][^[(\])]*[\])]/g, " ")
     .replace(/[^\p{L}\p{N}]+/gu, " ")
     .trim();
 

@@ -82,8 +82,9 @@ export function tableLayoutOf(text: string): TableLayout | { readonly lacks: rea
   const ends = pieces.filter((_, i) => i % 2 === 1);
   const bare = lines.map((line, i) => (i === 0 ? line.replace(/^\uFEFF/, "") : line).trimEnd());
   const begin = bare.findIndex((line) => line !== "");
-  const header = /^BEGIN\s+\S.*?(?:\s(MM|INCH))?(?:\s+VERSION.*|\s+U)?$/i.exec(bare[begin] ?? "");
-  if (!header) return null;
+  const header = bare[begin] ?? "";
+  if (!/^BEGIN\s+\S/i.test(header)) return null;
+  const unit = /\s(MM|INCH)(?:\s+U)?$/i.exec((header.split(/\sVERSION/i)[0] ?? "").trimEnd())?.[1];
   let at = afterDescription(bare, begin + 1);
   while (at < bare.length && bare[at] === "") at++;
   const titles = titlesOf(bare[at] ?? "");
@@ -97,7 +98,7 @@ export function tableLayoutOf(text: string): TableLayout | { readonly lacks: rea
     titles,
     first: at + 1,
     last: end < 0 ? lines.length : end,
-    inch: header[1]?.toUpperCase() === "INCH",
+    inch: unit?.toUpperCase() === "INCH",
     milling,
     cutShort: end < 0,
   };
@@ -137,10 +138,8 @@ function isNoMill(cells: Readonly<Record<string, string>>): boolean {
 
 /** A number without trailing zeros. */
 export const shortNumber = (value: number, decimals: number): string => {
-  const text = value
-    .toFixed(decimals)
-    .replace(/(\.\d*?)0+$/, "$1")
-    .replace(/\.$/, "");
+  const fixed = value.toFixed(decimals);
+  const text = fixed.includes(".") ? fixed.replace(/\.0+$|(?<!0)0+$/, "") : fixed;
   return text === "-0" ? "0" : text;
 };
 

@@ -82,7 +82,7 @@ export function checkNumber({ id, kind, range: [min, max], choices }: Taken, n: 
 
 /** FAUTO and FMAX as typed: with or without the F, in any case. */
 export function feedWord(typed: string): "auto" | "max" | null {
-  const word = /^\s*f?\s*(auto|max)\s*$/i.exec(typed)?.[1]?.toLowerCase();
+  const word = /^(?:f\s*)?(auto|max)$/i.exec(typed.trim())?.[1]?.toLowerCase();
   return word === "auto" || word === "max" ? word : null;
 }
 

@@ -29,7 +29,7 @@ function hunkOf(before: readonly Block[], now: readonly Block[], textOf: (block:
 
 /** A block without its number. */
 const bare = ({ raw, number }: Block): string =>
-  number === null ? raw.trimEnd() : raw.replace(/^[ \t]*\/?[ \t]*N?\d+/i, "").trimEnd();
+  number === null ? raw.trimEnd() : raw.replace(/^[ \t]*(?:\/[ \t]*)?N?\d+/i, "").trimEnd();
 
 /** The program with two of its changes; null where they concern the same blocks. */
 function merged(program: Program, a: Program, b: Program): Program | null {

@@ -14,7 +14,7 @@ const lineEndOf = (raw: string) => /(?:\r\n|\n|\r)$/.exec(raw)?.[0] ?? "";
 const withoutEnd = (raw: string) => raw.slice(0, raw.length - lineEndOf(raw).length);
 /** Replaces the number of a block that has one. */
 const numbered = (raw: string, number: number | null) =>
-  number === null ? raw : raw.replace(/^([^\S\r\n]*\/?[^\S\r\n]*)\d+/, `$1${number}`);
+  number === null ? raw : raw.replace(/^([^\S\r\n]*(?:\/[^\S\r\n]*)?)\d+/, `$1${number}`);
 
 /** The smallest replacement between two texts; null if they are equal. */
 function difference(before: string, after: string, offset: number): TextChange | null {

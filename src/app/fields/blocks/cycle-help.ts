@@ -178,9 +178,9 @@ function parameters(t: Texts, language: Language, context: CompletionContext): C
 }
 
 function blockWords(context: CompletionContext): CompletionResult | null {
-  const typed = context.matchBefore(/^\s*\/?\d*\s*[A-Z][A-Z ]*/i);
+  const typed = context.matchBefore(/^\s*(?:\/\d*\s*|\d+\s*)?[A-Z][A-Z ]*/i);
   if (!typed) return null;
-  const word = /[A-Z][A-Z ]*$/i.exec(typed.text)?.[0] ?? "";
+  const word = typed.text.replace(/^[^A-Z]+/i, "");
   if (!context.explicit && word.length < 2) return null;
   return {
     from: context.pos - word.length,

@@ -41,9 +41,15 @@ export interface Part {
 const isPart = (s: Statement): boolean =>
   !(s.kind === "label" && s.label === 0) && !(s.kind === "cycleLine" && s.line > 0 && s.cycle !== 14);
 
+const HEAD = /^\s*(?:\/\s*)?(?:\d+(?![\d.,])\s*)?/;
+const LINE = /^[^\r\n]*/;
+
 /** The first line of a block without number and continuation. */
-export const firstLine = (raw: string): string =>
-  (/^\s*\/?\s*(?:\d+(?![\d.,])\s*)?(.*?)\s*~?\s*(?:[\r\n]|$)/.exec(raw)?.[1] ?? "").replace(/\s+/g, " ");
+export function firstLine(raw: string): string {
+  const from = HEAD.exec(raw)?.[0].length ?? 0;
+  const line = (LINE.exec(raw.slice(from))?.[0] ?? "").trimEnd();
+  return (line.endsWith("~") ? line.slice(0, -1).trimEnd() : line).replace(/\s+/g, " ");
+}
 
 /**
  * Results of the calls of each definition in one text, by the line of the definition. `file`: name of a called program.

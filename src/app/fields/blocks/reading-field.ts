@@ -66,7 +66,7 @@ export function blockRange(state: EditorState, index: number): { readonly from: 
   const block = program.blocks[index];
   const from = starts[index];
   if (!block || from === undefined) return null;
-  return { from, to: from + block.raw.replace(/[\r\n]+$/, "").length };
+  return { from, to: from + block.raw.replace(/(?<![\r\n])[\r\n]+$/, "").length };
 }
 
 const PARAMETER_LINE = new RegExp(String.raw`^\s*(${NUMBER_PARAMETER})\s*[=+\-\d]`, "i");

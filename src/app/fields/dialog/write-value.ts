@@ -33,7 +33,7 @@ export const writeTyped = (language: Language, value: number, decimals: number):
 
 /** Typed text with the decimal sign of the screen; sums and Q parameters stay as they are. */
 export const inScreenWriting = (language: Language, text: string): string =>
-  /^\s*[+-]?\d*\.?\d*\s*$/.test(text) ? text.replace(".", decimalSign(language)) : text;
+  /^[+-]?\d*(?:\.\d*)?$/.test(text.trim()) ? text.replace(".", decimalSign(language)) : text;
 
 type UnitName =
   "diameter" | "radius" | "axial" | "degrees" | "perRevolution" | "perMinute" | "percent" | "revolutions" | "none";

@@ -8,7 +8,7 @@ const escaped = (text: string) => text.replace(/[\\^$.*+?()[\]{}|]/g, String.raw
 
 /** Longest block number with its skip mark, characters. */
 const LONGEST_NUMBER = 20;
-const BLOCK_NUMBER = /^[^\S\r\n]*\/?[^\S\r\n]*N?\d+(?![\d.,])/i;
+const BLOCK_NUMBER = /^[^\S\r\n]*(?:\/[^\S\r\n]*)?N?\d+(?![\d.,])/i;
 
 /**
  * Searches in upper and lower case alike. A blank finds any number of blanks, since `L  X+5` and `L X+5` are the same
@@ -28,7 +28,8 @@ function patternOf(sought: string): RegExp | null {
 
 /** Block numbers alone are not searched: they belong to no block, and replacing must not change them. */
 function isInNumber(text: string, { from, to }: Match): boolean {
-  const line = text.lastIndexOf("\n", from - 1) + 1;
+  const near = Math.max(0, to - LONGEST_NUMBER - 1);
+  const line = near + text.slice(near, from).lastIndexOf("\n") + 1;
   if (to - line > LONGEST_NUMBER) return false;
   return to - line <= (BLOCK_NUMBER.exec(text.slice(line, line + LONGEST_NUMBER))?.[0].length ?? 0);
 }

@@ -8,10 +8,10 @@ export interface EntryState {
   readonly negative: boolean;
 }
 
-const plainNumber = /^\s*[+-]?\d*[.,]?\d*\s*$/;
+const plainNumber = /^[+-]?\d*(?:[.,]\d*)?$/;
 
 /** True when minus means "change the sign" here; in a sum it is an ordinary minus. */
-export const isPlainNumber = (text: string): boolean => plainNumber.test(text);
+export const isPlainNumber = (text: string): boolean => plainNumber.test(text.trim());
 
 /** A sign without a digit: a number that has only begun, not a wrong one yet. */
 export const isOnlySign = (text: string): boolean => /^\s*I?[+-]\s*$/i.test(text);
@@ -53,7 +53,7 @@ export const subtracted = ({ text, from }: EntryState, minuend: string, digit: s
 
 /** The minuend for a minus at the end: typed digits with the caret behind them; else null. */
 export const minuendOf = ({ text, from, to }: EntryState): string | null =>
-  from === to && to === text.length && /^\d+[.,]?\d*$/.test(text) ? text : null;
+  from === to && to === text.length && /^\d+(?:[.,]\d*)?$/.test(text) ? text : null;
 
 /** Replaces the selection by one or more characters. */
 export function insert(entry: EntryState, characters: string): EntryState {

@@ -134,7 +134,10 @@ export async function openFiles(chosen: readonly Chosen[]): Promise<OpenResult> 
 /** Opens tasks and results, recognised by file name or content; false for other files. */
 async function openCourseFiles(files: readonly File[]): Promise<boolean> {
   const { areTaughtFiles, openTaughtFiles } = await retryImport(courseFilesSlot.fetch);
-  if (!files.some(({ name }) => /\.turnwise-(?:task|result)\b.*\.json$/i.test(name)) && !(await areTaughtFiles(files)))
+  if (
+    !files.some(({ name }) => /\.turnwise-(?:task|result)\b/i.test(name) && /\.json$/i.test(name)) &&
+    !(await areTaughtFiles(files))
+  )
     return false;
   await openTaughtFiles(files);
   return true;

@@ -10,8 +10,9 @@ const escaped = (text: string) => text.replaceAll(/[.*+?^${}()|[\]\\]/g, String.
 /** Splits a name into its alternatives, without the part in brackets. */
 const namesOf = (name: string) =>
   name
-    .replace(/\s*[（(].*$/u, "")
-    .split(/\s*[、,/]\s*/u)
+    .replace(/[（(].*/u, "")
+    .split(/[、,/]/u)
+    .map((each) => each.trim())
     .filter((each) => each !== "");
 
 interface TermPattern {

@@ -21,7 +21,7 @@ export function sizesText({ groove, relief, udc }: NamedUndercut, write: (n: num
 
 /** A designation with the decimal sign of the reader. */
 export const nameText = (name: string, write: (n: number) => string): string =>
-  name.replace(/\d+\.\d+/g, (n) => write(Number(n)));
+  name.replace(/(?<!\d)\d+\.\d+/g, (n) => write(Number(n)));
 
 /** What to know about a size. */
 export function noteText({ notes: t }: UndercutTexts, note: UndercutNote, write: (n: number) => string): string {

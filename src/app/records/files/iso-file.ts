@@ -6,7 +6,7 @@ import type { WorkFile } from "../../document/work.ts";
 
 /** True if a text may be DIN/ISO; only then its reader, which decides, is loaded. */
 export const mayBeIso = (text: string): boolean =>
-  !/BEGIN PGM/i.test(text) && /^[ \t\ufeff]*(?:%|\/?N?\d*[ \t]*G[ \t]*\d)/im.test(text);
+  !/BEGIN PGM/i.test(text) && /^[ \t\ufeff]*(?:%|(?:\/(?:N?\d*)[ \t]*|N\d*[ \t]*|\d+[ \t]*)?G[ \t]*\d)/im.test(text);
 
 /** A text file as Klartext. DIN/ISO is converted under the same name, with a notice. */
 export async function asKlartext(file: WorkFile): Promise<WorkFile> {

@@ -273,6 +273,7 @@ export const messages = {
     equalsMissing: (d, w) =>
       `In „${w.text(d.text)}“ fehlt das Gleichheitszeichen. Gelesen wird der Text wie mit Gleichheitszeichen.`,
     blankBeforeEquals: (d, w) => `In „${w.text(d.text)}“ steht ein Leerzeichen vor dem Gleichheitszeichen.`,
+    lineTooLong: (d) => `Die Zeile hat mehr als ${d.most} Zeichen: Sie bleibt im Text stehen, wird aber nicht gelesen.`,
     badNumber: (d, w) => `„${w.text(d.text)}“ ist keine Zahl.`,
     wordMissing: (d, w) => `${w.text(d.word)} fehlt in diesem Satz.`,
     blockNumber: (d) => `Satznummer ${d.found} ist außer der Reihe; erwartet: ${d.expected}.`,

@@ -263,6 +263,7 @@ export const messages = {
     wordTwice: (d, w) => `${w.text(d.word)} is programmed twice in this block; the last one applies.`,
     equalsMissing: (d, w) => `“${w.text(d.text)}” has no equals sign; it is read as if there were one.`,
     blankBeforeEquals: (d, w) => `“${w.text(d.text)}” has a space before the equals sign.`,
+    lineTooLong: (d) => `The line has more than ${d.most} characters: it stays in the text, but it is not read.`,
     badNumber: (d, w) => `“${w.text(d.text)}” is not a number.`,
     wordMissing: (d, w) => `${w.text(d.word)} is missing in this block.`,
     blockNumber: (d) => `Block number ${d.found} is out of sequence; expected ${d.expected}.`,

@@ -269,6 +269,7 @@ export const messages = {
     wordTwice: (d, w) => `${w.text(d.word)} est programmé deux fois dans cette séquence ; le dernier s’applique.`,
     equalsMissing: (d, w) => `« ${w.text(d.text)} » n’a pas de signe égal ; la lecture le suppose présent.`,
     blankBeforeEquals: (d, w) => `« ${w.text(d.text)} » a un espace avant le signe égal.`,
+    lineTooLong: (d) => `La ligne a plus de ${d.most} caractères : elle reste dans le texte, mais n’est pas lue.`,
     badNumber: (d, w) => `« ${w.text(d.text)} » n’est pas un nombre.`,
     wordMissing: (d, w) => `${w.text(d.word)} manque dans cette séquence.`,
     blockNumber: (d) => `Numéro de séquence ${d.found} hors suite ; attendu : ${d.expected}.`,

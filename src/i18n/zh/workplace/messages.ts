@@ -199,6 +199,7 @@ export const messages = {
     wordTwice: (d, w) => `${w.text(d.word)}在该程序段中出现两次，以最后一个为准。`,
     equalsMissing: (d, w) => `“${w.text(d.text)}”缺少等号，按有等号读取。`,
     blankBeforeEquals: (d, w) => `“${w.text(d.text)}”的等号前有空格。`,
+    lineTooLong: (d) => `该行超过${d.most}个字符：文本保留，但不读取。`,
     badNumber: (d, w) => `“${w.text(d.text)}”不是数字。`,
     wordMissing: (d, w) => `该程序段缺少${w.text(d.word)}。`,
     blockNumber: (d) => `程序段号${d.found}不连续，应为${d.expected}。`,

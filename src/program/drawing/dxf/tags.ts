@@ -123,7 +123,7 @@ export function readTags(bytes: Uint8Array): Iterable<Tag> | null {
   if (head.startsWith(BINARY)) return binaryTags(bytes, (part) => decoded(part, encoding));
   const text = decoded(bytes, encoding).replace(/^\uFEFF/, "");
   // Comments (999) may stand before the first section.
-  return /^\s*(?:999[^\r\n]*[\r\n]+[^\r\n]*\s+)*0[ \t]*[\r\n]+\s*SECTION/i.test(text.slice(0, HEAD))
+  return /^\s*(?:999[^\r\n]*(?:\r\n|\n|\r(?!\n))[^\r\n]*[\r\n]\s*)*0[ \t]*[\r\n]\s*SECTION/i.test(text.slice(0, HEAD))
     ? textTags(text)
     : null;
 }

@@ -3,7 +3,7 @@ import { splineOf } from "../splines.ts";
 
 /** Parameters of each command of a path; in small letters relative to the point before. */
 const COUNTS: Readonly<Record<string, number>> = { m: 2, l: 2, h: 1, v: 1, c: 6, s: 4, q: 4, t: 2, a: 7, z: 0 };
-const NUMBER = /[\s,]*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)/y;
+const NUMBER = /[\s,]*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?)/y;
 /** Flags of an arc may stand without anything between them. */
 const FLAG = /[\s,]*([01])/y;
 const COMMAND = /[\s,]*([a-zA-Z])/y;

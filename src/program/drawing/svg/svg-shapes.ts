@@ -18,7 +18,7 @@ const PX: Readonly<Record<string, number>> = {
 /** A length with its unit; null for none, a percentage or a unit that depends on a font. */
 export function lengthOf(text: string | undefined): { readonly px: number; readonly unit: string } | null {
   const [, n = "", unit = ""] =
-      /^\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([a-zA-Z]*)\s*$/.exec(text ?? "") ?? [],
+      /^([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?)\s*([a-zA-Z]*)$/.exec((text ?? "").trim()) ?? [],
     size = PX[unit.toLowerCase()];
   return n === "" || size === undefined || Math.abs(Number(n)) > 1e7
     ? null

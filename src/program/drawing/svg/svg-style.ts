@@ -24,13 +24,20 @@ const declarations = (text: string): SvgStyle =>
     }),
   );
 
+/** A comment that is never closed reaches to the end. */
+const withoutComments = (text: string): string =>
+  text
+    .split("/*")
+    .map((part, i) => (i === 0 ? part : (part.split("*/", 2)[1] ?? "")))
+    .join("");
+
 /** Rules of all style elements; selectors of more than one part are none of ours. */
 export function rulesOf(root: XmlElement): SvgRules {
   const rules = new Map<string, SvgStyle>();
   const visit = (e: XmlElement) => {
     if (e.local !== "style") return elementsIn(e).forEach(visit);
-    const text = textInside(e).replace(/\/\*[^]*?\*\//g, "");
-    for (const [, selectors = "", body = ""] of text.matchAll(/([^{}]+)\{([^{}]*)\}/g))
+    const text = withoutComments(textInside(e));
+    for (const [, selectors = "", body = ""] of text.matchAll(/(?<![^{}])([^{}]+)\{([^{}]*)\}/g))
       for (const selector of selectors.split(",").map((s) => s.trim()))
         if (/^[.#]?[\w-]+$/.test(selector))
           rules.set(selector, new Map([...(rules.get(selector) ?? []), ...declarations(body)]));

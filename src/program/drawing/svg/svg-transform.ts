@@ -35,7 +35,7 @@ function placingOf(name: string, n: readonly number[]): Placing | null {
 export function transformOf(text: string | undefined): Placing {
   let placing = UNPLACED;
   if (!text) return placing;
-  for (const [, name = "", list = ""] of text.slice(0, 10_000).matchAll(/([a-zA-Z]+)\s*\(([^)]*)\)/g)) {
+  for (const [, name = "", list = ""] of text.slice(0, 10_000).matchAll(/(?<![a-zA-Z])([a-zA-Z]+)\s*\(([^()]*)\)/g)) {
     const made = placingOf(name, numbersOf(list));
     if (!made) return UNPLACED;
     placing = after(placing, made);

@@ -1,0 +1,127 @@
+import { Session } from "node:inspector";
+import { afterAll, beforeAll, expect, test } from "vitest";
+import { growthOf } from "../../scripts/lint/pattern-growth.mjs";
+import { parse } from "../../src/nc/parse.ts";
+import { PUMPS } from "./pumps.ts";
+import { READERS, type Reader } from "./readers.ts";
+
+/**
+ * Every reader of text is linear: a text of four times the length takes four times the steps. Steps are counted, not
+ * timed: how often each block of the source ran, and the characters and elements that built-in functions go through.
+ * Patterns are not stepped through; each that a reader uses is proved linear by itself.
+ */
+const [SHORT, TIMES] = [100, 8];
+/** Nearly twice the linear growth: most texts are linear even where one is not. */
+const MOST = TIMES * 1.8;
+/** Steps that say nothing: of a part that only a longer text comes to. */
+const FEW = 6000;
+/** Blocks that are read before a count, so that none of its own is known from before. */
+const OTHERS = Array.from({ length: 600 }, (_, i) => `LBL "${i}"\n`).join("");
+
+const session = new Session();
+const post = (method: string, params: object = {}): Record<string, unknown> => {
+  let answer: Record<string, unknown> = {};
+  session.post(method, params, (error, result) => {
+    if (error) throw error;
+    answer = (result ?? {}) as Record<string, unknown>;
+  });
+  return answer;
+};
+
+interface Covered {
+  readonly url: string;
+  readonly functions: readonly {
+    readonly functionName: string;
+    readonly ranges: readonly { readonly startOffset: number; readonly count: number }[];
+  }[];
+}
+
+/** Runs of each block of the source since the last call. */
+function blocksRun(): Map<string, number> {
+  const counts = new Map<string, number>();
+  for (const { url, functions } of post("Profiler.takePreciseCoverage")["result"] as readonly Covered[]) {
+    if (!url.includes("/src/")) continue;
+    for (const { functionName, ranges } of functions)
+      for (const { startOffset, count } of ranges)
+        if (count > 0) counts.set(`${url.replace(/^.*\/src\//, "")} ${functionName} ${startOffset}`, count);
+  }
+  return counts;
+}
+
+const seen = new Map<string, RegExp>();
+const built = new Map<string, number>();
+/** Built-in functions that go through their whole text or list. */
+const LONG: readonly (readonly [object, string])[] = [
+  ...["indexOf", "includes", "lastIndexOf", "split", "trim", "trimEnd", "trimStart", "toUpperCase", "padEnd"].map(
+    (name) => [String.prototype, name] as const,
+  ),
+  ...["indexOf", "includes", "slice", "concat", "splice", "shift", "unshift", "toSpliced", "with", "join"].map(
+    (name) => [Array.prototype, name] as const,
+  ),
+];
+let isCounting = false;
+const restored: (() => void)[] = [];
+
+beforeAll(() => {
+  session.connect();
+  post("Profiler.enable");
+  post("Profiler.startPreciseCoverage", { callCount: true, detailed: true });
+  for (const [of, name] of LONG) {
+    const own = Object.getOwnPropertyDescriptor(of, name);
+    if (!own) continue;
+    const call = own.value as (...args: unknown[]) => unknown;
+    Object.defineProperty(of, name, {
+      ...own,
+      value(this: { readonly length: number }, ...args: unknown[]) {
+        const result = call.apply(this, args);
+        const from = name === "indexOf" && typeof args[1] === "number" ? args[1] : 0;
+        const made = name === "slice" ? (result as { readonly length: number }).length : this.length;
+        const to = name === "indexOf" && typeof result === "number" && result >= 0 ? result : made;
+        if (isCounting) built.set(name, (built.get(name) ?? 0) + Math.max(0, to - from));
+        return result;
+      },
+    });
+    restored.push(() => Object.defineProperty(of, name, own));
+  }
+  const exec = Object.getOwnPropertyDescriptor(RegExp.prototype, "exec");
+  if (!exec) return;
+  const call = exec.value as RegExp["exec"];
+  Object.defineProperty(RegExp.prototype, "exec", {
+    ...exec,
+    value(this: RegExp, text: string) {
+      if (isCounting) seen.set(`/${this.source}/${this.flags}`, this);
+      return call.call(this, text);
+    },
+  });
+  restored.push(() => Object.defineProperty(RegExp.prototype, "exec", exec));
+});
+
+afterAll(() => {
+  for (const restore of restored) restore();
+  session.disconnect();
+});
+
+/** Steps of a reader over all its texts, with repeats up to this length. */
+function steps({ read, frames = [], pumps = [] }: Reader, length: number): Map<string, number> {
+  parse(OTHERS);
+  built.clear();
+  blocksRun();
+  isCounting = true;
+  for (const [front, behind] of [["", ""], ["", "!"], ...frames])
+    for (const pump of [...PUMPS, ...pumps]) read(front + pump.repeat(Math.ceil(length / pump.length)) + behind);
+  isCounting = false;
+  const counts = blocksRun();
+  for (const [name, count] of built) counts.set(`built-in ${name}`, count);
+  return counts;
+}
+
+test.each(READERS.filter(({ bound }) => bound === undefined))("$name", (reader) => {
+  const [less, more] = [steps(reader, SHORT), steps(reader, SHORT * TIMES)];
+  const grown = [...more].filter(([at, count]) => count > MOST * (FEW + (less.get(at) ?? 0)));
+  expect(grown.map(([at, count]) => `${at}: ${less.get(at) ?? 0} → ${count}`)).toEqual([]);
+});
+
+test("no pattern that a reader uses is worse than linear", () => {
+  expect(seen.size).toBeGreaterThan(300);
+  expect([...seen].flatMap(([at, { source, flags }]) => (growthOf(source, flags) === null ? [] : [at]))).toEqual([]);
+});
