@@ -7,7 +7,8 @@ import { cyclesFor } from "../../report/which/ways.ts";
 import type { OpenRegion } from "../open-regions.ts";
 import type { Action, ActionSource, PlanRequest, PlanState } from "../types.ts";
 import { thickRegions } from "./bore.ts";
-import { barActions, barsOf, freeInside, plungings, ROUGH_BEYOND, sectionInBore } from "./bore-turning.ts";
+import { barActions, barsOf } from "./bars.ts";
+import { freeInside, plungings, ROUGH_BEYOND, sectionInBore } from "./bore-turning.ts";
 import { finestOf, isToleranced } from "./finest.ts";
 import { notDone } from "./candidates.ts";
 import { withoutEdge } from "./front.ts";
@@ -74,14 +75,28 @@ function turning(region: OpenRegion, stock: readonly Ring[], request: PlanReques
 }
 
 const roughRegions = ({ stock }: PlanState, { part, rules }: PlanRequest): readonly OpenRegion[] =>
-  thickRegions(stock, part, THICK * radiusOf(rules.allowance.diameter)).slice(0, MOST_REGIONS);
+  thickRegions(stock, part, THICK * radiusOf(rules.allowance.diameter));
+
+/** The actions on the largest regions that a bar can cut. */
+function onLargest(
+  regions: readonly OpenRegion[],
+  actionsOn: (region: OpenRegion) => readonly Action[],
+): readonly Action[] {
+  const made: (readonly Action[])[] = [];
+  for (const region of regions) {
+    if (made.length >= MOST_REGIONS) break;
+    const actions = actionsOn(region);
+    if (actions.length > 0) made.push(actions);
+  }
+  return made.flat();
+}
 
 /** Bores roughly, where the stock has a bore that a bar enters. */
 export const roughInside: ActionSource = {
   kind: "roughInside",
   actions: (state, request) =>
     notDone(
-      roughRegions(state, request).flatMap((region) => roughing(region, state.stock, request)),
+      onLargest(roughRegions(state, request), (region) => roughing(region, state.stock, request)),
       state,
     ),
 };
@@ -92,7 +107,7 @@ export const turnInside: ActionSource = {
   inOneCall: true,
   actions: (state, request) =>
     notDone(
-      roughRegions(state, request).flatMap((region) => turning(region, state.stock, request)),
+      onLargest(roughRegions(state, request), (region) => turning(region, state.stock, request)),
       state,
     ),
 };
