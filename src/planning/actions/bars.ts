@@ -1,5 +1,6 @@
 import type { Cycle } from "../../cycles/define.ts";
 import type { ShapeRequest } from "../../cycles/shape-request.ts";
+import { boxAround } from "../../kernel/area/box.ts";
 import { isInside } from "../../kernel/area/clip.ts";
 import { holderOutlines } from "../../kernel/cutter/holder.ts";
 import { noseRadius, tipDirection, tipOffset } from "../../kernel/cutter/insert.ts";
@@ -17,6 +18,7 @@ import { positionAsTyped } from "../../program/values/typed-value.ts";
 import type { HeldBar } from "../../report/advice/stability.ts";
 import { outlinesOf } from "../../sim/outlines.ts";
 import type { OpenRegion } from "../open-regions.ts";
+import { perObject } from "../per-object.ts";
 import type { Action, ActionKind, PlanRequest } from "../types.ts";
 import { barDiameter } from "../values/cutting-values.ts";
 import { clearRadius } from "./bore.ts";
@@ -115,6 +117,14 @@ const pointsOn = (ring: Ring): readonly Pt[] =>
     return Array.from({ length: count }, (_, k) => at(to.z - (k / count) * along, to.r - (k / count) * across));
   });
 
+/** What of a bar may meet the wall beside its tip, and what the wall on the other side of the axis. */
+const bodyOf = perObject((tool: Tool) => {
+  const { insert, holder } = outlinesOf()(tool);
+  const across = [insert, ...holder].flatMap(pointsOn).filter(({ r }) => r < 0);
+  const beside = holder.flatMap(pointsOn).filter(({ r }) => r > 0);
+  return { across, beside, down: -boxAround([across]).low, up: boxAround([beside]).high };
+});
+
 /** A bore: the Z of its front, and its radius in each step from there. */
 interface Bore {
   readonly front: number;
@@ -127,9 +137,7 @@ interface Bore {
  */
 function blockedAt(moves: readonly Pick<Move, "kind" | "to">[], tool: Tool, bore: Bore, room: number): number | null {
   const { front, wallAt } = bore;
-  const { insert, holder } = outlinesOf()(tool);
-  const across = [insert, ...holder].flatMap(pointsOn).filter(({ r }) => r < 0);
-  const beside = holder.flatMap(pointsOn).filter(({ r }) => r > 0);
+  const { across, beside, down, up } = bodyOf(tool);
   const stepOf = (z: number) => Math.floor((front - z) / STEP);
   const cut: number[] = [];
   /** The narrowest place in front of each step. */
@@ -160,7 +168,9 @@ function blockedAt(moves: readonly Pick<Move, "kind" | "to">[], tool: Tool, bore
       const [z, r] = [from.z + (i / count) * (to.z - from.z), from.r + (i / count) * (to.r - from.r)];
       if (z >= front) continue;
       widen(stepOf(z), r);
-      if (isMet(z, r)) return z;
+      // Mostly the whole body is clear of the narrowest place.
+      const least = narrowAt(stepOf(z)) - room;
+      if ((r + least < down || r + up > least) && isMet(z, r)) return z;
     }
   }
   return null;
@@ -191,10 +201,21 @@ const BACK = 0.2;
 /** Most ends in front of it that are tried, and most corners of the contour in front of it. */
 const [MOST_BACK, MOST_CORNERS] = [3, 2];
 
+/** Actions of bars on a contour, and those that go only as far into it as the body of a bar does. */
+interface BarActions {
+  readonly whole: readonly Action[];
+  readonly short: () => readonly Action[];
+}
+
+/** The actions of several ways to make a place: those that make a whole contour, else the short ones. */
+export function wholeFirst(ways: readonly BarActions[]): readonly Action[] {
+  const whole = ways.flatMap((way) => way.whole);
+  return whole.length > 0 ? whole : ways.flatMap((way) => way.short());
+}
+
 /**
- * The actions of a cycle with the bars that enter and cut, those that reach most first. Where the body of each meets the
- * wall before its end, each goes as far as it can. Roughing and finishing in one call only with those that make the whole
- * contour.
+ * The actions of a cycle with the bars that enter and cut, those that reach most first. Roughing and finishing in one call
+ * only with those that make the whole contour.
  */
 export function barActions(
   { kind, wanted, other, region, way, cut, plunges, most }: BoreWork,
@@ -203,20 +224,18 @@ export function barActions(
   stock: readonly Ring[],
   request: PlanRequest,
   better: Better = () => 0,
-): readonly Action[] {
+): BarActions {
   const front = frontOf(stock);
   const inOneCall = kind === "roughInside" && cut.operation === "both";
   const bore = { front, wallAt: wallsOf(stock, front) };
-  /** Where bars that enter are blocked on their path, or on the contour where they have none. */
-  const blocked = new Map<Tool, number>();
-  const along = geometry.flattenedChain(wanted.contour, CHORD).map((to) => ({ kind: "feed", to }) as const);
+  /** Where bars that enter are blocked; null where they have no path. */
+  const blocked = new Map<Tool, number | null>();
   const fitOfBar = (tool: Tool, until = -Infinity) => {
     const box = { ...region.box, left: Math.max(region.box.left, until) };
     const [smallest, largest] = [toDiameter(radius(way.clear)), toDiameter(radius(box.high))];
     const isCut = until > -Infinity;
     const low = isCut ? Math.max(way.low, clearRadius(stock, until, front) - BESIDE) : way.low;
     const r = startFor(tool, { ...way, low });
-
     if (r === null) return null;
     const jobOf = (shape: ShapeRequest): SetJob => {
       const contour = isCut ? endedAt(shape.contour, until, stock, request.part, cut.operation) : shape.contour;
@@ -226,19 +245,18 @@ export function barActions(
     const asked = { ...cut, stock, smallest, largest, bar: heldBar(tool, front - box.left) };
     const jobs = { job: jobOf(wanted), ...(other && { other: jobOf(other) }) };
     const fit = fitted({ cycle, ...jobs, cut: asked }, tool, request);
-    const room = isCut ? NEARLY : -NEARLY;
     if (fit && ((inOneCall && !fit.makesContour) || !cutsInto(fit.plan, tool, region))) return null;
-    const met = blockedAt(fit?.plan.moves ?? along, tool, bore, room);
+    const met = fit && blockedAt(fit.plan.moves, tool, bore, isCut ? NEARLY : -NEARLY);
     if (fit && met === null) return { ...fit, box };
-    if (met !== null) blocked.set(tool, met);
+    blocked.set(tool, met);
     return null;
   };
-  const whole = fitsOf(tools, most, request, (tool) => fitOfBar(tool), better);
-  const isShort = !inOneCall && (kind === "roughInside" || kind === "finishInside") && whole.length === 0;
-  const limits = new Map([...blocked].toSorted(([, a], [, b]) => a - b));
-  const corners = [...new Set(wanted.contour.map(({ to }) => to.z))].toSorted((x, y) => x - y);
-  const shortened = (tool: Tool) => {
-    const limit = limits.get(tool) ?? Infinity;
+  const actionFrom = ({ tool, job, values, box }: NonNullable<ReturnType<typeof fitOfBar>>): Action => {
+    const variant = `X${job.start.x} Z${job.start.z}${plunges === false ? " over" : ""}${inOneCall ? " finish" : ""}`;
+    const action = actionOf({ kind, site: "inside", cycle, box, variant }, tool, job, values);
+    return inOneCall ? { ...action, inOneCall } : action;
+  };
+  const shortOf = (tool: Tool, limit: number) => {
     const ended = (until: number) => (until > region.box.right - SHORTEST ? null : fitOfBar(tool, until));
     let until = limit + BACK;
     for (let i = 0; i < MOST_BACK; i += 1) {
@@ -248,27 +266,32 @@ export function barActions(
       // The way off the wall takes the body nearer to the other one.
       until += 2 * Math.max(0, (blocked.get(tool) ?? until) - until) + BACK;
     }
-    for (const z of corners.filter((corner) => corner > limit + SAME).slice(0, MOST_CORNERS)) {
+    const inFront = wanted.contour.map(({ to }) => to.z).filter((z) => z > limit + SAME);
+    for (const z of [...new Set(inFront)].toSorted((x, y) => x - y).slice(0, MOST_CORNERS)) {
       const fit = ended(z);
       if (fit) return fit;
     }
     return null;
   };
-  const firstShort = (some: readonly Tool[]) => {
-    for (const tool of some) {
-      const fit = shortened(tool);
-      if (fit) return [fit];
-    }
-    return [];
+  const short = () => {
+    const along = geometry.flattenedChain(wanted.contour, CHORD).map((to) => ({ kind: "feed", to }) as const);
+    const limits = [...blocked].map(([tool, met]) => {
+      const limit = met ?? blockedAt(along, tool, bore, NEARLY) ?? Infinity;
+      return { tool, limit, isOwn: !request.usualTools?.includes(tool.T) };
+    });
+    const deepestFirst = limits.toSorted((a, b) => a.limit - b.limit);
+    const firstOf = (some: typeof limits) => {
+      for (const { tool, limit, isOwn } of some) {
+        const fit = shortOf(tool, limit);
+        if (fit) return { fit, isOwn };
+      }
+      return null;
+    };
+    const deepest = firstOf(deepestFirst);
+    // With a usual tool that the table lacks also the deepest of the operator's own.
+    const own = deepest && !deepest.isOwn ? firstOf(deepestFirst.filter(({ isOwn }) => isOwn)) : null;
+    return [deepest, own].flatMap((found) => (found ? [actionFrom(found.fit)] : []));
   };
-  // The one that goes deepest, and the same of the operator's own.
-  const [deepest] = isShort ? firstShort([...limits.keys()]) : [];
-  const isOwn = ({ T }: Tool) => !request.usualTools?.includes(T);
-  const own = deepest && !isOwn(deepest.tool) ? firstShort([...limits.keys()].filter(isOwn)) : [];
-  const short = deepest ? [deepest, ...own] : [];
-  return [...whole, ...short].map(({ tool, job, values, box }) => {
-    const variant = `X${job.start.x} Z${job.start.z}${plunges === false ? " over" : ""}${inOneCall ? " finish" : ""}`;
-    const action = actionOf({ kind, site: "inside", cycle, box, variant }, tool, job, values);
-    return inOneCall ? { ...action, inOneCall } : action;
-  });
+  const whole = fitsOf(tools, most, request, (tool) => fitOfBar(tool), better).map(actionFrom);
+  return { whole, short };
 }

@@ -72,7 +72,7 @@ function recessing(region: OpenRegion, stock: readonly Ring[], request: PlanRequ
     .filter((c) => !worksAcross(c) && !request.withoutCycles.includes(c.number))
     .flatMap((cycle) => {
       const tools = barsOf(request, (tool) => isUsualTool(cycle.group, tool));
-      return barActions(work, cycle, tools, stock, request);
+      return barActions(work, cycle, tools, stock, request).whole;
     });
 }
 

@@ -7,7 +7,7 @@ import { cyclesFor } from "../../report/which/ways.ts";
 import type { OpenRegion } from "../open-regions.ts";
 import type { Action, ActionSource, PlanRequest, PlanState } from "../types.ts";
 import { thickRegions } from "./bore.ts";
-import { barActions, barsOf } from "./bars.ts";
+import { barActions, barsOf, wholeFirst } from "./bars.ts";
 import { freeInside, plungings, ROUGH_BEYOND, sectionInBore } from "./bore-turning.ts";
 import { finestOf, isToleranced } from "./finest.ts";
 import { notDone } from "./candidates.ts";
@@ -30,7 +30,7 @@ function roughing(region: OpenRegion, stock: readonly Ring[], request: PlanReque
   // The cone that a drill has left on a flat bottom is faced from the axis on.
   const hasFloor = (segments.at(-1)?.to.r ?? 1) < SAME;
   const cut = { operation: "rough", work: "rough" } as const;
-  return cyclesFor(wanted)
+  const ways = cyclesFor(wanted)
     .filter(({ group }) => group === "longitudinal" || (group === "transverse" && hasFloor))
     .filter(({ number }) => !request.withoutCycles.includes(number))
     .flatMap((cycle) => {
@@ -43,12 +43,13 @@ function roughing(region: OpenRegion, stock: readonly Ring[], request: PlanReque
         };
         const work = { kind: "roughInside", wanted, region, way, cut, most: MOST_TOOLS, ...into } as const;
         return [
-          ...barActions(work, cycle, strong, stock, request),
+          barActions(work, cycle, strong, stock, request),
           // What the strong inserts cannot reach behind a neck.
-          ...(isDeep && plunges !== false ? barActions({ ...work, most: 1 }, cycle, slim, stock, request) : []),
+          ...(isDeep && plunges !== false ? [barActions({ ...work, most: 1 }, cycle, slim, stock, request)] : []),
         ];
       });
     });
+  return wholeFirst(ways);
 }
 
 function turning(region: OpenRegion, stock: readonly Ring[], request: PlanRequest): readonly Action[] {
@@ -70,7 +71,7 @@ function turning(region: OpenRegion, stock: readonly Ring[], request: PlanReques
         tools,
         stock,
         request,
-      );
+      ).whole;
     });
 }
 
