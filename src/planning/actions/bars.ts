@@ -117,12 +117,17 @@ const pointsOn = (ring: Ring): readonly Pt[] =>
     return Array.from({ length: count }, (_, k) => at(to.z - (k / count) * along, to.r - (k / count) * across));
   });
 
-/** What of a bar may meet the wall beside its tip, and what the wall on the other side of the axis. */
+/** What of some outlines may meet the wall beside the tip, and what the wall on the other side of the axis. */
+function sidesOf(rings: readonly Ring[]) {
+  const points = rings.flatMap(pointsOn);
+  const [across, beside] = [points.filter(({ r }) => r < 0), points.filter(({ r }) => r > SAME)];
+  return { across, beside, down: -boxAround([across]).low, up: boxAround([beside]).high };
+}
+
+/** The holder of a bar, and the same with its insert, which the cycle checks itself where it has a path. */
 const bodyOf = perObject((tool: Tool) => {
   const { insert, holder } = outlinesOf()(tool);
-  const across = [insert, ...holder].flatMap(pointsOn).filter(({ r }) => r < 0);
-  const beside = holder.flatMap(pointsOn).filter(({ r }) => r > 0);
-  return { across, beside, down: -boxAround([across]).low, up: boxAround([beside]).high };
+  return { holder: sidesOf(holder), all: sidesOf([insert, ...holder]) };
 });
 
 /** A bore: the Z of its front, and its radius in each step from there. */
@@ -135,9 +140,12 @@ interface Bore {
  * The Z of the tip at which a bar comes nearer to the wall of a bore than `room` mm; null where it stays clear all along.
  * The path widens the bore as it goes.
  */
-function blockedAt(moves: readonly Pick<Move, "kind" | "to">[], tool: Tool, bore: Bore, room: number): number | null {
-  const { front, wallAt } = bore;
-  const { across, beside, down, up } = bodyOf(tool);
+function blockedAt(
+  moves: readonly Pick<Move, "kind" | "to">[],
+  { across, beside, down, up }: ReturnType<typeof sidesOf>,
+  { front, wallAt }: Bore,
+  room: number,
+): number | null {
   const stepOf = (z: number) => Math.floor((front - z) / STEP);
   const cut: number[] = [];
   /** The narrowest place in front of each step. */
@@ -246,7 +254,7 @@ export function barActions(
     const jobs = { job: jobOf(wanted), ...(other && { other: jobOf(other) }) };
     const fit = fitted({ cycle, ...jobs, cut: asked }, tool, request);
     if (fit && ((inOneCall && !fit.makesContour) || !cutsInto(fit.plan, tool, region))) return null;
-    const met = fit && blockedAt(fit.plan.moves, tool, bore, isCut ? NEARLY : -NEARLY);
+    const met = fit && blockedAt(fit.plan.moves, bodyOf(tool).holder, bore, isCut ? NEARLY : -NEARLY);
     if (fit && met === null) return { ...fit, box };
     blocked.set(tool, met);
     return null;
@@ -276,7 +284,7 @@ export function barActions(
   const short = () => {
     const along = geometry.flattenedChain(wanted.contour, CHORD).map((to) => ({ kind: "feed", to }) as const);
     const limits = [...blocked].map(([tool, met]) => {
-      const limit = met ?? blockedAt(along, tool, bore, NEARLY) ?? Infinity;
+      const limit = met ?? blockedAt(along, bodyOf(tool).all, bore, NEARLY) ?? Infinity;
       return { tool, limit, isOwn: !request.usualTools?.includes(tool.T) };
     });
     const deepestFirst = limits.toSorted((a, b) => a.limit - b.limit);
