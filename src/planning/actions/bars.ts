@@ -234,6 +234,7 @@ export function barActions(
   better: Better = () => 0,
 ): BarActions {
   const front = frontOf(stock);
+  const chain = wanted.contour ?? [];
   const inOneCall = kind === "roughInside" && cut.operation === "both";
   const bore = { front, wallAt: wallsOf(stock, front) };
   /** Where bars that enter are blocked; null where they have no path. */
@@ -246,8 +247,8 @@ export function barActions(
     const r = startFor(tool, { ...way, low });
     if (r === null) return null;
     const jobOf = (shape: ShapeRequest): SetJob => {
-      const contour = isCut ? endedAt(shape.contour, until, stock, request.part, cut.operation) : shape.contour;
-      const own = jobInside(cycle, isCut ? freeInside(contour) : shape, stock, { z: way.z, r });
+      const made = isCut ? freeInside(endedAt(shape.contour ?? [], until, stock, request.part, cut.operation)) : shape;
+      const own = jobInside(cycle, made, stock, { z: way.z, r });
       return plunges === undefined || !cycle.params[PLUNGING] ? own : withValue(own, PLUNGING, plunges ? 1 : 0);
     };
     const asked = { ...cut, stock, smallest, largest, bar: heldBar(tool, front - box.left) };
@@ -274,7 +275,7 @@ export function barActions(
       // The way off the wall takes the body nearer to the other one.
       until += 2 * Math.max(0, (blocked.get(tool) ?? until) - until) + BACK;
     }
-    const inFront = wanted.contour.map(({ to }) => to.z).filter((z) => z > limit + SAME);
+    const inFront = chain.map(({ to }) => to.z).filter((z) => z > limit + SAME);
     for (const z of [...new Set(inFront)].toSorted((x, y) => x - y).slice(0, MOST_CORNERS)) {
       const fit = ended(z);
       if (fit) return fit;
@@ -282,7 +283,7 @@ export function barActions(
     return null;
   };
   const short = () => {
-    const along = geometry.flattenedChain(wanted.contour, CHORD).map((to) => ({ kind: "feed", to }) as const);
+    const along = geometry.flattenedChain(chain, CHORD).map((to) => ({ kind: "feed", to }) as const);
     const limits = [...blocked].map(([tool, met]) => {
       const limit = met ?? blockedAt(along, bodyOf(tool).all, bore, NEARLY) ?? Infinity;
       return { tool, limit, isOwn: !request.usualTools?.includes(tool.T) };

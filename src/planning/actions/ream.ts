@@ -45,8 +45,8 @@ export function reamedBy(reamer: Tool, { inside: { segments, marks } }: PlannedP
 }
 
 /** Whether the flutes of a reamer are as long as the bore is deep: chips leave through them. */
-export const reachesRear = ({ CUTLENGTH = Infinity }: Tool, { rear }: Reamed, stock: readonly Ring[]): boolean =>
-  frontOf(stock) - rear <= CUTLENGTH;
+export const reachesRear = (tool: Tool, { rear }: Reamed, stock: readonly Ring[]): boolean =>
+  frontOf(stock) - rear <= (tool.CUTLENGTH ?? Infinity);
 
 /** The cylinders that a reamer makes from a hole that is there; null where it cannot. */
 function reamable(tool: Tool, stock: readonly Ring[], { part }: PlanRequest): Reamed | null {
