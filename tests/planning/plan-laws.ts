@@ -1,6 +1,5 @@
 import { areaOf } from "../../src/kernel/area/area.ts";
 import { tipDirection } from "../../src/kernel/cutter/insert.ts";
-import type { Tool } from "../../src/kernel/plan/tool.ts";
 import { diameter, radiusOf } from "../../src/kernel/units.ts";
 import { outlinesOf } from "../../src/sim/outlines.ts";
 import { boxAround, inBox } from "../../src/kernel/area/box.ts";
