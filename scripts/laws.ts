@@ -11,7 +11,7 @@ import type { FoundCase } from "../tests/laws/found-case.ts";
 import { brokenByPlan } from "../tests/laws/plan-laws.ts";
 import { situations } from "../tests/laws/situation.ts";
 import { arbitraryParts } from "../tests/planning/arbitrary-part.ts";
-import { brokenByPart, leftThoughReached, requestOf } from "../tests/planning/plan-laws.ts";
+import { brokenByPart, leftThoughReached, planOf, requestOf } from "../tests/planning/plan-laws.ts";
 import { markdownTable, writeIntoPage } from "./performance-page.ts";
 import { handTable, PLAN_COLUMNS, tradeRows, type PlanRow } from "../tests/planning/plan-tables.ts";
 import { wayTable } from "../tests/better-ways/way-table.ts";
@@ -75,7 +75,8 @@ function plannedParts(cases: number, seed: number): number {
   let bad = 0;
   fc.sample(arbitraryParts, { numRuns: cases, seed }).forEach(({ part, features }, i) => {
     const request = requestOf(part);
-    const said = request ? [...brokenByPart(request), ...leftThoughReached(request)] : [];
+    const plan = request && planOf(request);
+    const said = request && plan ? [...brokenByPart(request, plan), ...leftThoughReached(request, plan)] : [];
     if (said.length > 0) bad += 1;
     if (said.length > 0) console.log(`part ${i} (${features.join(", ")}): ${said.join("; ")}`);
   });

@@ -1,12 +1,14 @@
 import { areaOf } from "../../src/kernel/area/area.ts";
-import type { Tool } from "../../src/kernel/plan/tool.ts";
-import { radiusOf } from "../../src/kernel/units.ts";
+import { tipDirection } from "../../src/kernel/cutter/insert.ts";
+import { diameter, radiusOf } from "../../src/kernel/units.ts";
 import { outlinesOf } from "../../src/sim/outlines.ts";
 import { boxAround, inBox } from "../../src/kernel/area/box.ts";
-import { union } from "../../src/kernel/area/clip.ts";
-import { part as space, type Ring } from "../../src/kernel/geometry/point.ts";
+import { difference, opened, union } from "../../src/kernel/area/clip.ts";
+import { at, part as space, type Ring } from "../../src/kernel/geometry/point.ts";
 import { boredTo, clearRadius } from "../../src/planning/actions/bore.ts";
 import { ncLabels } from "../../src/i18n/nc-labels.ts";
+import { SLIVER } from "../../src/kernel/tolerance.ts";
+import { regionsOf } from "../../src/sim/region.ts";
 import { actionSources } from "../../src/planning/actions/index.ts";
 import { areaBeyond } from "../../src/planning/apply-action.ts";
 import { LEAST_REGION, type OpenRegion } from "../../src/planning/open-regions.ts";
@@ -18,7 +20,7 @@ import { SEQUENCES } from "../../src/planning/sequences.ts";
 import { USUAL_RULES } from "../../src/planning/shop-rules.ts";
 import { Trade } from "../../src/planning/trade-rules.ts";
 import { Tries } from "../../src/planning/tries.ts";
-import type { Action, ActionKind, PlanRequest } from "../../src/planning/types.ts";
+import type { Action, ActionKind, PlannedPart, PlanRequest } from "../../src/planning/types.ts";
 import type { PlanChanges, WorkingPlan } from "../../src/planning/working-plan.ts";
 import { builtInTools } from "../../src/program/iso-codes/usual-tools.ts";
 import { touched, turningTools } from "./reach-bound.ts";
@@ -125,42 +127,68 @@ export function unprepared({ steps, setup: { part, blank }, judged }: WorkingPla
   ];
 }
 
-/**
- * Of a region in a bore, all tools of the table together reach no more than this share. Outside they reach no work in one:
- * in a bore an insert reaches the mouth from in front of the face, and a bar some of the cone that a drill has left, where
- * no contour can end.
- */
-const MOST_IN_BORE = 0.5;
+/** Steps of Z at which a bore is measured, and thickness of what is not reached, mm. */
+const [DEPTHS, UNREACHED] = [0.1, 0.05];
+/** Farther than any part, mm. */
+const FAR = 10_000;
 
 /**
- * Whether a bar goes as deep into a bore as a region lies: it needs its least bore and a holder for all of the depth,
- * since nothing is known of what comes behind it.
+ * Tools that stand in a bore at a region, and do not only touch its mouth from in front of the face, with what of it lies
+ * as deep as each goes: to its least bore, or without one as far as its whole body fits across the bore.
  */
-function isBarFor({ box }: OpenRegion, { part: { rings } }: PlanRequest): (tool: Tool) => boolean {
-  const depth = boxAround(rings).right - box.left,
-    least = clearRadius(rings, box.left, box.right);
-  return (tool) =>
-    boxAround(outlinesOf()(tool).holder).right >= depth && (tool.DMIN === undefined || radiusOf(tool.DMIN) <= least);
+export function barsAt({ box, rings: area }: OpenRegion, { part: { rings }, shop }: PlanRequest) {
+  const front = boxAround(rings).right;
+  const depth = Array.from({ length: Math.ceil((front - box.left) / DEPTHS) + 1 }, (_, i) => front - i * DEPTHS);
+  return turningTools(shop.tools).flatMap((tool) => {
+    if (tipDirection(tool.TO).v <= 0) return [];
+    const { insert, holder } = outlinesOf()(tool);
+    const least = radiusOf(tool.DMIN ?? diameter(-boxAround([insert, ...holder]).low));
+    const rear = depth.find((z) => clearRadius(rings, z - DEPTHS, front) < least) ?? -Infinity;
+    const goes = Math.max(rear, front - boxAround(holder).right);
+    return [{ tool, area: inBox(area, { left: goes, right: FAR, low: -1, high: FAR }) }];
+  });
+}
+
+/**
+ * What is reached of a region in a bore along elements that are reached up to their wall from end to end: a bar that takes
+ * less makes no element.
+ */
+export function wholeElements(
+  reached: readonly Ring[],
+  { rings }: OpenRegion,
+  { inside: { segments } }: PlannedPart,
+): readonly Ring[] {
+  const bands = regionsOf(opened(difference(rings, reached), UNREACHED), 0).map(({ outline }) => {
+    const { left, right } = boxAround([outline]);
+    const along = segments.filter(({ from, to }) => to.z < right - DEPTHS && from.z > left + DEPTHS);
+    const [rear, front] = [
+      Math.min(left, ...along.map(({ to }) => to.z)),
+      Math.max(right, ...along.map((s) => s.from.z)),
+    ];
+    return [at(rear, -1), at(front, -1), at(front, FAR), at(rear, FAR)];
+  });
+  return opened(difference(reached, bands), SLIVER);
 }
 
 /** Regions that a plan leaves as if a tool were missing, though those of the table reach work in them by their shape. */
-export function leftThoughReached(request: PlanRequest): readonly string[] {
-  const plan = planOf(request);
+export function leftThoughReached(request: PlanRequest, plan = planOf(request)): readonly string[] {
   const { stock } = endOf(plan, searching(request));
   const { left } = boxAround(request.part.rings);
   const behind = inBox(stock, { left: -Infinity, right: left, low: 0, high: Infinity });
   const stays = [...request.part.rings, ...behind];
   return plan.residue.flatMap(({ region, why, site }) => {
     if (!region || why !== "tool") return [];
-    const goes = site === "inside" ? isBarFor(region, request) : () => true;
-    const all = turningTools(request.shop.tools)
-      .filter(goes)
-      .flatMap((tool) => {
-        const rings = touched(region.rings, stays, tool);
-        return rings.length > 0 ? [{ tool, rings }] : [];
-      });
-    const area = areaOf(union(all.flatMap(({ rings }) => rings)));
-    if (area < (site === "inside" ? MOST_IN_BORE * region.area : LEAST_REGION)) return [];
+    const tools =
+      site === "inside"
+        ? barsAt(region, request)
+        : turningTools(request.shop.tools).map((tool) => ({ tool, area: region.rings }));
+    const all = tools.flatMap(({ tool, area }) => {
+      const rings = area.length > 0 ? touched(area, stays, tool) : [];
+      return rings.length > 0 ? [{ tool, rings }] : [];
+    });
+    const reached = union(all.flatMap(({ rings }) => rings));
+    const area = areaOf(site === "inside" ? wholeElements(reached, region, request.part) : reached);
+    if (area < LEAST_REGION) return [];
     const names = all.map(({ tool }) => `T${tool.T}`).join(", ");
     return [`${site} ${region.area.toFixed(2)} mm² left, ${area.toFixed(2)} reached by the shape of ${names}`];
   });
@@ -180,8 +208,7 @@ function betterThan(end: PlanNode, others: readonly PlanNode[]): readonly PlanNo
 }
 
 /** What a plan breaks of what every plan keeps; empty where it breaks nothing. */
-export function brokenByPart(request: PlanRequest): readonly string[] {
-  const plan = planOf(request);
+export function brokenByPart(request: PlanRequest, plan = planOf(request)): readonly string[] {
   const s = searching(request);
   const end = endOf(plan, s);
   const fixed = betterThan(

@@ -1,30 +1,18 @@
-import type { Cycle } from "../../cycles/define.ts";
 import type { ShapeRequest } from "../../cycles/shape-request.ts";
 import { boxAround } from "../../kernel/area/box.ts";
-import { isInside } from "../../kernel/area/clip.ts";
-import { holderOutlines } from "../../kernel/cutter/holder.ts";
-import { noseRadius, tipDirection, tipOffset } from "../../kernel/cutter/insert.ts";
-import { at, part as geometry, type Ring, type Segment } from "../../kernel/geometry/point.ts";
-import type { Plan } from "../../kernel/plan/plan.ts";
-import type { Tool } from "../../kernel/plan/tool.ts";
+import { part as geometry, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import { readThread } from "../../kernel/thread/threads.ts";
 import { CHORD, SAME } from "../../kernel/tolerance.ts";
-import { radius, toDiameter } from "../../kernel/units.ts";
-import type { SetJob } from "../../program/job/job.ts";
-import { jobFor, withValue } from "../../program/job/requested-job.ts";
-import { boxAroundContour, cylinderAround } from "../../program/job/requested-shape.ts";
+import { boxAroundContour } from "../../program/job/requested-shape.ts";
 import { frontOf } from "../../program/job/stock-surface.ts";
-import { positionAsTyped } from "../../program/values/typed-value.ts";
 import { borderOf, type OpenRegion } from "../open-regions.ts";
-import type { Action, ActionKind, ElementMark, PlannedPart, PlanRequest } from "../types.ts";
-import { barDiameter } from "../values/cutting-values.ts";
-import type { HeldBar } from "../../report/advice/stability.ts";
+import type { ElementMark, PlannedPart } from "../types.ts";
 import { boredTo, clearRadius, solidFrom } from "./bore.ts";
-import { actionOf, fitsOf, fitted, toolsOf, type Better } from "./candidates.ts";
 import type { CutRequest } from "./values-of-job.ts";
 
 /** Clearance of the tip in front of the material, and beside the wall of the bore, mm. */
-const [AHEAD, BESIDE] = [2, 0.2];
+const AHEAD = 2;
+export const BESIDE = 0.2;
 /** Steps of the radius at which the cone that a drill has left is measured, and the first one, mm. */
 const [CONE_AT, ON_CONE] = [0.5, 0.01];
 /** Its rise along Z for 1 mm of the radius: a flat bottom rises less, the wall of a stepped bore more. */
@@ -149,6 +137,25 @@ function runOut(
   return [geometry.line(last, geometry.point(end, last.r - height))];
 }
 
+/** A contour inside that is cut only up to a Z, finishing with the way off the wall there. */
+export function endedAt(
+  contour: readonly Segment[],
+  z: number,
+  stock: readonly Ring[],
+  { inside }: PlannedPart,
+  operation: CutRequest["operation"],
+): readonly Segment[] {
+  const cut = upToZ(contour, z);
+  return operation === "rough" ? cut : [...cut, ...runOut(cut, stock, inside.segments, z)];
+}
+
+/** What lies in front of a section that begins with a taper: a path in along its own line would come out of the wall. */
+function leadInto([first]: readonly Segment[], { inside: { segments } }: PlannedPart): readonly Segment[] {
+  const before = first && segments[segments.indexOf(first) - 1];
+  const narrows = first && first.to.r < first.from.r - SAME && first.to.z < first.from.z - SAME;
+  return before && narrows && before.to.z < before.from.z - SAME ? [before] : [];
+}
+
 /** A section of the contour, and the way to it. */
 export interface BoreSection extends Section {
   readonly way: BoreWay;
@@ -176,7 +183,7 @@ export function sectionInBore(
   const clear = clearRadius(stock, isBehind ? box.right + BESIDE : Math.min(box.right, front) - BESIDE, front);
   const atFront = (z: number) => (z < front - AHEAD ? z + AHEAD : front + AHEAD);
   // In a bore whose wall stands already the passes begin beside the region, behind a neck where the contour leaves it.
-  const beside = fromZ(whole, box.right + BESIDE);
+  const beside = fromZ([...leadInto(whole, part), ...whole], box.right + BESIDE);
   const isWall = (beside[0]?.from.r ?? Infinity) - oversize < clear + BESIDE;
   const isDeep = isBehind && (isWall || begin.z < front - AHEAD);
   const z = atFront(isDeep && !isWall ? Math.max(begin.z, box.right) : box.right);
@@ -202,19 +209,10 @@ export function sectionInBore(
   return segments.length > 0 ? { segments, marks, way: { z, clear, low }, isDeep } : null;
 }
 
-/** How far an outline of a holder stands out towards the axis from the tip, mm. */
-const standsOut = (ring: Ring): number => -Math.min(0, ...ring.map(({ r }) => r));
-
-/** The least radius at which the tip of a bar may be in a bore, so that its shank is clear of the opposite wall. */
-const leastTip = (tool: Tool, bore: number): number => standsOut(holderOutlines(tool).at(-1) ?? []) - bore;
-
-/** The same with a clearance. */
-export const startLimit = (tool: Tool, bore: number): number => leastTip(tool, bore) + BESIDE;
-
-/** Radius at which the tip of a bar starts; null where the bar is too thick. */
-export function startFor(tool: Tool, { clear, low }: BoreWay): number | null {
-  const r = Math.max(0, low, startLimit(tool, clear));
-  return r <= clear - BESIDE && (tool.DMIN ?? 0) <= toDiameter(radius(clear)) ? r : null;
+/** Whether a section gets narrower behind a wider place: with and without plunging into it. */
+export function plungings(segments: readonly Segment[]): readonly (boolean | undefined)[] {
+  const points = geometry.flattenedChain(segments, CHORD);
+  return points.some((p, i) => p.r > (points[i - 1]?.r ?? p.r) + SAME) ? [false, true] : [undefined];
 }
 
 /** A shape inside with a contour of its own. */
@@ -227,144 +225,3 @@ export const freeInside = (contour: readonly Segment[]): ShapeRequest => ({
   allowance: 0,
   ...boxAroundContour(contour, "inside"),
 });
-
-/** The job of a cycle inside, from a start point in the bore. */
-export function jobInside(
-  cycle: Cycle,
-  wanted: ShapeRequest,
-  stock: readonly Ring[],
-  start: { readonly z: number; readonly r: number },
-): SetJob {
-  const bore = clearRadius(stock, start.z, frontOf(stock));
-  return {
-    ...jobFor(cycle, wanted, stock),
-    // The way into the bore depends on its size at the mouth.
-    blank: { ...cylinderAround(stock), bore: Number.isFinite(bore) ? positionAsTyped(toDiameter(radius(bore))) : "0" },
-    start: { x: positionAsTyped(toDiameter(radius(start.r))), z: positionAsTyped(start.z) },
-  };
-}
-
-/** Tools that point away from the axis. */
-export const barsOf = (request: PlanRequest, types: (tool: Tool) => boolean): readonly Tool[] =>
-  toolsOf(request).filter((tool) => tipDirection(tool.TO).v > 0 && types(tool));
-
-/** Length of a bar behind its tip in addition to the depth of its cut, mm. */
-const HELD_BEHIND = 5;
-
-/** A bar as it sticks out for a cut. */
-export function heldBar(tool: Tool, depth: number): HeldBar | null {
-  const across = barDiameter(tool);
-  return across === null ? null : { overhang: depth + HELD_BEHIND, diameter: across };
-}
-
-/** A cut goes at least so deep into the material, mm. */
-const INTO = 0.02;
-/** Points of a move at which that is measured, as shares of it. */
-const MEASURED = [0.25, 0.5, 0.75, 1] as const;
-
-/** Directions in which the nose is looked at, from the end of a bore over its wall to the front. */
-const LOOKED = [0, 1, 2, 3, 4, 5, 6, 7, 8].map((k) => (k * Math.PI) / 8);
-
-/**
- * Whether a path cuts into the material of a region, and not only along it. The rounded nose cuts, not the theoretical
- * tip: on a chamfer that lies behind the contour.
- */
-function cutsInto({ moves }: Plan, tool: Tool, { rings }: Pick<OpenRegion, "rings">): boolean {
-  const tip = tipOffset(tool);
-  const cutting = noseRadius(tool) - INTO;
-  const nose = LOOKED.map((a) => at(cutting * Math.cos(a) - tip.u, cutting * Math.sin(a) - tip.v));
-  return moves.some(({ kind, to }, i) => {
-    const from = moves[i - 1]?.to ?? to;
-    const isIn = (k: number) => {
-      const p = at(from.z + k * (to.z - from.z), from.r + k * (to.r - from.r));
-      return nose.some(({ z, r }) => rings.filter((ring) => isInside(ring, at(p.z + z, p.r + r))).length % 2 === 1);
-    };
-    return kind !== "rapid" && MEASURED.some(isIn);
-  });
-}
-
-/** A bore is wider by so much when its wall is cut, mm. */
-const WIDER = 0.5;
-
-/** Steps of Z at which the bore is measured, mm. */
-const MEASURED_EACH = 0.5;
-
-/** Whether the body of a bar stays clear of the opposite wall all along its path. */
-function staysClear({ moves }: Plan, tool: Tool, stock: readonly Ring[]): boolean {
-  const front = frontOf(stock);
-  const nearest = new Map<number, number>();
-  for (const { kind, to } of moves) {
-    const step = Math.round(to.z / MEASURED_EACH);
-    if (kind !== "rapid" && to.z < front) nearest.set(step, Math.min(to.r, nearest.get(step) ?? Infinity));
-  }
-  return holderOutlines(tool).every((ring) => {
-    // Where it stands out most.
-    const behind = ring.reduce((lowest, p) =>
-      p.r < lowest.r - SAME || (p.r < lowest.r + SAME && p.z < lowest.z) ? p : lowest,
-    ).z;
-    return [...nearest].every(([step, r]) => {
-      const z = step * MEASURED_EACH + behind + WIDER;
-      return z >= front || r + clearRadius(stock, z, front) + WIDER >= standsOut(ring);
-    });
-  });
-}
-
-/** Whether a cycle plunges into valleys. */
-const PLUNGING = "Q487";
-
-/** Whether a section gets narrower behind a wider place: with and without plunging into it. */
-export function plungings(segments: readonly Segment[]): readonly (boolean | undefined)[] {
-  const points = geometry.flattenedChain(segments, CHORD);
-  return points.some((p, i) => p.r > (points[i - 1]?.r ?? p.r) + SAME) ? [false, true] : [undefined];
-}
-
-/** What a bar does inside. */
-export interface BoreWork {
-  readonly kind: ActionKind;
-  readonly wanted: ShapeRequest;
-  /** Another shape for the same: each tool has the one whose path takes less time. */
-  readonly other?: ShapeRequest;
-  readonly region: Pick<OpenRegion, "box" | "rings">;
-  readonly way: BoreWay;
-  readonly cut: Omit<CutRequest, "stock" | "bar" | "smallest" | "largest">;
-  /** Whether it goes into a contour that widens behind a neck; absent where there is none. */
-  readonly plunges?: boolean;
-  /** Most tools for each cycle. */
-  readonly most: number;
-}
-
-/**
- * The actions of a cycle with the bars that enter and cut, those that reach most first. Roughing and finishing in one call
- * only with those that make the whole contour.
- */
-export function barActions(
-  { kind, wanted, other, region, way, cut, plunges, most }: BoreWork,
-  cycle: Cycle,
-  tools: readonly Tool[],
-  stock: readonly Ring[],
-  request: PlanRequest,
-  better: Better = () => 0,
-): readonly Action[] {
-  const { box } = region;
-  const depth = frontOf(stock) - box.left;
-  const inOneCall = kind === "roughInside" && cut.operation === "both";
-  const [smallest, largest] = [toDiameter(radius(way.clear)), toDiameter(radius(box.high))];
-  const fitOfBar = (tool: Tool) => {
-    const r = startFor(tool, way);
-    if (r === null) return null;
-    const jobOf = (shape: ShapeRequest): SetJob => {
-      const own = jobInside(cycle, shape, stock, { z: way.z, r });
-      return plunges === undefined || !cycle.params[PLUNGING] ? own : withValue(own, PLUNGING, plunges ? 1 : 0);
-    };
-    const asked = { ...cut, stock, smallest, largest, bar: heldBar(tool, depth) };
-    const jobs = { job: jobOf(wanted), ...(other && { other: jobOf(other) }) };
-    const fit = fitted({ cycle, ...jobs, cut: asked }, tool, request);
-    if (inOneCall && !fit?.makesContour) return null;
-    return fit && cutsInto(fit.plan, tool, region) && staysClear(fit.plan, tool, stock) ? fit : null;
-  };
-  return fitsOf(tools, most, request, fitOfBar, better).map(({ tool, job, values }) => {
-    const variant = `X${job.start.x} Z${job.start.z}${plunges === false ? " over" : ""}${inOneCall ? " finish" : ""}`;
-    const action = actionOf({ kind, site: "inside", cycle, box, variant }, tool, job, values);
-    return inOneCall ? { ...action, inOneCall } : action;
-  });
-}

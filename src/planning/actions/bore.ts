@@ -36,8 +36,18 @@ export function thickRegions(stock: readonly Ring[], part: PlannedPart, thick: n
 }
 
 /** Radius within which a stock has no material between two Z; Infinity where there is none at all. */
-export const clearRadius = (stock: readonly Ring[], left: number, right: number): number =>
-  boxAround(inBox(stock, { left, right, low: -1, high: FAR })).low;
+export function clearRadius(stock: readonly Ring[], left: number, right: number): number {
+  let low = Infinity;
+  for (const ring of stock)
+    ring.forEach((b, i) => {
+      const a = ring.at(i - 1) ?? b;
+      const [rear, front] = a.z < b.z ? [a, b] : [b, a];
+      if (front.z <= left || rear.z >= right) return;
+      const at = (z: number) => rear.r + ((front.r - rear.r) * (z - rear.z)) / (front.z - rear.z);
+      low = Math.min(low, rear.z < left ? at(left) : rear.r, front.z > right ? at(right) : front.r);
+    });
+  return low;
+}
 
 /** The Z from which on a stock has material within a radius; −Infinity without any. */
 export function solidFrom(stock: readonly Ring[], r: number): number {

@@ -17,7 +17,7 @@ import { insideOf } from "./bore.ts";
 import { beyondRear, ROUGH_BEYOND } from "./bore-turning.ts";
 import { finishInside } from "./finish-inside.ts";
 import { drillsOf, onAxis } from "./on-axis.ts";
-import { reamedBy, reamersOf, reamSeconds } from "./ream.ts";
+import { reachesRear, reamedBy, reamersOf, reamSeconds } from "./ream.ts";
 
 /** Stock in front of the face that is no reason to face first, mm. */
 const FACED = 0.05;
@@ -96,13 +96,17 @@ function boredFor(cylinders: readonly Segment[], { part, blank, rules }: PlanReq
   return union(difference(blank, [inside, behind, front]), skins);
 }
 
-/** Whether reaming takes no longer than boring does, or no bar bores: with the prices of tools that the table lacks. */
+/**
+ * Whether a reamer reaches the rear, and takes no longer than boring does, or no bar bores: with the prices of tools that
+ * the table lacks.
+ */
 function isWorthReaming(reamer: Tool, request: PlanRequest): boolean {
   const made = reamedBy(reamer, request.part);
   if (!made) return false;
   const { usualTools = [], rules } = request;
   const price = ({ T }: Tool) => (usualTools.includes(T) ? rules.usualTool : 0);
   const stock = boredFor(made.cylinders, request);
+  if (!reachesRear(reamer, made, stock)) return false;
   const bars = finishInside.actions({ stock, done: [], threads: new Set() }, request);
   const boring = bars.map((action) => boundOf(action, [], request).seconds + price(action.tool));
   return reamSeconds(reamer, made, stock, request) + price(reamer) <= Math.min(Infinity, ...boring);

@@ -10,7 +10,8 @@ import { regionsOf } from "../../sim/region.ts";
 import { LEAST_REGION } from "../open-regions.ts";
 import type { ActionSource } from "../types.ts";
 import { insideRegions, thickRegions } from "./bore.ts";
-import { barActions, barsOf, freeInside, plungings, sectionInBore } from "./bore-turning.ts";
+import { barActions, barsOf, wholeFirst } from "./bars.ts";
+import { freeInside, plungings, sectionInBore } from "./bore-turning.ts";
 import { notDone } from "./candidates.ts";
 import { finestOf } from "./finest.ts";
 import { reamedSkin } from "./ream.ts";
@@ -54,7 +55,7 @@ export const finishInside: ActionSource = {
     ];
     const roughness = finestOf(section);
     const cut = { operation: "finish", work: "finish", ...(roughness !== undefined && { roughness }) } as const;
-    const actions = variants.flatMap(({ segments, groups }) => {
+    const ways = variants.flatMap(({ segments, groups }) => {
       const wanted = freeInside(segments);
       const box = boxAround([geometry.flattenedChain(segments, CHORD)]);
       return cyclesFor(wanted)
@@ -73,10 +74,10 @@ export const finishInside: ActionSource = {
               most: MOST_TOOLS,
               ...into,
             } as const;
-            return barActions(work, cycle, tools, stock, request, finishersFirst);
+            return [barActions(work, cycle, tools, stock, request, finishersFirst)];
           });
         });
     });
-    return notDone(actions, state);
+    return notDone(wholeFirst(ways), state);
   },
 };

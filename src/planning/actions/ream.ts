@@ -44,6 +44,10 @@ export function reamedBy(reamer: Tool, { inside: { segments, marks } }: PlannedP
   return isFree ? { cylinders, rear } : null;
 }
 
+/** Whether the flutes of a reamer are as long as the bore is deep: chips leave through them. */
+export const reachesRear = (tool: Tool, { rear }: Reamed, stock: readonly Ring[]): boolean =>
+  frontOf(stock) - rear <= (tool.CUTLENGTH ?? Infinity);
+
 /** The cylinders that a reamer makes from a hole that is there; null where it cannot. */
 function reamable(tool: Tool, stock: readonly Ring[], { part }: PlanRequest): Reamed | null {
   const made = reamedBy(tool, part);
@@ -51,7 +55,7 @@ function reamable(tool: Tool, stock: readonly Ring[], { part }: PlanRequest): Re
   const { least, most } = reamerHole(tool);
   // It follows a hole, and widens it by no more than its edges take.
   const isOpen = made?.cylinders.some(({ from, to }) => clearRadius(stock, to.z, from.z) <= most + SAME) ?? false;
-  if (!made || !isOpen || front - made.rear > (tool.CUTLENGTH ?? Infinity)) return null;
+  if (!made || !isOpen || !reachesRear(tool, made, stock)) return null;
   return clearRadius(stock, made.rear, front) < least - SAME ? null : made;
 }
 

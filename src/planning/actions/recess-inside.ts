@@ -9,7 +9,8 @@ import { cyclesFor } from "../../report/which/ways.ts";
 import { borderOf, type OpenRegion } from "../open-regions.ts";
 import type { Action, ActionSource, Chain, PlannedPart, PlanRequest } from "../types.ts";
 import { boredTo, clearRadius, insideRegions } from "./bore.ts";
-import { barActions, barsOf, freeInside, type BoreWay, type Section } from "./bore-turning.ts";
+import { barActions, barsOf } from "./bars.ts";
+import { freeInside, type BoreWay, type Section } from "./bore-turning.ts";
 import { notDone } from "./candidates.ts";
 import { finestOf } from "./finest.ts";
 import { pocketsOf, type Pocket } from "./pockets.ts";
@@ -71,7 +72,7 @@ function recessing(region: OpenRegion, stock: readonly Ring[], request: PlanRequ
     .filter((c) => !worksAcross(c) && !request.withoutCycles.includes(c.number))
     .flatMap((cycle) => {
       const tools = barsOf(request, (tool) => isUsualTool(cycle.group, tool));
-      return barActions(work, cycle, tools, stock, request);
+      return barActions(work, cycle, tools, stock, request).whole;
     });
 }
 

@@ -7,7 +7,8 @@ import { cyclesFor } from "../../report/which/ways.ts";
 import type { OpenRegion } from "../open-regions.ts";
 import type { Action, ActionSource, PlanRequest, PlanState } from "../types.ts";
 import { thickRegions } from "./bore.ts";
-import { barActions, barsOf, freeInside, plungings, ROUGH_BEYOND, sectionInBore } from "./bore-turning.ts";
+import { barActions, barsOf, wholeFirst } from "./bars.ts";
+import { freeInside, plungings, ROUGH_BEYOND, sectionInBore } from "./bore-turning.ts";
 import { finestOf, isToleranced } from "./finest.ts";
 import { notDone } from "./candidates.ts";
 import { withoutEdge } from "./front.ts";
@@ -29,7 +30,7 @@ function roughing(region: OpenRegion, stock: readonly Ring[], request: PlanReque
   // The cone that a drill has left on a flat bottom is faced from the axis on.
   const hasFloor = (segments.at(-1)?.to.r ?? 1) < SAME;
   const cut = { operation: "rough", work: "rough" } as const;
-  return cyclesFor(wanted)
+  const ways = cyclesFor(wanted)
     .filter(({ group }) => group === "longitudinal" || (group === "transverse" && hasFloor))
     .filter(({ number }) => !request.withoutCycles.includes(number))
     .flatMap((cycle) => {
@@ -42,12 +43,13 @@ function roughing(region: OpenRegion, stock: readonly Ring[], request: PlanReque
         };
         const work = { kind: "roughInside", wanted, region, way, cut, most: MOST_TOOLS, ...into } as const;
         return [
-          ...barActions(work, cycle, strong, stock, request),
+          barActions(work, cycle, strong, stock, request),
           // What the strong inserts cannot reach behind a neck.
-          ...(isDeep && plunges !== false ? barActions({ ...work, most: 1 }, cycle, slim, stock, request) : []),
+          ...(isDeep && plunges !== false ? [barActions({ ...work, most: 1 }, cycle, slim, stock, request)] : []),
         ];
       });
     });
+  return wholeFirst(ways);
 }
 
 function turning(region: OpenRegion, stock: readonly Ring[], request: PlanRequest): readonly Action[] {
@@ -69,19 +71,33 @@ function turning(region: OpenRegion, stock: readonly Ring[], request: PlanReques
         tools,
         stock,
         request,
-      );
+      ).whole;
     });
 }
 
 const roughRegions = ({ stock }: PlanState, { part, rules }: PlanRequest): readonly OpenRegion[] =>
-  thickRegions(stock, part, THICK * radiusOf(rules.allowance.diameter)).slice(0, MOST_REGIONS);
+  thickRegions(stock, part, THICK * radiusOf(rules.allowance.diameter));
+
+/** The actions on the largest regions that a bar can cut. */
+function onLargest(
+  regions: readonly OpenRegion[],
+  actionsOn: (region: OpenRegion) => readonly Action[],
+): readonly Action[] {
+  const made: (readonly Action[])[] = [];
+  for (const region of regions) {
+    if (made.length >= MOST_REGIONS) break;
+    const actions = actionsOn(region);
+    if (actions.length > 0) made.push(actions);
+  }
+  return made.flat();
+}
 
 /** Bores roughly, where the stock has a bore that a bar enters. */
 export const roughInside: ActionSource = {
   kind: "roughInside",
   actions: (state, request) =>
     notDone(
-      roughRegions(state, request).flatMap((region) => roughing(region, state.stock, request)),
+      onLargest(roughRegions(state, request), (region) => roughing(region, state.stock, request)),
       state,
     ),
 };
@@ -92,7 +108,7 @@ export const turnInside: ActionSource = {
   inOneCall: true,
   actions: (state, request) =>
     notDone(
-      roughRegions(state, request).flatMap((region) => turning(region, state.stock, request)),
+      onLargest(roughRegions(state, request), (region) => turning(region, state.stock, request)),
       state,
     ),
 };

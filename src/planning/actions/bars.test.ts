@@ -1,0 +1,43 @@
+import { expect, test } from "vitest";
+import { requestOf } from "../../../tests/planning/plan-laws.ts";
+import { at, type Ring } from "../../kernel/geometry/point.ts";
+import { newRow } from "../../program/job/job.ts";
+import { applyAction } from "../apply-action.ts";
+import { newPart } from "../part/finished-part.ts";
+import { finishInside } from "./finish-inside.ts";
+
+/** Radii of a bore along Z, and of the hole that was drilled into it. */
+const BORES = [
+  {
+    name: "the cone of a drill, in front of the axis for the back of the insert",
+    bore: { 0: 11.5, [-34]: 11.5, [-40.91]: 0 },
+    hole: { 0: 11.5, [-33.8]: 11.5, [-33.81]: 11, [-40.4]: 0 },
+    rear: [-39.5, -38],
+  },
+  {
+    name: "a taper, in front of the place where the collar of a bar meets the face",
+    bore: { 0: 6, [-79]: 5 },
+    hole: { 0: 5.8, [-79]: 4.8, [-99]: 4.8 },
+    rear: [-40.5, -38],
+  },
+];
+
+const points = (radii: object) =>
+  Object.entries(radii)
+    .map(([z, r]) => at(Number(z), Number(r)))
+    .toSorted((a, b) => b.z - a.z);
+const rows = (radii: object) => points(radii).map(({ z, r }, i) => newRow(`${i}`, { z: `${z}`, x: `${2 * r}` }));
+
+test.each(BORES)("bars finish $name", ({ bore, hole, rear: [rear = 0, front = 0] }) => {
+  const blank = { outside: "40", bore: "0", length: "130", allowance: "0" };
+  const part = { ...newPart("BORE"), outside: rows({ 0: 20, [-99]: 20 }), inside: rows(bore), blank };
+  const request = requestOf(part);
+  if (!request) throw new Error("no part");
+  const inner = points(hole);
+  const stock: Ring[] = [[...inner.toReversed(), at(0, 20), at(-130, 20), at(-130, inner.at(-1)?.r ?? 0)]];
+  const state = { stock, done: [], threads: new Set<string>() };
+  const works = finishInside.actions(state, request).filter((action) => applyAction(action, state, request).works);
+  const deepest = Math.min(...works.map(({ place }) => place.rear));
+  expect(deepest).toBeGreaterThan(rear);
+  expect(deepest).toBeLessThan(front);
+});

@@ -1,0 +1,306 @@
+import type { Cycle } from "../../cycles/define.ts";
+import type { ShapeRequest } from "../../cycles/shape-request.ts";
+import { boxAround } from "../../kernel/area/box.ts";
+import { isInside } from "../../kernel/area/clip.ts";
+import { holderOutlines } from "../../kernel/cutter/holder.ts";
+import { noseRadius, tipDirection, tipOffset } from "../../kernel/cutter/insert.ts";
+import { at, part as geometry, type Pt, type Ring } from "../../kernel/geometry/point.ts";
+import type { Move } from "../../kernel/plan/move.ts";
+import type { Plan } from "../../kernel/plan/plan.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
+import { CHORD, SAME } from "../../kernel/tolerance.ts";
+import { radius, toDiameter } from "../../kernel/units.ts";
+import type { SetJob } from "../../program/job/job.ts";
+import { jobFor, withValue } from "../../program/job/requested-job.ts";
+import { cylinderAround } from "../../program/job/requested-shape.ts";
+import { frontOf } from "../../program/job/stock-surface.ts";
+import { positionAsTyped } from "../../program/values/typed-value.ts";
+import type { HeldBar } from "../../report/advice/stability.ts";
+import { outlinesOf } from "../../sim/outlines.ts";
+import type { OpenRegion } from "../open-regions.ts";
+import { perObject } from "../per-object.ts";
+import type { Action, ActionKind, PlanRequest } from "../types.ts";
+import { barDiameter } from "../values/cutting-values.ts";
+import { clearRadius } from "./bore.ts";
+import { BESIDE, endedAt, freeInside, type BoreWay } from "./bore-turning.ts";
+import { actionOf, fitsOf, fitted, toolsOf, type Better } from "./candidates.ts";
+import type { CutRequest } from "./values-of-job.ts";
+
+/** How far an outline of a holder stands out towards the axis from the tip, mm. */
+const standsOut = (ring: Ring): number => -Math.min(0, ...ring.map(({ r }) => r));
+
+/** The least radius at which the tip of a bar may be in a bore, so that its shank is clear of the opposite wall. */
+const leastTip = (tool: Tool, bore: number): number => standsOut(holderOutlines(tool).at(-1) ?? []) - bore;
+
+/** The same with a clearance. */
+export const startLimit = (tool: Tool, bore: number): number => leastTip(tool, bore) + BESIDE;
+
+/** Radius at which the tip of a bar starts; null where the bar is too thick. */
+export function startFor(tool: Tool, { clear, low }: BoreWay): number | null {
+  const r = Math.max(0, low, startLimit(tool, clear));
+  return r <= clear - BESIDE && (tool.DMIN ?? 0) <= toDiameter(radius(clear)) ? r : null;
+}
+
+/** The job of a cycle inside, from a start point in the bore. */
+export function jobInside(
+  cycle: Cycle,
+  wanted: ShapeRequest,
+  stock: readonly Ring[],
+  start: { readonly z: number; readonly r: number },
+): SetJob {
+  const bore = clearRadius(stock, start.z, frontOf(stock));
+  return {
+    ...jobFor(cycle, wanted, stock),
+    // The way into the bore depends on its size at the mouth.
+    blank: { ...cylinderAround(stock), bore: Number.isFinite(bore) ? positionAsTyped(toDiameter(radius(bore))) : "0" },
+    start: { x: positionAsTyped(toDiameter(radius(start.r))), z: positionAsTyped(start.z) },
+  };
+}
+
+/** Tools that point away from the axis. */
+export const barsOf = (request: PlanRequest, types: (tool: Tool) => boolean): readonly Tool[] =>
+  toolsOf(request).filter((tool) => tipDirection(tool.TO).v > 0 && types(tool));
+
+/** Length of a bar behind its tip in addition to the depth of its cut, mm. */
+const HELD_BEHIND = 5;
+
+/** A bar as it sticks out for a cut. */
+export function heldBar(tool: Tool, depth: number): HeldBar | null {
+  const across = barDiameter(tool);
+  return across === null ? null : { overhang: depth + HELD_BEHIND, diameter: across };
+}
+
+/** A cut goes at least so deep into the material, mm. */
+const INTO = 0.02;
+/** Points of a move at which that is measured, as shares of it. */
+const MEASURED = [0.25, 0.5, 0.75, 1] as const;
+
+/** Directions in which the nose is looked at, from the end of a bore over its wall to the front. */
+const LOOKED = [0, 1, 2, 3, 4, 5, 6, 7, 8].map((k) => (k * Math.PI) / 8);
+
+/**
+ * Whether a path cuts into the material of a region, and not only along it. The rounded nose cuts, not the theoretical
+ * tip: on a chamfer that lies behind the contour.
+ */
+function cutsInto({ moves }: Plan, tool: Tool, { rings }: Pick<OpenRegion, "rings">): boolean {
+  const tip = tipOffset(tool);
+  const cutting = noseRadius(tool) - INTO;
+  const nose = LOOKED.map((a) => at(cutting * Math.cos(a) - tip.u, cutting * Math.sin(a) - tip.v));
+  return moves.some(({ kind, to }, i) => {
+    const from = moves[i - 1]?.to ?? to;
+    const isIn = (k: number) => {
+      const p = at(from.z + k * (to.z - from.z), from.r + k * (to.r - from.r));
+      return nose.some(({ z, r }) => rings.filter((ring) => isInside(ring, at(p.z + z, p.r + r))).length % 2 === 1);
+    };
+    return kind !== "rapid" && MEASURED.some(isIn);
+  });
+}
+
+/** Steps of Z at which a bore and the edges of a body are measured, mm. */
+const [STEP, EDGE] = [0.1, 0.25];
+/** The error of that, mm: a body may seem to touch by so much, and surely stays clear with so much room. */
+const NEARLY = 0.1;
+
+/** The radius of a bore in each step of Z from the front of the stock. */
+function wallsOf(stock: readonly Ring[], front: number): (step: number) => number {
+  const known: number[] = [];
+  return (step) =>
+    (known[step] ??= step < 0 ? Infinity : clearRadius(stock, front - (step + 1) * STEP, front - step * STEP));
+}
+
+/** Corners of a body, and points of its sloping edges: a shoulder of the bore may stand out between two corners. */
+const pointsOn = (ring: Ring): readonly Pt[] =>
+  ring.flatMap((to, i) => {
+    const from = ring.at(i - 1) ?? to;
+    const [along, across] = [to.z - from.z, to.r - from.r];
+    const count = Math.abs(across) < SAME ? 1 : Math.max(1, Math.ceil(Math.abs(along) / EDGE));
+    return Array.from({ length: count }, (_, k) => at(to.z - (k / count) * along, to.r - (k / count) * across));
+  });
+
+/** What of some outlines may meet the wall beside the tip, and what the wall on the other side of the axis. */
+function sidesOf(rings: readonly Ring[]) {
+  const points = rings.flatMap(pointsOn);
+  const [across, beside] = [points.filter(({ r }) => r < 0), points.filter(({ r }) => r > SAME)];
+  return { across, beside, down: -boxAround([across]).low, up: boxAround([beside]).high };
+}
+
+/** The holder of a bar, and the same with its insert, which the cycle checks itself where it has a path. */
+const bodyOf = perObject((tool: Tool) => {
+  const { insert, holder } = outlinesOf()(tool);
+  return { holder: sidesOf(holder), all: sidesOf([insert, ...holder]) };
+});
+
+/** A bore: the Z of its front, and its radius in each step from there. */
+interface Bore {
+  readonly front: number;
+  readonly wallAt: (step: number) => number;
+}
+
+/**
+ * The Z of the tip at which a bar comes nearer to the wall of a bore than `room` mm; null where it stays clear all along.
+ * The path widens the bore as it goes.
+ */
+function blockedAt(
+  moves: readonly Pick<Move, "kind" | "to">[],
+  { across, beside, down, up }: ReturnType<typeof sidesOf>,
+  { front, wallAt }: Bore,
+  room: number,
+): number | null {
+  const stepOf = (z: number) => Math.floor((front - z) / STEP);
+  const cut: number[] = [];
+  /** The narrowest place in front of each step. */
+  const narrow: number[] = [];
+  const narrowAt = (step: number) => {
+    for (let k = narrow.length; k <= step; k += 1) narrow[k] = Math.min(narrow[k - 1] ?? Infinity, wallAt(k));
+    return narrow[step] ?? Infinity;
+  };
+  const widen = (step: number, r: number) => {
+    if (step < 0 || r <= Math.max(wallAt(step), cut[step] ?? 0)) return;
+    cut[step] = r;
+    for (let k = step; k < narrow.length; k += 1) {
+      const least = Math.min(narrow[k - 1] ?? Infinity, Math.max(wallAt(k), cut[k] ?? 0));
+      if (k > step && narrow[k] === least) break;
+      narrow[k] = least;
+    }
+  };
+  const isMet = (z: number, r: number) =>
+    across.some((corner) => r + narrowAt(stepOf(z + corner.z)) - room < -corner.r) ||
+    beside.some((corner) => r + corner.r > narrowAt(stepOf(z + corner.z)) - room);
+  let before = moves[0]?.to ?? at(front, 0);
+  for (const { kind, to } of moves) {
+    const from = before;
+    before = to;
+    if (kind === "rapid") continue;
+    const count = Math.max(1, Math.ceil(Math.abs(to.z - from.z) / STEP));
+    for (let i = 0; i <= count; i += 1) {
+      const [z, r] = [from.z + (i / count) * (to.z - from.z), from.r + (i / count) * (to.r - from.r)];
+      if (z >= front) continue;
+      widen(stepOf(z), r);
+      // Mostly the whole body is clear of the narrowest place.
+      const least = narrowAt(stepOf(z)) - room;
+      if ((r + least < down || r + up > least) && isMet(z, r)) return z;
+    }
+  }
+  return null;
+}
+
+/** Whether a cycle plunges into valleys. */
+const PLUNGING = "Q487";
+
+/** What a bar does inside. */
+export interface BoreWork {
+  readonly kind: ActionKind;
+  readonly wanted: ShapeRequest;
+  /** Another shape for the same: each tool has the one whose path takes less time. */
+  readonly other?: ShapeRequest;
+  readonly region: Pick<OpenRegion, "box" | "rings">;
+  readonly way: BoreWay;
+  readonly cut: Omit<CutRequest, "stock" | "bar" | "smallest" | "largest">;
+  /** Whether it goes into a contour that widens behind a neck; absent where there is none. */
+  readonly plunges?: boolean;
+  /** Most tools for each cycle. */
+  readonly most: number;
+}
+
+/** A cut less deep is none, mm. */
+const SHORTEST = 1;
+/** Room in front of the place where a bar is blocked, mm. */
+const BACK = 0.2;
+/** Most ends in front of it that are tried, and most corners of the contour in front of it. */
+const [MOST_BACK, MOST_CORNERS] = [3, 2];
+
+/** Actions of bars on a contour, and those that go only as far into it as the body of a bar does. */
+interface BarActions {
+  readonly whole: readonly Action[];
+  readonly short: () => readonly Action[];
+}
+
+/** The actions of several ways to make a place: those that make a whole contour, else the short ones. */
+export function wholeFirst(ways: readonly BarActions[]): readonly Action[] {
+  const whole = ways.flatMap((way) => way.whole);
+  return whole.length > 0 ? whole : ways.flatMap((way) => way.short());
+}
+
+/**
+ * The actions of a cycle with the bars that enter and cut, those that reach most first. Roughing and finishing in one call
+ * only with those that make the whole contour.
+ */
+export function barActions(
+  { kind, wanted, other, region, way, cut, plunges, most }: BoreWork,
+  cycle: Cycle,
+  tools: readonly Tool[],
+  stock: readonly Ring[],
+  request: PlanRequest,
+  better: Better = () => 0,
+): BarActions {
+  const front = frontOf(stock);
+  const chain = wanted.contour ?? [];
+  const inOneCall = kind === "roughInside" && cut.operation === "both";
+  const bore = { front, wallAt: wallsOf(stock, front) };
+  /** Where bars that enter are blocked; null where they have no path. */
+  const blocked = new Map<Tool, number | null>();
+  const fitOfBar = (tool: Tool, until = -Infinity) => {
+    const box = { ...region.box, left: Math.max(region.box.left, until) };
+    const [smallest, largest] = [toDiameter(radius(way.clear)), toDiameter(radius(box.high))];
+    const isCut = until > -Infinity;
+    const low = isCut ? Math.max(way.low, clearRadius(stock, until, front) - BESIDE) : way.low;
+    const r = startFor(tool, { ...way, low });
+    if (r === null) return null;
+    const jobOf = (shape: ShapeRequest): SetJob => {
+      const made = isCut ? freeInside(endedAt(shape.contour ?? [], until, stock, request.part, cut.operation)) : shape;
+      const own = jobInside(cycle, made, stock, { z: way.z, r });
+      return plunges === undefined || !cycle.params[PLUNGING] ? own : withValue(own, PLUNGING, plunges ? 1 : 0);
+    };
+    const asked = { ...cut, stock, smallest, largest, bar: heldBar(tool, front - box.left) };
+    const jobs = { job: jobOf(wanted), ...(other && { other: jobOf(other) }) };
+    const fit = fitted({ cycle, ...jobs, cut: asked }, tool, request);
+    if (fit && ((inOneCall && !fit.makesContour) || !cutsInto(fit.plan, tool, region))) return null;
+    const met = fit && blockedAt(fit.plan.moves, bodyOf(tool).holder, bore, isCut ? NEARLY : -NEARLY);
+    if (fit && met === null) return { ...fit, box };
+    blocked.set(tool, met);
+    return null;
+  };
+  const actionFrom = ({ tool, job, values, box }: NonNullable<ReturnType<typeof fitOfBar>>): Action => {
+    const variant = `X${job.start.x} Z${job.start.z}${plunges === false ? " over" : ""}${inOneCall ? " finish" : ""}`;
+    const action = actionOf({ kind, site: "inside", cycle, box, variant }, tool, job, values);
+    return inOneCall ? { ...action, inOneCall } : action;
+  };
+  const shortOf = (tool: Tool, limit: number) => {
+    const ended = (until: number) => (until > region.box.right - SHORTEST ? null : fitOfBar(tool, until));
+    let until = limit + BACK;
+    for (let i = 0; i < MOST_BACK; i += 1) {
+      blocked.delete(tool);
+      const fit = ended(until);
+      if (fit) return fit;
+      // The way off the wall takes the body nearer to the other one.
+      until += 2 * Math.max(0, (blocked.get(tool) ?? until) - until) + BACK;
+    }
+    const inFront = chain.map(({ to }) => to.z).filter((z) => z > limit + SAME);
+    for (const z of [...new Set(inFront)].toSorted((x, y) => x - y).slice(0, MOST_CORNERS)) {
+      const fit = ended(z);
+      if (fit) return fit;
+    }
+    return null;
+  };
+  const short = () => {
+    const along = geometry.flattenedChain(chain, CHORD).map((to) => ({ kind: "feed", to }) as const);
+    const limits = [...blocked].map(([tool, met]) => {
+      const limit = met ?? blockedAt(along, bodyOf(tool).all, bore, NEARLY) ?? Infinity;
+      return { tool, limit, isOwn: !request.usualTools?.includes(tool.T) };
+    });
+    const deepestFirst = limits.toSorted((a, b) => a.limit - b.limit);
+    const firstOf = (some: typeof limits) => {
+      for (const { tool, limit, isOwn } of some) {
+        const fit = shortOf(tool, limit);
+        if (fit) return { fit, isOwn };
+      }
+      return null;
+    };
+    const deepest = firstOf(deepestFirst);
+    // With a usual tool that the table lacks also the deepest of the operator's own.
+    const own = deepest && !deepest.isOwn ? firstOf(deepestFirst.filter(({ isOwn }) => isOwn)) : null;
+    return [deepest, own].flatMap((found) => (found ? [actionFrom(found.fit)] : []));
+  };
+  const whole = fitsOf(tools, most, request, (tool) => fitOfBar(tool), better).map(actionFrom);
+  return { whole, short };
+}
