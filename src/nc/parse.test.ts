@@ -243,7 +243,7 @@ test.each([
   ["words", `1 L ${"X+1 ".repeat(LONGEST_LINE)}\n`, 0],
   ["a comment", `1 M3 ;${"x".repeat(LONGEST_LINE)}\n`, 0],
   ["the second line of a cycle", `1 CYCL DEF 7.0 A ~\nQ200=+1 ;${"x".repeat(LONGEST_LINE)}\n`, 19],
-])("a line longer than a block can be is kept, told and not read: %s", (_, long, offset) => {
+])("a line longer than a block can be is kept, reported and not read: %s", (_, long, offset) => {
   const program = parse(`0 M3\n${long}2 M5\n`);
   expect(print(program)).toBe(`0 M3\n${long}2 M5\n`);
   expect(program.blocks.map(({ statement }) => statement.kind)).toEqual(["functions", "unknown", "functions"]);

@@ -6,7 +6,7 @@ const UNFIT = /[\\/:*?"<>|\p{Cc}\p{Cf}\p{Cs}\p{Zl}\p{Zp}]/gu;
 /** Names of devices: some systems reject them with any ending. */
 const RESERVED = /^(?:CON|PRN|AUX|NUL|CONIN\$|CONOUT\$|(?:COM|LPT)[\d¹²³])\s*(?:\.|$)/i;
 
-const trimmed = (text: string): string => text.replace(/^[. ]+|[. ]+$/g, "");
+const trimmed = (text: string): string => text.replace(/^[. ]+|(?<![. ])[. ]+$/g, "");
 
 /** A name as one part of a path on every system, never hidden. Every file that leaves the page gets its name here. */
 export function safeFileName(name: string): string {

@@ -350,26 +350,24 @@ test.each<[what: string, begin: readonly CalculationEvent[], rows: readonly Row[
   expect(played(rows, begin)).toEqual(rows.map(([, effects = ""]) => effects));
 });
 
-test.each<[what: string, events: readonly CalculationEvent[], stage: Stage | null, stopped: boolean, paused: boolean]>(
-  [
-    ["nothing is open", [], null, false, false],
-    ["the worker reads", [edit()], "reading", false, false],
-    ["the worker proves", [edit(), began(1, "proving")], "proving", false, false],
-    ["a path waits for its picture", [HERE, edit(), planned(1)], "reading", false, false],
-    ["a planned text is not run again", [...PROVING, began(2, "running")], "reading", false, false],
-    ["the check of a planned text begins", [...PROVING, began(2, "proving")], "proving", false, false],
-    ["a digit is drawn first", [...SLOW, key("5")], "reading", false, false],
-    ["all is proved", OPEN, null, false, false],
-    ["the worker calculates a closed work", [edit(), left], null, false, false],
-    ["the next one waits for it", [edit(), edit("M30\n", { of: "shaft" })], "reading", false, false],
-    ["the operator stopped it", [edit(), cancelled], null, true, false],
-    ["it goes on", [edit(), cancelled, edit(SHORT, { again: true })], "reading", false, false],
-    ["it failed", [edit(), { event: "failed", version: 1 }], null, true, false],
-    ["the calculation of a closed work failed", [edit(), left, { event: "failed", version: 1 }], null, false, false],
-    ["values are missing", [...OPEN, edit(null)], null, false, true],
-    ["they are there again", [...OPEN, edit(null), edit()], null, false, false],
-  ],
-)("the shown progress when %s", (_, events, stage, stopped, paused) => {
+test.each<[what: string, events: readonly CalculationEvent[], stage: Stage | null, stopped: boolean, paused: boolean]>([
+  ["nothing is open", [], null, false, false],
+  ["the worker reads", [edit()], "reading", false, false],
+  ["the worker proves", [edit(), began(1, "proving")], "proving", false, false],
+  ["a path waits for its picture", [HERE, edit(), planned(1)], "reading", false, false],
+  ["a planned text is not run again", [...PROVING, began(2, "running")], "reading", false, false],
+  ["the check of a planned text begins", [...PROVING, began(2, "proving")], "proving", false, false],
+  ["a digit is drawn first", [...SLOW, key("5")], "reading", false, false],
+  ["all is proved", OPEN, null, false, false],
+  ["the worker calculates a closed work", [edit(), left], null, false, false],
+  ["the next one waits for it", [edit(), edit("M30\n", { of: "shaft" })], "reading", false, false],
+  ["the operator stopped it", [edit(), cancelled], null, true, false],
+  ["it goes on", [edit(), cancelled, edit(SHORT, { again: true })], "reading", false, false],
+  ["it failed", [edit(), { event: "failed", version: 1 }], null, true, false],
+  ["the calculation of a closed work failed", [edit(), left, { event: "failed", version: 1 }], null, false, false],
+  ["values are missing", [...OPEN, edit(null)], null, false, true],
+  ["they are there again", [...OPEN, edit(null), edit()], null, false, false],
+])("the shown progress when %s", (_, events, stage, stopped, paused) => {
   expect(progressOf(after(events))).toEqual({ ...at(stage), stopped, paused });
 });
 
