@@ -12,7 +12,7 @@ import { createServer as createSecureServer } from "node:https";
 import { dirname, extname, join, sep } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { promisify } from "node:util";
-import { brotliCompress, constants, gzip } from "node:zlib";
+import { brotliCompress, gzip } from "node:zlib";
 
 /**
  * Sources that the page may load: only its own files. No script and no style within the page runs. The page contains
@@ -63,7 +63,7 @@ export const types = {
 const PACKED = new Set([".html", ".js", ".mjs", ".css", ".svg", ".webmanifest", ".json", ".txt"]);
 
 const packers = {
-  br: (content) => promisify(brotliCompress)(content, { params: { [constants.BROTLI_PARAM_QUALITY]: 9 } }),
+  br: promisify(brotliCompress),
   gzip: (content) => promisify(gzip)(content, { level: 9 }),
 };
 

@@ -5,7 +5,7 @@
  */
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import { brotliCompressSync, constants } from "node:zlib";
+import { brotliCompressSync } from "node:zlib";
 import { root } from "./packages.mjs";
 
 /** kB of 1000 bytes, and requests. */
@@ -17,9 +17,7 @@ const known = new Map();
 /** Bytes of a file on the wire: fonts are packed already. */
 function weight(path) {
   if (!known.has(path)) {
-    const packed = path.endsWith(".woff2")
-      ? read(path)
-      : brotliCompressSync(read(path), { params: { [constants.BROTLI_PARAM_QUALITY]: 9 } });
+    const packed = path.endsWith(".woff2") ? read(path) : brotliCompressSync(read(path));
     known.set(path, packed.length);
   }
   return known.get(path);
