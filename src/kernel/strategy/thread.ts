@@ -178,7 +178,7 @@ const riseOf = ({ crest }: ThreadTarget): number =>
 function depthAlong(w: ThreadTarget, half: number): number {
   const { depth } = w;
   const over = 1 - riseOf(w) * Math.tan(radians(half));
-  return over > 0 ? depth / over : Infinity;
+  return over > ROUND ? depth / over : Infinity;
 }
 
 /** Plans the passes of a thread. Never throws; what cannot be planned is an issue. */
