@@ -154,6 +154,8 @@ test("on a cone a tooth has to be higher than the thread is deep: its crest rise
   expect(codes(2, 10)).toEqual(["threadOverInsert Q473"]);
   // 2 mm / (1 − tan 10° · tan 30°).
   expect(codes(2.23, 10)).toEqual([]);
+  // As steep as the flank: no tooth is high enough.
+  expect(codes(2.23, 60)).toEqual(["threadTooSteep Q491"]);
 });
 
 test("the depth of the metric profile is reported as such for an insert with another angle", () => {
@@ -192,8 +194,10 @@ test("an unreasonable number of turns is refused at the pitch", () => {
   expect(planned({ Q472: 0.0003, Q473: 0.1 })).toMatchObject([{ code: "threadTooMany", at: "Q472" }]);
   // A tooth of a few thousandths: computing its section would take a minute.
   expect(planned({ Q472: 0.0013, Q473: 0.1 })).toMatchObject([
-    { code: "threadTooMany", at: "Q472", data: { most: 10_000 } },
+    { code: "threadTooMany", at: "Q472", data: { most: 2000 } },
   ]);
+  // A run-out as long as the thread: every tooth has a height of its own.
+  expect(planned({ Q472: 0.03, Q473: 0.1, Q474: 20 })).toMatchObject([{ code: "threadTooMany", at: "Q474" }]);
   // Passes and starts count as well: each runs along the whole thread.
   expect(planned({ Q472: 0.2, Q473: 0.1, Q475: 500, Q476: 9 })).toMatchObject([{ code: "threadTooMany", at: "Q472" }]);
 });

@@ -33,7 +33,7 @@ export const CALCULATING = {
    * The calculation of a closed work is stopped after this, since the next one is pending: a new worker takes longer.
    */
   leftWork: 400,
-  /** Timeout of the worker: the longest programs take a tenth of this on a desktop. */
+  /** Timeout of the worker, from its last sign of progress: no stage takes a tenth of this on a desktop. */
   answer: 120_000,
   /** Interval of checks whether a new worker holds its lock: it takes that long to start. */
   lock: 200,

@@ -38,7 +38,7 @@ function worker() {
   };
   return {
     asked,
-    execute: workerExecutor((question) => question(served as unknown as Remote<Engine>)),
+    execute: workerExecutor((question) => question(served as unknown as Remote<Engine>, () => undefined)),
     /** Answers the oldest question. */
     async answer(): Promise<Request> {
       await until(() => expect(asked).not.toHaveLength(0));

@@ -5,6 +5,14 @@ import type { AtStage, Outcome } from "./outcome.ts";
 import { simulationOf } from "./proof-delta.ts";
 import type { askAgain } from "./worker-life.ts";
 
+/** Tells a stage, which also shows that the worker gets on. */
+const heard =
+  (tell: AtStage, alive: () => void): AtStage =>
+  (...stage) => {
+    alive();
+    tell(...stage);
+  };
+
 /**
  * Plans and checks in the worker. A run that the page has planned is not sent there: copying it costs both sides more
  * than planning it again from the previous one (docs/performance.md).
@@ -14,9 +22,10 @@ export function workerExecutor(ask: typeof askAgain): Executor {
   let answered: Pick<Outcome, "version" | "simulation"> | null = null;
 
   async function outcomeOf({ request, planned }: Order & { do: "prove" }, tell: AtStage) {
-    const made = await ask(async (engine): Promise<Outcome> => {
-      if (!planned) return { ...(await engine.update(request, proxy(tell))), ...sourceFields(request) };
-      const proof = await engine.proved(request, answered?.version ?? null, proxy(tell));
+    const made = await ask(async (engine, alive): Promise<Outcome> => {
+      const atStage = proxy(heard(tell, alive));
+      if (!planned) return { ...(await engine.update(request, atStage)), ...sourceFields(request) };
+      const proof = await engine.proved(request, answered?.version ?? null, atStage);
       return { ...planned, simulation: simulationOf(proof, planned.run, answered) };
     });
     answered = made;
@@ -28,7 +37,9 @@ export function workerExecutor(ask: typeof askAgain): Executor {
     const began: AtStage = (stage, share = 0) => tell({ event: "began", version, stage, share });
     const done = async () => {
       if (order.do === "plan") {
-        const made = await retryImport(() => ask((engine) => engine.planned(order.request, proxy(began))));
+        const made = await retryImport(() =>
+          ask((engine, alive) => engine.planned(order.request, proxy(heard(began, alive)))),
+        );
         tell({ event: "planned", version, made: { ...made, ...sourceFields(order.request) }, took: made.pace ?? 0 });
       } else {
         const made = await retryImport(() => outcomeOf(order, began));

@@ -1,5 +1,6 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { isMissing } from "../base/parts.ts";
+import { CALCULATING } from "../base/waits.ts";
 import { WorkerEnded, workerLife } from "./worker-life.ts";
 
 /** Questions that the workers have not answered yet. */
@@ -91,4 +92,26 @@ test("after a stop by the page the question is not repeated", async () => {
   await refused;
   expect(workers).toHaveLength(1);
   expect(workers[0]?.ended).toBe(true);
+});
+
+test("a worker that gets on is waited for, one that does not is given up", async () => {
+  vi.useFakeTimers();
+  try {
+    let alive = () => undefined as void;
+    const answer = life.ask((engine, gotOn) => {
+      alive = gotOn;
+      return engine.update();
+    });
+    let ended = false;
+    const given = expect(answer.finally(() => (ended = true))).rejects.toThrow("no answer");
+    for (let i = 0; i < 5; i += 1) {
+      await vi.advanceTimersByTimeAsync(0.9 * CALCULATING.answer);
+      alive();
+    }
+    expect(ended).toBe(false);
+    vi.advanceTimersByTime(1.1 * CALCULATING.answer);
+    await given;
+  } finally {
+    vi.useRealTimers();
+  }
 });

@@ -21,6 +21,9 @@ interface Started<E> {
   readonly release: () => void;
 }
 
+/** Asks the worker; `alive` is called with each sign that it gets on. */
+type Question<E, T> = (engine: E, alive: () => void) => Promise<T>;
+
 /** Runs one worker at a time. `start` makes one with a name. */
 export function workerLife<E>(start: (name: string) => Started<E>) {
   interface Life extends Started<E> {
@@ -66,12 +69,17 @@ export function workerLife<E>(start: (name: string) => Started<E>) {
     return begun;
   }
 
-  function ask<T>(question: (engine: E) => Promise<T>): Promise<T> {
+  function ask<T>(question: Question<E, T>): Promise<T> {
     const { engine, endings } = started();
     return new Promise((resolve, reject) => {
-      const timer = setTimeout(() => reject(new Error("no answer from the calculation")), CALCULATING.answer);
+      let timer: ReturnType<typeof setTimeout>;
+      const wait = () => {
+        clearTimeout(timer);
+        timer = setTimeout(() => reject(new Error("no answer from the calculation")), CALCULATING.answer);
+      };
+      wait();
       endings.add(reject);
-      question(engine)
+      question(engine, wait)
         .then(resolve, reject)
         .finally(() => {
           clearTimeout(timer);
@@ -81,10 +89,10 @@ export function workerLife<E>(start: (name: string) => Started<E>) {
   }
 
   return {
-    /** The answer of the worker; fails if the worker ends, or if the answer takes too long. */
+    /** The answer of the worker; fails if the worker ends, or if it neither answers nor gets on for too long. */
     ask,
     /** The same, repeated once if the worker ended. */
-    async askAgain<T>(question: (engine: E) => Promise<T>): Promise<T> {
+    async askAgain<T>(question: Question<E, T>): Promise<T> {
       try {
         return await ask(question);
       } catch (error) {

@@ -113,6 +113,7 @@ interface Data {
   toothAssumed: { height: number };
   /** The insert is too low for the depth. */
   threadOverInsert: { depth: number; most: number };
+  threadTooSteep: { angle: number; most: number };
   /**
    * Material above the crest, or above its line in the run-in or the overrun; `most` is the permitted height, where it
    * is exceeded.

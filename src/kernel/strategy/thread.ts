@@ -9,7 +9,17 @@ import { part, type Segment } from "../geometry/point.ts";
 import { CHORD, ROUND, SAME } from "../tolerance.ts";
 import type { Tool } from "../plan/tool.ts";
 import { roomOf, Track, type Purpose } from "../plan/track.ts";
-import { angleUnder, degrees, type Length, length, radians, roundedAngle, roundedDown, toDiameter } from "../units.ts";
+import {
+  angleUnder,
+  degrees,
+  inDegrees,
+  type Length,
+  length,
+  radians,
+  roundedAngle,
+  roundedDown,
+  toDiameter,
+} from "../units.ts";
 import { withAxisCheck } from "./across.ts";
 import { squareTo, unfitForThread } from "./fit.ts";
 import { envelopeAtCall, Frontier } from "./frontier.ts";
@@ -49,10 +59,12 @@ export interface Thread {
 /** Most spindle revolutions in one operation: more are certainly unintended. */
 const MOST_TURNS = 100_000;
 /**
- * Most revolutions in one cut of each start: every revolution is a tooth of the section, which takes far longer to
- * compute than a revolution in the air.
+ * Most revolutions in one cut of each start: every revolution is a tooth of the section, and the time of the polygon
+ * engine grows with the square of their number.
  */
-const MOST_TEETH = 10_000;
+const MOST_TEETH = 2_000;
+/** The same in a run-out, where each tooth has a height of its own and the engine meets all of them at each height. */
+const MOST_RISING = 400;
 
 /** The target thread, independent of its passes. */
 interface ThreadTarget extends ThreadLine {
@@ -148,18 +160,25 @@ function toolIssues(t: Thread, w: ThreadTarget, tool: Tool): Issue[] {
     );
   const high = extent(insertIn(tool, t.frame)).maxV;
   const depth = depthAlong(w, half);
-  if (depth > high + SAME) found.push(issue("threadOverInsert", "error", { depth, most: high }, "threadDepth"));
+  if (depth === Infinity) {
+    const angle = roundedAngle(inDegrees(Math.atan(riseOf(w))));
+    found.push(issue("threadTooSteep", "error", { angle, most: roundedAngle(90 - half) }, "crest"));
+  } else if (depth > high + SAME) found.push(issue("threadOverInsert", "error", { depth, most: high }, "threadDepth"));
   return found;
 }
 
-/** Required height of a flank, mm: on a cone the crest rises on one side of the tip. */
-function depthAlong({ crest, depth }: ThreadTarget, half: number): number {
-  const rise = Math.max(
-    0,
-    ...crest.slice(1).map((p, i) => Math.abs((p.v - (crest[i] as Flat).v) / (p.u - (crest[i] as Flat).u))),
-  );
-  const over = 1 - rise * Math.tan(radians(half));
-  return over > 0 ? depth / over : Infinity;
+/** Greatest rise of the crest, mm per mm. */
+const riseOf = ({ crest }: ThreadTarget): number =>
+  Math.max(0, ...crest.slice(1).map((p, i) => Math.abs((p.v - (crest[i] as Flat).v) / (p.u - (crest[i] as Flat).u))));
+
+/**
+ * Required height of a flank, mm: on a cone the crest rises on one side of the tip. Infinite where it is as steep as
+ * the flank.
+ */
+function depthAlong(w: ThreadTarget, half: number): number {
+  const { depth } = w;
+  const over = 1 - riseOf(w) * Math.tan(radians(half));
+  return over > ROUND ? depth / over : Infinity;
 }
 
 /** Plans the passes of a thread. Never throws; what cannot be planned is an issue. */
@@ -168,7 +187,8 @@ export function planThread(t: Thread, setting: PlanContext): Plan {
   const called = insertFor(setting.tool, t.frame);
   const w = threadTarget(t, called, issues);
   if (!w) return emptyPlan(issues, t.contour);
-  const tool = withToothFor(depthAlong(w, pointAngle(called) / 2), called);
+  const needed = depthAlong(w, pointAngle(called) / 2);
+  const tool = withToothFor(Number.isFinite(needed) ? needed : w.depth, called);
   const refused = toolIssues(t, w, tool);
   if (setting.tool !== POINT_TOOL && refused.length === 0 && cutLength(called) === undefined)
     issues.push(issue("toothAssumed", "info", { height: extent(insertIn(tool, t.frame)).maxV }, "tool"));
@@ -180,12 +200,15 @@ export function planThread(t: Thread, setting: PlanContext): Plan {
   const turns = Math.max(1, (ends.u - begins.u) / t.lead) * cuts;
   const inOneCut = (ends.u - begins.u) / w.pitch;
   const bounds = [
-    { turns: inOneCut, most: MOST_TEETH },
-    { turns, most: MOST_TURNS },
-  ];
+    { turns: inOneCut, most: MOST_TEETH, at: "pitch" },
+    { turns: w.runOut / w.pitch, most: MOST_RISING, at: "runOut" },
+    { turns, most: MOST_TURNS, at: "pitch" },
+  ] as const;
   const exceeded = bounds.find((b) => b.turns > b.most);
   if (exceeded)
-    refused.push(issue("threadTooMany", "error", { turns: Math.round(exceeded.turns), most: exceeded.most }, "pitch"));
+    refused.push(
+      issue("threadTooMany", "error", { turns: Math.round(exceeded.turns), most: exceeded.most }, exceeded.at),
+    );
   if (!depths || refused.length > 0) return { ...emptyPlan([...refused, ...issues], t.contour) };
   const side = lowerSide(tool, t.frame);
   const slope = Math.tan(radians(t.flankAngle));

@@ -99,7 +99,7 @@ describe("parameters, labels and calls", () => {
     ]));
   test("endless programs end", () => {
     expect(codes("LBL 1\nCALL LBL 1\nLBL 0")).toEqual(["callsTooDeep"]);
-    expect(codes("LBL 1\nLBL 2\nCALL LBL 2 REP 65534\nCALL LBL 1 REP 65534")).toEqual(["tooManyBlocks"]);
+    expect(codes("LBL 1\nLBL 2\nCALL LBL 2 REP 65534\nCALL LBL 1 REP 65534")).toEqual(["tooManyRepeated"]);
     expect(codes("LBL 2\nLBL 1\nL IX+1 FMAX\nL IX-1 FMAX\nCALL LBL 1 REP 65534\nCALL LBL 2 REP 65534").at(-1)).toMatch(
       /^tooMany/,
     );

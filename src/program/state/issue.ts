@@ -117,6 +117,7 @@ interface Data {
   wordsRecalled: { what: string };
   programEndMissing: {};
   tooManyBlocks: { limit: number };
+  tooManyRepeated: { limit: number };
   tooManyMoves: { limit: number };
   contourTooLong: { limit: number };
   tooManyOperations: { limit: number };

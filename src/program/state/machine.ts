@@ -5,7 +5,15 @@ import { INCH, inchFeedUnit, type Feed } from "../../kernel/units.ts";
 import type { Statement } from "../../nc/statement.ts";
 import type { Label, Value } from "../../nc/words.ts";
 import { valueOf, type EvaluationError } from "../values/formula.ts";
-import { LEAST_NUMBER, MOST_BLOCKS, MOST_MOVES, MOST_NUMBER, MOST_OPERATIONS, MOST_TURNED } from "../values/bounds.ts";
+import {
+  LEAST_NUMBER,
+  MOST_BLOCKS,
+  MOST_MOVES,
+  MOST_NUMBER,
+  MOST_OPERATIONS,
+  MOST_REPEATED,
+  MOST_TURNED,
+} from "../values/bounds.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
 import type { Mutable } from "../values/persistent.ts";
 import { ParameterStore } from "../values/known-values.ts";
@@ -263,9 +271,12 @@ export class Machine {
 
   /** Whether one more block may be executed or read as a contour; ends the run when not. */
   roomForBlock(index: number): boolean {
-    this.draft.executed += 1;
-    if (this.draft.executed > MOST_BLOCKS)
-      this.stop(programIssue("tooManyBlocks", "error", { limit: MOST_BLOCKS }), index);
+    const { draft } = this;
+    draft.executed += 1;
+    draft.farthest = Math.max(draft.farthest, index + 1);
+    if (draft.executed > MOST_BLOCKS) this.stop(programIssue("tooManyBlocks", "error", { limit: MOST_BLOCKS }), index);
+    else if (draft.executed > draft.farthest + MOST_REPEATED)
+      this.stop(programIssue("tooManyRepeated", "error", { limit: MOST_REPEATED }), index);
     return !this.draft.full;
   }
 

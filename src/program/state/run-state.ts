@@ -75,6 +75,8 @@ export interface RunState {
   readonly cutIntent: CutIntent | null;
   /** Blocks executed, those of contours that cycles read included. */
   readonly executed: number;
+  /** Blocks up to the farthest one executed. */
+  readonly farthest: number;
   /** A limit was reached: the run ends. */
   readonly full: boolean;
 }
@@ -103,6 +105,7 @@ export function startOf(input: RunInput): RunState {
     freePole: null,
     cutIntent: null,
     executed: 0,
+    farthest: 0,
     full: false,
   };
 }

@@ -236,7 +236,7 @@ describe("the order of the blocks", () => {
   );
   test("a loop of jumps runs, an endless one ends with a message", () => {
     expect(path(turned("Q1 = 0\nLBL 1\nQ1 = Q1 + 1\nL IZ-1 FMAX\nFN 12: IF +Q1 LT +4 GOTO LBL 1"))).toHaveLength(4);
-    expect(codes(turned("LBL 1\nFN 9: IF +1 EQU +1 GOTO LBL 1"))).toEqual(["tooManyBlocks@8"]);
+    expect(codes(turned("LBL 1\nFN 9: IF +1 EQU +1 GOTO LBL 1"))).toEqual(["tooManyRepeated@7"]);
     expect(codes(turned("FN 9: IF +1 EQU +1 GOTO LBL 7"))).toEqual(["labelMissing@7"]);
     expect(codes(turned("FN 9: IF +Q1 EQU +1 GOTO LBL 7"))).toEqual(["parameterUnset@7"]);
   });

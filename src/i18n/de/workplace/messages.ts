@@ -394,8 +394,9 @@ export const messages = {
       `Der Radius von Werkzeug ${w.text(d.tool)} ist nicht bekannt: Die Bahn ist mit Radius 0 berechnet.`,
     wordsRecalled: (d, w) => `${w.text(d.what)}: Parameter nicht am Handbuch geprüft; an der Steuerung prüfen.`,
     programEndMissing: () => "Am Ende des Hauptprogramms fehlt M30 oder M2.",
-    tooManyBlocks: (d) =>
-      `Mehr als ${d.limit} Sätze wurden ausgeführt: dort angehalten. Ist das Programm kürzer, endet ein Sprung oder eine Wiederholung nie.`,
+    tooManyBlocks: (d) => `Mehr als ${d.limit} Sätze wurden ausgeführt: dort angehalten.`,
+    tooManyRepeated: (d) =>
+      `Mehr als ${d.limit} Sätze wurden wiederholt ausgeführt: dort angehalten. Ein Sprung oder eine Wiederholung endet vielleicht nie.`,
     tooManyMoves: (d) => `Mehr als ${d.limit} Bewegungen: dort angehalten.`,
     contourTooLong: (d) => `Die Kontur hat mehr als ${d.limit} Sätze: dort angehalten.`,
     tooManyOperations: (d) => `Mehr als ${d.limit} Zyklusaufrufe: dort angehalten.`,

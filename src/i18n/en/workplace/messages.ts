@@ -375,8 +375,9 @@ export const messages = {
       `The radius of tool ${w.text(d.tool)} is not known: the path is calculated with radius 0.`,
     wordsRecalled: (d, w) => `${w.text(d.what)}: parameters not verified against a manual; check on your control.`,
     programEndMissing: () => "M30 or M2 is missing at the end of the main program.",
-    tooManyBlocks: (d) =>
-      `More than ${d.limit} blocks executed: stopped there. If the program is shorter, a jump or repetition never ends.`,
+    tooManyBlocks: (d) => `More than ${d.limit} blocks executed: stopped there.`,
+    tooManyRepeated: (d) =>
+      `More than ${d.limit} blocks executed again: stopped there. A jump or repetition may never end.`,
     tooManyMoves: (d) => `More than ${d.limit} moves: stopped there.`,
     contourTooLong: (d) => `The contour has more than ${d.limit} blocks: stopped there.`,
     tooManyOperations: (d) => `More than ${d.limit} cycle calls: stopped there.`,

@@ -393,8 +393,9 @@ export const messages = {
       `Le rayon de l’outil ${w.text(d.tool)} n’est pas connu : la trajectoire est calculée avec le rayon 0.`,
     wordsRecalled: (d, w) => `${w.text(d.what)} : paramètres non vérifiés dans un manuel ; à vérifier sur la commande.`,
     programEndMissing: () => "Il manque M30 ou M2 à la fin du programme principal.",
-    tooManyBlocks: (d) =>
-      `Plus de ${d.limit} séquences exécutées : arrêt à cet endroit. Si le programme est plus court, un saut ou une répétition ne se termine jamais.`,
+    tooManyBlocks: (d) => `Plus de ${d.limit} séquences exécutées : arrêt à cet endroit.`,
+    tooManyRepeated: (d) =>
+      `Plus de ${d.limit} séquences répétées : arrêt à cet endroit. Un saut ou une répétition ne se termine peut-être jamais.`,
     tooManyMoves: (d) => `Plus de ${d.limit} déplacements : arrêt à cet endroit.`,
     contourTooLong: (d) => `Le contour compte plus de ${d.limit} séquences : arrêt à cet endroit.`,
     tooManyOperations: (d) => `Plus de ${d.limit} appels de cycle : arrêt à cet endroit.`,

@@ -29,6 +29,8 @@ export const threads = {
     `CUTLENGTH des Gewindewerkzeugs ist leer: Angenommen wird die Zahnhöhe ${w.length(d.height)}. Zahnhöhe eingeben, um Absätze neben dem Gewinde mit der tatsächlichen Schneide zu prüfen.`,
   threadOverInsert: (d, w) =>
     `Tiefe ${w.length(d.depth)} ist größer als die Zahnhöhe ${w.length(d.most)}. Gewindewerkzeug mit höherem Zahn (CUTLENGTH) verwenden.`,
+  threadTooSteep: (d, w) =>
+    `Das Gewinde steigt mit ${w.angle(d.angle)} an: Die Flanken der Schneide erlauben weniger als ${w.angle(d.most)}. Einen flacheren Kegel eingeben oder die Gewindeachse wechseln.`,
   threadMeets: (d, w) =>
     `${d.place === "over" ? "" : `Im ${d.place === "before" ? "Anlaufweg" : "Überlaufweg"} fährt das Werkzeug ins Material. `}Bei ${w.place(
       d.x,

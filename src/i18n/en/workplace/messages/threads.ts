@@ -28,6 +28,8 @@ export const threads = {
     `CUTLENGTH of the thread tool is empty: a tooth height of ${w.length(d.height)} is assumed. Enter the height to check shoulders next to the thread with the actual insert.`,
   threadOverInsert: (d, w) =>
     `Depth ${w.length(d.depth)} exceeds the tooth height ${w.length(d.most)}. Use a thread tool with a higher tooth (CUTLENGTH).`,
+  threadTooSteep: (d, w) =>
+    `The thread rises at ${w.angle(d.angle)}: the flanks of the insert allow less than ${w.angle(d.most)}. Enter a flatter cone or change the thread axis.`,
   threadMeets: (d, w) =>
     `${d.place === "over" ? "" : `In the ${d.place === "before" ? "run-in" : "overrun"} the tool runs into material. `}At ${w.place(
       d.x,

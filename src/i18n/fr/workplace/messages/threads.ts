@@ -30,6 +30,8 @@ export const threads = {
     `CUTLENGTH de l’outil à fileter est vide : hauteur de dent supposée ${w.length(d.height)}. Indiquer la hauteur pour contrôler les épaulements voisins avec la plaquette réelle.`,
   threadOverInsert: (d, w) =>
     `La profondeur ${w.length(d.depth)} dépasse la hauteur de dent ${w.length(d.most)}. Utiliser un outil à fileter à dent plus haute (CUTLENGTH).`,
+  threadTooSteep: (d, w) =>
+    `Le filet monte à ${w.angle(d.angle)} : les flancs de la plaquette permettent moins de ${w.angle(d.most)}. Entrer un cône plus plat ou changer l’axe du filet.`,
   threadMeets: (d, w) =>
     `${d.place === "over" ? "" : `${d.place === "before" ? "Dans l’engagement" : "Dans le dépassement"}, l’outil entre dans la matière. `}En ${w.place(
       d.x,

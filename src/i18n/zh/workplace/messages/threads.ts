@@ -22,6 +22,8 @@ export const threads = {
     `螺纹刀的CUTLENGTH为空：按牙高${w.length(d.height)}计算。请输入牙高，以便用实际刀片检查螺纹旁的台阶。`,
   threadOverInsert: (d, w) =>
     `${w.length(d.depth)}超过刀片高度${w.length(d.most)}。请选用牙更高的螺纹刀（CUTLENGTH）。`,
+  threadTooSteep: (d, w) =>
+    `螺纹以${w.angle(d.angle)}上升：刀片的齿侧要求小于${w.angle(d.most)}。请输入较平的锥度或更换螺纹轴。`,
   threadMeets: (d, w) =>
     `${d.place === "over" ? "" : `${d.place === "before" ? "导入段" : "越程段"}内刀具会碰到材料。`}在${w.place(
       d.x,
