@@ -66,8 +66,8 @@ async function remember({ handles }: Pick<Read, "handles">): Promise<void> {
 }
 
 /** Opens a read work with its file handles. */
-function openRead(work: ProgramWork, { handles }: Pick<Read, "handles">): void {
-  startWork(work);
+async function openRead(work: ProgramWork, { handles }: Pick<Read, "handles">): Promise<void> {
+  await startWork(work);
   const keys = new Set(textsOf(work).map(({ name }) => fileKey(name)));
   void remember({ handles: handles.filter(({ name }) => keys.has(fileKey(name))) });
 }
@@ -81,7 +81,7 @@ async function openTogether(found: Read, { skipped, isCut }: Omit<FolderContent,
   const [first] = files;
   if (!first) return false;
   if (files.length === 1) {
-    openRead(first, found);
+    await openRead(first, found);
     return true;
   }
   const [{ mainOf }, { parse }] = await Promise.all([
@@ -97,7 +97,7 @@ async function openTogether(found: Read, { skipped, isCut }: Omit<FolderContent,
     return beside.length > 0 ? { ...own, files: beside } : own;
   };
   if (free.length < 2) {
-    openRead(whole, found);
+    await openRead(whole, found);
     if (!sure) notice("mainUnsure");
     return true;
   }
@@ -106,7 +106,9 @@ async function openTogether(found: Read, { skipped, isCut }: Omit<FolderContent,
     skipped,
     isCut,
     // The first one is opened last, so that it is the one shown.
-    open: (works) => works.toReversed().forEach((work) => openRead(work, found)),
+    open: async (works) => {
+      for (const work of works.toReversed()) await openRead(work, found);
+    },
     together: () => openRead(whole, found),
   });
   return true;
