@@ -101,15 +101,16 @@ async function openTogether(found: Read, { skipped, isCut }: Omit<FolderContent,
     if (!sure) notice("mainUnsure");
     return true;
   }
+  const openEach = async (works: readonly ProgramWork[]) => {
+    for (const each of works) await openRead(each, found);
+  };
   askWhichPrograms({
     works: free.map(({ index: at, calls }) => workOf(at, calls)),
     skipped,
     isCut,
     // The first one is opened last, so that it is the one shown.
-    open: async (works) => {
-      for (const work of works.toReversed()) await openRead(work, found);
-    },
-    together: () => openRead(whole, found),
+    open: (works) => void openEach(works.toReversed()),
+    together: () => void openRead(whole, found),
   });
   return true;
 }
