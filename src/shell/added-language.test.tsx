@@ -70,7 +70,7 @@ test("every screen opens in a language that has been added", async () => {
     { tools, own } = texts(added, "tables"),
     guide = texts(added, "guide");
   await shows("#/", page.start.title);
-  if (cycle) startWork(exampleJob(cycle));
+  if (cycle) void startWork(exampleJob(cycle));
   await waitFor(() => expect(useEditor.getState().work).not.toBeNull());
   const work = `#/work/${useEditor.getState().work ?? ""}`;
   await shows(work, params.operation.label);

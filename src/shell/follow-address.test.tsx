@@ -39,7 +39,7 @@ const settled = () => new Promise((done) => setTimeout(done));
 const is = (hash: string) => until(() => expect(location.hash).toBe(hash));
 /** Starts a work; returns its key. */
 async function started(): Promise<string> {
-  startWork(job);
+  void startWork(job);
   await settled();
   return useEditor.getState().work ?? "";
 }
@@ -92,7 +92,7 @@ test("changes in one task are one entry, and no change is none", async () => {
   const before = history.length;
   showTools("r3");
   uncover();
-  startWork(job);
+  void startWork(job);
   openPrompt("Q494", "-3.25");
   await settled();
   expect(history.length).toBe(before + 1);

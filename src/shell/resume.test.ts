@@ -7,7 +7,7 @@ interface Given {
   readonly taken?: readonly string[];
   readonly gone?: readonly string[];
   readonly pending?: readonly { readonly work: string; readonly file: unknown }[];
-  readonly isFull?: boolean;
+  readonly died?: string;
   readonly available?: boolean;
   readonly newer?: number;
 }
@@ -51,21 +51,28 @@ vi.mock("../app/base/notices.ts", () => ({ notice: page.tell("notice") }));
 vi.mock("../app/records/keep.ts", () => ({
   claimWithRetries: (work: string) => Promise.resolve(!page.given.taken?.includes(work)),
   keepState: page.tell("keep"),
+  settleJournals: page.tell("journals"),
+  showFound: page.tell("list"),
   noteWritten: () => undefined,
-  unsavedWorks: () => (page.given.isFull ? ["some"] : []),
-  useSavedWorks: { setState: ({ ready }: { readonly ready?: boolean }) => ready && page.tell("ready")() },
+  useSavedWorks: {
+    getState: () => ({ works: WORKS }),
+    setState: ({ ready }: { readonly ready?: boolean }) => ready && page.tell("ready")(),
+  },
+}));
+vi.mock("../app/records/opening.ts", () => ({
+  diedOpen: (work: string) => page.given.died === work,
+  noteOpening: page.tell("mark"),
 }));
 vi.mock("../app/records/save-file.ts", () => ({ readSave: (raw: unknown) => raw }));
 vi.mock("../app/records/tab.ts", () => ({
-  readPending: () => page.given.pending ?? [],
-  storePending: (states: readonly unknown[]) => page.tell("pending")(states.length),
+  takePending: () => page.given.pending ?? [],
   rememberedWork: () => page.given.remembered ?? null,
   rememberWork: page.tell("remember"),
 }));
 
 beforeEach(() => void told.splice(0));
 
-const OPENS = (work: string) => [`remember ${work}`, `open ${work} job-${work}`];
+const OPENS = (work: string) => [`mark ${work}`, `remember ${work}`, `open ${work} job-${work}`];
 const START = ["open none none"];
 
 test.each<[string, AskedWork, Given, readonly string[]]>([
@@ -78,44 +85,25 @@ test.each<[string, AskedWork, Given, readonly string[]]>([
   ["the address asks for a work that is not here", "lost", {}, ["notice workNotHere", "remember none", ...START]],
   ["another tab has it", "old", { taken: ["old"] }, [...START, "elsewhere old/OLD/isOpen"]],
   ["it cannot be read", "old", { gone: ["old"] }, START],
-  [
-    "nothing can be kept here",
-    null,
-    { available: false, newer: 2 },
-    ["notice notKept", "notice newerWorks", "remember none", ...START],
-  ],
+  ["the page before died over it", "old", { died: "old" }, [...START, "elsewhere old/OLD/died"]],
+  ["the page before died over another", "old", { died: "new" }, OPENS("old")],
+  ["something of a newer edition is here", "old", { newer: 1 }, ["notice newerWorks", ...OPENS("old")]],
+  ["nothing can be kept here", null, { available: false, newer: 2 }, ["notice notKept", ...START]],
 ])("the page begins with: %s", async (_, asked, own, expected) => {
   page.given = own;
   await resume(asked);
-  expect(told).toEqual(["pending 0", ...expected, "ready"]);
+  expect(told[0]).toBe("journals");
+  expect(told[1]).toMatch(/^list/);
+  expect(told.slice(2)).toEqual([...expected, "ready"]);
 });
 
-test.each<[string, Given, readonly string[]]>([
-  [
-    "newer than what is kept",
-    { pending: [{ work: "new", file: { job: "typed", savedAt: 21 } }] },
-    ["keep new typed", "pending 0"],
-  ],
-  [
-    "as new as what is kept",
-    { pending: [{ work: "new", file: { job: "typed", savedAt: 20 } }] },
-    ["keep new typed", "pending 0"],
-  ],
-  ["older than what is kept", { pending: [{ work: "new", file: { job: "typed", savedAt: 19 } }] }, ["pending 0"]],
-  [
-    "of a work that was never kept",
-    { pending: [{ work: "third", file: { job: "typed", savedAt: 1 } }] },
-    ["keep third typed", "pending 0"],
-  ],
-  ["damaged", { pending: [{ work: "new", file: null }] }, ["pending 0"]],
-  [
-    "still without room: it stays for the next page",
-    { isFull: true, pending: [{ work: "new", file: { job: "typed", savedAt: 21 } }] },
-    ["keep new typed"],
-  ],
-])("what the page before could not save is saved now: %s", async (_, own, expected) => {
-  page.given = own;
+test.each<[string, unknown, readonly string[]]>([
+  ["newer than what is kept", { job: "typed", savedAt: 21 }, ["keep new typed"]],
+  ["as new as what is kept", { job: "typed", savedAt: 20 }, ["keep new typed"]],
+  ["older than what is kept", { job: "typed", savedAt: 19 }, []],
+  ["damaged", null, []],
+])("what a page of an earlier edition could not save is saved before the journals: %s", async (_, file, expected) => {
+  page.given = { pending: [{ work: "new", file }] };
   await resume(null);
-  expect(told.slice(0, expected.length)).toEqual(expected);
-  expect(told.filter((each) => /^(keep|pending)/.test(each))).toEqual(expected);
+  expect(told.slice(0, expected.length + 1)).toEqual([...expected, "journals"]);
 });

@@ -10,7 +10,7 @@ const lengths = (version = 3) =>
     key: "lengths",
     version,
     schema: z.object({ mm: z.array(z.number()) }),
-    rows: { of: "mm", each: z.number() },
+    rows: { of: "mm", each: z.number(), most: 3 },
     upgrades: { 1: (all) => all.map((each) => each * 25.4), 2: (all) => all.toReversed() },
     from: ({ mm }): readonly number[] => mm,
     to: (mm) => ({ mm }),
@@ -65,8 +65,19 @@ test("damaged data are set aside, beside what was set aside before, and a damage
     ["lengths", "1", "x"],
     ["lengths", "lengths", { version: 3 }],
   ]);
+  // Beyond the most that are used.
+  localStorage.setItem("turnwise/lengths", '{"version":3,"mm":["y",1.1,2.2,3.3,4.4]}');
+  expect(lengths().now()).toEqual([1.1, 2.2, 3.3]);
+  expect(
+    asideRows()
+      .slice(3)
+      .map(({ name, raw }) => [name, raw]),
+  ).toEqual([
+    ["0", "y"],
+    ["4", 4.4],
+  ]);
   asideRows().forEach(() => asideRows().slice(0, 1).forEach(forgetAside));
-  expect(localStorage.length).toBe(0);
+  expect(Object.keys(localStorage)).toEqual(["turnwise/lengths"]);
 });
 
 test("changes of another tab are taken over, also a cleared storage", () => {

@@ -23,8 +23,11 @@ export interface Declaration<T, K> {
   readonly version: number;
   /** Schema of this version and of all earlier ones that can be read. */
   readonly schema: z.ZodMiniType<K>;
-  /** Its list, whose rows are read one by one: one that does not pass is set aside, and the others are used. */
-  readonly rows?: { readonly of: string; readonly each: z.ZodMiniType<unknown> };
+  /**
+   * Its list, whose rows are read one by one: one that does not pass, or is beyond the first `most`, is set aside, and
+   * the others are used.
+   */
+  readonly rows?: { readonly of: string; readonly each: z.ZodMiniType<unknown>; readonly most?: number };
   /** Upgrades a value from the version of this number to the next. */
   readonly upgrades?: Readonly<Record<number, (value: T) => T>>;
   readonly from: (kept: K) => T;
@@ -94,7 +97,7 @@ export function record<T, K>(declared: Declaration<T, K>): KeptRecord<T> {
     undo?.(put);
   };
   const write = (value: T) => ({ version, ...to(value) });
-  const sieve = (raw: unknown) => (rows ? sieved(raw, rows.of, rows.each) : { raw, unread: [] });
+  const sieve = (raw: unknown) => (rows ? sieved(raw, rows.of, rows.each, rows.most) : { raw, unread: [] });
   const isNewer = (raw: unknown) => (versioned.safeParse(raw).data?.version ?? 0) > version;
   const unread = (raw: unknown) => (isNewer(raw) ? [] : sieve(raw).unread);
   const read = (raw: unknown): T | null => {

@@ -6,7 +6,7 @@ const cells = z.partialRecord(z.enum([...TOOL_COLUMNS, ...MILL_COLUMNS, ...BESID
 
 export const toolRow = z.object({ id: cellText, cells });
 /** Most rows of a tool table, far above what a magazine and its store hold. */
-const MOST_TOOLS = 20_000;
+export const MOST_TOOLS = 20_000;
 
 /** Rows of a tool table from untrusted data. */
 export const toolRows = z.array(toolRow).check(z.maxLength(MOST_TOOLS));

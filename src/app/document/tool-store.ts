@@ -8,7 +8,7 @@ import { record } from "../base/record.ts";
 import { uniqueIds } from "../base/unique.ts";
 import { editRecord } from "./edit-record.ts";
 import { forget } from "./steps.ts";
-import { toolRow } from "./tool-rows.ts";
+import { MOST_TOOLS, toolRow } from "./tool-rows.ts";
 
 /** Imported files; a row refers to its file by the index in this list, and to its line. */
 const origin = z.object({ name: z.string(), text: z.string(), encoding: z.enum(["utf-8", "windows-1252"]) });
@@ -53,7 +53,7 @@ export const toolRecord = record({
   key: "tools",
   version: 2,
   schema: table,
-  rows: { of: "rows", each: row },
+  rows: { of: "rows", each: row, most: MOST_TOOLS },
   // In tables of version 1 the shipped tools had no holders.
   upgrades: { 1: (list) => list.map(withShippedHolder) },
   from: listOf,

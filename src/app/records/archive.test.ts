@@ -298,8 +298,11 @@ test("a file that is no archive, damaged, too large or newer gives its reason", 
   expect(problem(trap(`{"format":"turnwise-archive/1","works":${"[".repeat(101)}${"]".repeat(101)}}`))).toEqual({
     problem: "tooLarge",
   });
-  for (const limits of [{ packed: 100 }, { unpacked: 100 }, { entries: 1 }, { works: 0 }])
+  for (const limits of [{ packed: 100 }, { unpacked: 100 }, { entries: 1 }])
     expect(problem(good, limits)).toEqual({ problem: "tooLarge" });
+  // Works beyond the largest count are named, and cost no other.
+  const two = writeArchive({ works: [0, 1].map((i) => ({ work: `${i}`, savedAt: 3, job: jobs[i]! })) });
+  expect(problem(two, { works: 1 })).toMatchObject({ works: [{ job: jobs[0] }], unread: [jobs[1]!.name] });
 });
 
 test("no bytes make reading throw, and an altered file never gives other content", () => {

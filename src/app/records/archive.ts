@@ -153,13 +153,13 @@ function manifestOf(bytes: Uint8Array, limits: ArchiveLimits): { readonly raw: u
   return text === null ? "tooLarge" : { raw: readJson(text) };
 }
 
-/** The works of a manifest, and the names of those that cannot be read. */
-function worksOf(raw: readonly unknown[]): Pick<ReadArchive, "works" | "unread"> {
+/** The works of a manifest, and the names of those that cannot be read or are beyond the limit. */
+function worksOf(raw: readonly unknown[], most: number): Pick<ReadArchive, "works" | "unread"> {
   const works: ArchivedWork[] = [];
   const unread: string[] = [];
   for (const [i, each] of raw.entries()) {
     const { work, name } = isRecord(each) ? each : {};
-    const file = readSave(unsealed(each));
+    const file = works.length < most ? readSave(unsealed(each)) : null;
     if (file)
       works.push({ work: typeof work === "string" ? work.slice(0, 100) : "", savedAt: file.savedAt, job: file.job });
     else unread.push(typeof name === "string" && name !== "" ? name.slice(0, 100) : `${i + 1}`);
@@ -167,13 +167,13 @@ function worksOf(raw: readonly unknown[]): Pick<ReadArchive, "works" | "unread">
   return { works, unread };
 }
 
-function contentOf(raw: Readonly<Record<string, unknown>>): ReadArchive {
+function contentOf(raw: Readonly<Record<string, unknown>>, most: number): ReadArchive {
   const parts = eachPart((part, name) => part.read(unsealed(raw[name])));
   const unreadParts = PART_NAMES.filter((name) => raw[name] !== undefined && parts[name] === null);
   const unreadRows = PART_NAMES.flatMap(
     (name) => PARTS[name].unread?.(unsealed(raw[name])).map((row) => row.name) ?? [],
   );
-  return { ...worksOf(Array.isArray(raw["works"]) ? raw["works"] : []), ...parts, unreadParts, unreadRows };
+  return { ...worksOf(Array.isArray(raw["works"]) ? raw["works"] : [], most), ...parts, unreadParts, unreadRows };
 }
 
 /** Reads an archive, or says why not. Never throws, and never unpacks beyond the limits. */
@@ -190,8 +190,7 @@ export function readArchive(
     const format = isRecord(raw) ? String(raw["format"]) : "";
     if (!isRecord(raw) || !format.startsWith(FORMAT)) return { problem: "notAnArchive" };
     if (Number(format.slice(FORMAT.length)) > EDITION) return { problem: "newer" };
-    if (Array.isArray(raw["works"]) && raw["works"].length > limits.works) return { problem: "tooLarge" };
-    return contentOf(raw);
+    return contentOf(raw, limits.works);
   } catch {
     return { problem: "damaged" };
   }

@@ -33,5 +33,5 @@ export const leaveIncoming = (): void => useIncoming.setState({ incoming: null }
 export function takeIncoming({ work }: Incoming): void {
   leaveIncoming();
   toFirstPrompt();
-  startWork(work);
+  void startWork(work);
 }

@@ -52,18 +52,24 @@ const unwritten = new Set<string>();
 const entryOf = ({ links, typed }: Kept): string =>
   JSON.stringify({ at: time(), version: SAVE_VERSION, links, ...(typed && { typed }) });
 
-function write(work: string, entry: Kept): void {
+/** False if the entry is too large to be written with each key. */
+function write(work: string, entry: Kept): boolean {
   kept.set(work, entry);
   if (entry.base?.job === entry.now && !entry.writing && !entry.typed) {
     kept.set(work, { ...entry, links: [] });
-    return remove(work);
+    remove(work);
+    return true;
   }
   const text = entryOf(entry);
-  if (text.length <= LONGEST_PER_KEY && onDevice(work).set(text)) return void unwritten.delete(work);
+  if (text.length <= LONGEST_PER_KEY && onDevice(work).set(text)) {
+    unwritten.delete(work);
+    return true;
+  }
   unwritten.add(work);
   // Without a state to start from, at least what is typed while the first one is written.
   const last = entryOf({ ...entry, links: entry.links.slice(1) });
   if (entry.links.length > 1 && last.length <= LONGEST_PER_KEY) onDevice(work).set(last);
+  return text.length <= LONGEST_PER_KEY;
 }
 
 function remove(work: string): void {
@@ -74,8 +80,11 @@ function remove(work: string): void {
 
 const between = (from: Work, to: Work): Difference => differenceOf(from as unknown as Json, to as unknown as Json);
 
-/** Notes the newest state of a work, the last one that the database has, and the one it is being given. */
-export function noteState(work: string, now: Work, base: Stored | undefined, writing?: Stored): void {
+/**
+ * Notes the newest state of a work, the last one that the database has, and the one it is being given. False if it is
+ * too large to be written with each key.
+ */
+export function noteState(work: string, now: Work, base: Stored | undefined, writing?: Stored): boolean {
   const before = kept.get(work);
   // The first link stays the same while a state is being written.
   const isSameFirst = writing !== undefined && before?.writing === writing && before.base === base;
@@ -86,7 +95,7 @@ export function noteState(work: string, now: Work, base: Stored | undefined, wri
         { from: writing.savedAt, by: between(writing.job, now) },
       ]
     : [first];
-  write(work, { now, base, writing, links, typed: null });
+  return write(work, { now, base, writing, links, typed: null });
 }
 
 const differenceFrom = (base: Stored | undefined, to: Work): Difference =>

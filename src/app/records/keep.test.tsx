@@ -29,7 +29,7 @@ test("an empty device opens the start page", async () => {
 
 test("every change is saved under the name of the work", async () => {
   const stop = startAutosave();
-  startWork(job);
+  void startWork(job);
   takePlace("tool", "7");
   stop();
   await settle();
@@ -40,9 +40,9 @@ test("every change is saved under the name of the work", async () => {
 
 test("a new program leaves the previous one on the device", async () => {
   const stop = startAutosave();
-  startWork(job);
+  void startWork(job);
   await settle();
-  startWork({ ...job, name: "SECOND" });
+  void startWork({ ...job, name: "SECOND" });
   stop();
   await settle();
   expect([...device.works.values()].map((file) => (file.job as Job).name).sort()).toEqual([job.name, "SECOND"].sort());
@@ -50,8 +50,8 @@ test("a new program leaves the previous one on the device", async () => {
 
 test("the list shows works that are closed before they are written", async () => {
   const stop = startAutosave();
-  startWork({ ...job, name: "FIRST" });
-  startWork({ ...job, name: "SECOND" });
+  void startWork({ ...job, name: "FIRST" });
+  void startWork({ ...job, name: "SECOND" });
   openFirstWork(null, null);
   await refreshWorks();
   stop();
@@ -88,7 +88,7 @@ const leaves = (work: string | null, text: string | null) =>
 
 test("each change is on the device at once, and the next page has it, unless a newer state was saved", async () => {
   const stop = startAutosave();
-  startWork(job);
+  void startWork(job);
   await settle();
   takePlace("tool", "8");
   const { work } = useEditor.getState();
@@ -111,7 +111,7 @@ test("a change during writing is on the device, whether or not the state before 
   let done: () => void = () => undefined;
   device.slow = new Promise((resolve) => (done = resolve));
   const stop = startAutosave();
-  startWork(job);
+  void startWork(job);
   document.dispatchEvent(new Event("visibilitychange"));
   takePlace("tool", "8");
   const { work } = useEditor.getState();
@@ -157,7 +157,7 @@ test("a device without storage, and damaged saves, give a notice and stop nothin
 test("a refused state gives a notice, stays in memory, and is saved as soon as there is space", async () => {
   device.refuses = "full";
   const stop = startAutosave();
-  startWork(job);
+  void startWork(job);
   takePlace("tool", "9");
   stop();
   await settle();
@@ -184,7 +184,7 @@ test("saves of a newer edition give a notice", async () => {
 
 test("a state restored by undo before its successor is written is the one saved", async () => {
   const stop = startAutosave();
-  startWork(job);
+  void startWork(job);
   const rested = () => new Promise((done) => setTimeout(done, 120));
   await rested();
   const first = useEditor.getState();

@@ -275,12 +275,16 @@ export async function claimWithRetries(work: string): Promise<boolean> {
   return false;
 }
 
-/** Starts a new work under a new name; the previous one stays saved. */
-export function startWork(job: Work): void {
+/**
+ * Starts a new work under a new name; the previous one stays saved. It is on the device before it is opened, so that
+ * the next page can offer it should opening it break this one; only a large one takes time.
+ */
+export async function startWork(job: Work): Promise<void> {
   const work = randomId();
   rememberWork(work);
   claimNew(work);
   noteOpening(work);
+  if (!noteState(work, job, undefined)) await keepState(work, job);
   open(job, work);
 }
 
@@ -348,7 +352,7 @@ export async function takeOver(work: string): Promise<boolean> {
 /** Opens a copy of a work; the original stays unchanged. */
 export async function copyWork(work: string, nameOf: (name: string) => string): Promise<void> {
   const job = await newestState(work);
-  if (job) startWork({ ...job, name: nameOf(job.name) });
+  if (job) await startWork({ ...job, name: nameOf(job.name) });
 }
 
 /** Writes unsaved states and reads the list again, for the start page, where deleted works may have made room. */

@@ -87,7 +87,7 @@ test("a tab that does not answer loses the work in its saved state", async () =>
 
 test("a work requested by another tab goes there with the last key, and is closed here", async () => {
   const stop = startAutosave();
-  startWork(job);
+  void startWork(job);
   const { work } = useEditor.getState();
   await eventually(() => expect(device.works.has(work ?? "")).toBe(true));
   takePlace("tool", "6");
@@ -103,7 +103,7 @@ test("a work requested by another tab goes there with the last key, and is close
 test("a state that the device refused goes to the other tab in the answer", async () => {
   device.refuses = "full";
   const stop = startAutosave();
-  startWork(job);
+  void startWork(job);
   const { work } = useEditor.getState();
   takePlace("tool", "4");
   other.postMessage({ kind: "give", work, to: "me" });
@@ -116,7 +116,7 @@ test("a state that the device refused goes to the other tab in the answer", asyn
 
 test("a work that was released while it opened is claimed again in its present state", async () => {
   const stop = startAutosave();
-  startWork(job);
+  void startWork(job);
   const { work } = useEditor.getState();
   const written = () => eventually(() => expect(device.works.has(work ?? "")).toBe(true));
   const released = () => eventually(() => expect(owns(work ?? "")).toBe(false));

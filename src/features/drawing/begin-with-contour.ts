@@ -10,7 +10,7 @@ export function beginWithContour(number: number, name: string, contour: readonly
   const cycle = cycleByNumber(number);
   if (!cycle) return;
   const { language, output } = useSettings.getState();
-  startWork({
+  void startWork({
     ...exampleJob(cycle),
     ...UNSET,
     name: name.replace(/\.[^.]*$/, ""),

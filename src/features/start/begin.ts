@@ -14,7 +14,7 @@ export function beginCycle(number: number, withExample: boolean): void {
   const { language, output } = useSettings.getState();
   const example = { ...exampleJob(cycle), ncLanguage: ncLanguageOf(language), output };
   const job = withExample ? example : { ...example, ...UNSET, drafts: {}, contour: [] };
-  startWork(job);
+  void startWork(job);
   const [question = null] = Object.keys(cycle.params);
   // A new work starts with the set-up; that of an example is filled in already.
   const first = withExample ? question : FIRST_PLACE;

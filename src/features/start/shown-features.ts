@@ -35,7 +35,7 @@ export function showUnknowns(): void {
   const cycle = cuttingCycles.find(({ contour }) => contour === "free");
   if (!cycle) return;
   const job = exampleJob(cycle);
-  startWork({
+  void startWork({
     ...job,
     contour: job.contour.map((row) => (row.id === UNKNOWN.row ? { ...row, z: "?", angle: UNKNOWN.angle } : row)),
   });

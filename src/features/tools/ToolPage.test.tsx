@@ -10,6 +10,7 @@ import { declareActions, onActionKey } from "../../app/base/actions.ts";
 import { historyActions } from "../../app/document/history.ts";
 import { fetchShownTexts } from "../../app/base/settings/use-texts.ts";
 import { changeSettings } from "../../app/base/settings/settings.ts";
+import { asideRows } from "../../app/base/set-aside.ts";
 import { undo, historyOf } from "../../app/document/steps.ts";
 import { showToolKind, showTools, usePlace } from "../../app/place/place.ts";
 import { showToolNumber } from "../../app/document/tool-row.ts";
@@ -171,19 +172,14 @@ test("the stored table is loaded; the default table is not stored, so that it ca
     { version: 3, rows: [] },
     { version: 0, rows: [] },
     { rows: [] },
-    {
-      version: 1,
-      rows: [{ id: "a", cells: { RS: 1 } }],
-    },
-    {
-      version: 1,
-      rows: [
-        { id: "a", cells: {} },
-        { id: "a", cells: {} },
-      ],
-    },
+    { version: 1, rows: null },
   ])
     expect(toolRecord.read(damaged)).toBeNull();
+  // A row that is damaged, or there twice, costs itself only.
+  const plain = (id: string, T: string) => ({ id, cells: { T } });
+  const partly = { version: 2, rows: [plain("a", "31"), { id: "b", cells: { RS: 1 } }, plain("a", "33")] };
+  expect(toolRecord.read(partly)).toEqual([plain("a", "31")]);
+  expect(toolRecord.unread(partly).map(({ raw }) => raw)).toEqual(partly.rows.slice(1));
   expect(toolRecord.read({ version: 1, rows: [] })).toEqual([]);
   const bare = shippedList.map(
     ({ id, cells: { width: _w, length: _l, offsetZ: _z, offsetX: _x, axis: _a, head: _h, ...cells } }) => ({
@@ -205,7 +201,7 @@ test("changes are stored on the device, damaged tables are set aside, other tabs
   localStorage.setItem("turnwise/tools", "{broken");
   fromOtherTab("{broken");
   expect(useNotices.getState().notices).toEqual(["toolsDamaged"]);
-  expect(localStorage.getItem("turnwise/tools/damaged")).toBe("{broken");
+  expect(asideRows()).toEqual([{ record: "tools", at: 0, name: "tools", raw: "{broken" }]);
   expect(localStorage.getItem("turnwise/tools")).toBeNull();
   expect(list()).toEqual(shippedList);
   const changed = shippedList.slice(0, 3);

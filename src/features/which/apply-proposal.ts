@@ -51,7 +51,7 @@ export async function applyProposal(
     return;
   }
   if (wanted.allowance > 0) return openText(requestedText(made, wanted, labels));
-  startWork(made);
+  void startWork(made);
   const [first] = Object.keys(cycleByNumber(made.cycle)?.params ?? {});
   if (first !== undefined) openPrompt(first, made.drafts[made.cycle]?.[first] ?? "");
 }

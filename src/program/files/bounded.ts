@@ -87,22 +87,25 @@ function nameOfRow(raw: unknown, otherwise: string): string {
 
 /**
  * Data without the rows of one of their lists that do not pass, so that one row never costs the list. A list is an array,
- * in which an id stands once, or an object by name.
+ * in which an id stands once, or an object by name; rows beyond the first `most` that pass are unread as well.
  */
 export function sieved(
   raw: unknown,
   list: string,
   row: z.ZodMiniType<unknown>,
+  most = Infinity,
 ): { readonly raw: unknown; readonly unread: readonly UnreadRow[] } {
   const rows = isRecord(raw) ? raw[list] : undefined;
   if (!isRecord(raw) || typeof rows !== "object" || rows === null) return { raw, unread: [] };
   const ids = new Set<unknown>();
   const unread: UnreadRow[] = [];
+  let left = most;
   const good = Object.entries(rows).filter(([key, each]: [string, unknown]) => {
     const id = Array.isArray(rows) && isRecord(each) ? each["id"] : undefined;
-    const passes = !ids.has(id) && row.safeParse(each).success;
+    const passes = left > 0 && !ids.has(id) && row.safeParse(each).success;
     if (id !== undefined) ids.add(id);
-    if (!passes) unread.push({ name: nameOfRow(each, key), raw: each });
+    if (passes) left -= 1;
+    else unread.push({ name: nameOfRow(each, key), raw: each });
     return passes;
   });
   if (unread.length === 0) return { raw, unread };

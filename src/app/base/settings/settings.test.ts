@@ -1,6 +1,6 @@
-import { expect, test } from "vitest";
+import { expect, test, vi } from "vitest";
 import { ISO_GROUPS, readCuttingTable, writeCuttingTable } from "../../../program/tools/cutting-table.ts";
-import { firstSettings, readSettings } from "./settings.ts";
+import { changeSettings, firstSettings, readSettings } from "./settings.ts";
 
 test("settings are restored, and invalid ones get their default", () => {
   const first = firstSettings();
@@ -12,6 +12,19 @@ test("settings are restored, and invalid ones get their default", () => {
   });
   expect(readSettings({ language: "xx", theme: 3, programFolded: "yes", other: 1 })).toEqual(first);
   expect(readSettings({ fullSection: true })).toEqual({ ...first, section: "full" });
+});
+
+test("settings that only a newer edition knows stay when others are changed", () => {
+  const data = new Map([["turnwise/settings", '{"later":[1],"theme":3,"fullSection":true}']]);
+  vi.stubGlobal("localStorage", {
+    getItem: (key: string) => data.get(key) ?? null,
+    setItem: (key: string, text: string) => void data.set(key, text),
+  });
+  changeSettings({ section: "outside" });
+  const after = JSON.parse(data.get("turnwise/settings") ?? "") as object;
+  vi.unstubAllGlobals();
+  expect(after).toMatchObject({ later: [1], theme: "system", section: "outside" });
+  expect(readSettings(after)?.section).toBe("outside");
 });
 
 test.each([undefined, null, [], 7])("damaged settings %j are refused", (raw) => expect(readSettings(raw)).toBeNull());

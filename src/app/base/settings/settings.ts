@@ -3,7 +3,7 @@ import { z } from "zod/mini";
 import { isLanguage, LANGUAGES, type Language } from "../../../i18n/languages.ts";
 import { isNcOutput, NC_OUTPUTS, type NcOutput } from "../../../program/machine/nc-output.ts";
 import type { Control } from "../../../program/tools/plane-types.ts";
-import { storedData } from "../storage.ts";
+import { jsonOf, storedText } from "../storage.ts";
 import { fetchRequested } from "./loaded-texts.ts";
 
 /** Longest cutting data, characters: more than the largest valid table needs. */
@@ -91,7 +91,7 @@ export type Settings = Readonly<z.output<typeof shape>>;
 /** Before the outside view existed there was a switch for the full section. */
 const kept = z.pipe(
   z.transform((raw: unknown) =>
-    z.object({ fullSection: z.literal(true) }).safeParse(raw).success ? { ...(raw as object), section: "full" } : raw,
+    z.object({ fullSection: z.literal(true) }).safeParse(raw).success ? { section: "full", ...(raw as object) } : raw,
   ),
   shape,
 );
@@ -102,9 +102,10 @@ export const readSettings = (raw: unknown): Settings | null => kept.safeParse(ra
 /** Default settings. */
 export const firstSettings = (): Settings => shape.parse({});
 
-const KEPT = storedData<Settings>("settings", kept);
+const STORED = storedText("settings");
+const stored = (): unknown => jsonOf(STORED.get());
 
-export const useSettings = create<Settings>(() => KEPT.get() ?? firstSettings());
+export const useSettings = create<Settings>(() => readSettings(stored()) ?? firstSettings());
 
 /**
  * Changes the screen language once its texts are loaded. If they cannot be fetched the language stays, and a notice
@@ -115,8 +116,12 @@ export async function changeLanguage(language: Language): Promise<void> {
   changeSettings({ language });
 }
 
-/** Changes settings and stores them; if storage is refused they last for this visit only. */
+/**
+ * Changes settings and stores them, beside those that only a newer edition knows; if storage is refused they last for
+ * this visit only.
+ */
 export function changeSettings(change: Partial<Settings>): void {
   useSettings.setState(change);
-  KEPT.set(useSettings.getState());
+  const others = stored();
+  STORED.set(JSON.stringify({ ...(readSettings(others) && (others as object)), ...useSettings.getState() }));
 }

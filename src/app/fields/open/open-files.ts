@@ -66,8 +66,8 @@ async function remember({ handles }: Pick<Read, "handles">): Promise<void> {
 }
 
 /** Opens a read work with its file handles. */
-function openRead(work: ProgramWork, { handles }: Pick<Read, "handles">): void {
-  startWork(work);
+async function openRead(work: ProgramWork, { handles }: Pick<Read, "handles">): Promise<void> {
+  await startWork(work);
   const keys = new Set(textsOf(work).map(({ name }) => fileKey(name)));
   void remember({ handles: handles.filter(({ name }) => keys.has(fileKey(name))) });
 }
@@ -81,7 +81,7 @@ async function openTogether(found: Read, { skipped, isCut }: Omit<FolderContent,
   const [first] = files;
   if (!first) return false;
   if (files.length === 1) {
-    openRead(first, found);
+    await openRead(first, found);
     return true;
   }
   const [{ mainOf }, { parse }] = await Promise.all([
@@ -97,17 +97,20 @@ async function openTogether(found: Read, { skipped, isCut }: Omit<FolderContent,
     return beside.length > 0 ? { ...own, files: beside } : own;
   };
   if (free.length < 2) {
-    openRead(whole, found);
+    await openRead(whole, found);
     if (!sure) notice("mainUnsure");
     return true;
   }
+  const openEach = async (works: readonly ProgramWork[]) => {
+    for (const each of works) await openRead(each, found);
+  };
   askWhichPrograms({
     works: free.map(({ index: at, calls }) => workOf(at, calls)),
     skipped,
     isCut,
     // The first one is opened last, so that it is the one shown.
-    open: (works) => works.toReversed().forEach((work) => openRead(work, found)),
-    together: () => openRead(whole, found),
+    open: (works) => void openEach(works.toReversed()),
+    together: () => void openRead(whole, found),
   });
   return true;
 }

@@ -7,7 +7,7 @@ import { asKlartext, mayBeIso } from "../../records/files/iso-file.ts";
 import { handleOf } from "../../records/files/file-handle.ts";
 
 /** Opens a program as a new work; the previous one stays saved. */
-export const openProgram = (program: ProgramWork): void => startWork(program);
+export const openProgram = (program: ProgramWork): void => void startWork(program);
 
 /** The part that opens files is fetched when there are some. */
 export const fetchOpenFiles = () => retryImport(() => import("./open-files.ts"));

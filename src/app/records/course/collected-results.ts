@@ -14,8 +14,8 @@ const NONE: readonly LearnerFile[] = [];
 export const resultRecord = record({
   key: "course-results",
   version: 1,
-  schema: z.object({ files: z.array(file).check(z.maxLength(MOST)) }),
-  rows: { of: "files", each: file },
+  schema: z.object({ files: z.array(file) }),
+  rows: { of: "files", each: file, most: MOST },
   from: ({ files }): readonly LearnerFile[] => files,
   to: (files) => ({ files }),
   first: NONE,

@@ -13,8 +13,8 @@ const NONE: readonly TaskSet[] = [];
 export const setRecord = record({
   key: "course-sets",
   version: 1,
-  schema: z.object({ sets: z.array(setSchema).check(z.maxLength(MOST)) }),
-  rows: { of: "sets", each: setSchema },
+  schema: z.object({ sets: z.array(setSchema) }),
+  rows: { of: "sets", each: setSchema, most: MOST },
   from: ({ sets }): readonly TaskSet[] => sets,
   to: (sets) => ({ sets }),
   first: NONE,

@@ -12,8 +12,8 @@ const NONE: readonly Task[] = [];
 export const taskRecord = record({
   key: "course-tasks",
   version: 1,
-  schema: z.object({ tasks: z.array(taskSchema).check(z.maxLength(MOST)) }),
-  rows: { of: "tasks", each: taskSchema },
+  schema: z.object({ tasks: z.array(taskSchema) }),
+  rows: { of: "tasks", each: taskSchema, most: MOST },
   from: ({ tasks }): readonly Task[] => tasks,
   to: (tasks) => ({ tasks }),
   first: NONE,

@@ -112,7 +112,7 @@ export function TaskHelp({
               type="button"
               className="button"
               onClick={() =>
-                startWork({
+                void startWork({
                   name: `${shownId(task)}_solution.h`,
                   text,
                   encoding: "utf-8",

@@ -64,7 +64,7 @@ export function startTask(task: Task, fromOutside = false): void {
   unfoldNext();
   noteStart(task.id);
   const { tries } = progressOfTask(progressRecord.now(), task.id);
-  startWork(workOfTask(task, fromOutside, task.kind === "predict" ? nextVariant(task, tries) : null));
+  void startWork(workOfTask(task, fromOutside, task.kind === "predict" ? nextVariant(task, tries) : null));
   showFirstOpenPrompt();
 }
 
