@@ -55,12 +55,15 @@ import { readTableText } from "../../src/program/tools/tool-table-text.ts";
 import { readExpression } from "../../src/program/values/expression.ts";
 import { typedFeed, typedValue } from "../../src/program/values/typed-value.ts";
 
+/** What stands around a repeated text. */
+export type Frames = readonly (readonly [front: string, behind: string])[];
+
 /** A reader of text that a user can type, paste, open or be sent. */
 export interface Reader {
   readonly name: string;
   readonly read: (text: string) => unknown;
   /** What stands around the repeated text for this reader to come to it, in addition to nothing. */
-  readonly frames?: readonly (readonly [front: string, behind: string])[];
+  readonly frames?: Frames;
   /** What ends the growth of a reader that is not linear below it. */
   readonly bound?: string;
   /** Repeated texts that only this reader tells apart. */
@@ -69,8 +72,8 @@ export interface Reader {
 
 const bytes = (text: string) => new TextEncoder().encode(text);
 const names = isoNames(ncLabels("en"));
-const ONE_LINE = [["0 BEGIN PGM A MM\n1 ", "!\n2 END PGM A MM\n"]] as const;
-const PROGRAM = [
+const ONE_LINE: Frames = [["0 BEGIN PGM A MM\n1 ", "!\n2 END PGM A MM\n"]];
+const PROGRAM: Frames = [
   ...ONE_LINE,
   ["L X", "!"],
   ["CYCL DEF 812 A ~\nQ215=+0 ", " ~\n!\n"],
@@ -131,11 +134,8 @@ export const READERS: readonly Reader[] = [
     pumps: ["G01 X+5*\n", "N10 G00 ", "Q200=+1 ", "G812 Q200=+1 ~\nQ201=+2\n", "%A G71\n"],
   },
   { name: "iso print", read: (text) => isoProgramText(parse(text)), frames: PROGRAM },
-  ...(["tnc640", "tnc7", "iso"] as const).map((control) => ({
-    name: `refusals ${control}`,
-    read: (text: string) => refusals(text, control),
-    frames: control === "iso" ? ([["%A G71 *\nN10 ", "!*\n"]] as const) : PROGRAM,
-  })),
+  { name: "refusals", read: (text) => refusals(text, "tnc640"), frames: PROGRAM },
+  { name: "refusals iso", read: (text) => refusals(text, "iso"), frames: [["%A G71 *\nN10 ", "!*\n"]] },
   {
     name: "main program",
     read: (text) =>
@@ -228,17 +228,17 @@ export const READERS: readonly Reader[] = [
     ],
   },
   { name: "titles", read: (text) => [meaningOfTitle(text), unitIn(text)] },
-  ...["a.json", "a.xml", "a.p21", "a.tbl", "a.hsmlib", "a.fctb", "a.csv", "a.tools", "a.t"].map((name) => ({
-    name: `tool file ${name}`,
-    read: (text: string) => readToolFiles([{ name, text }], "mm"),
+  {
+    name: "tool file",
+    read: (text) => ["a.csv", "a.t"].map((name) => readToolFiles([{ name, text }], "mm")),
     frames: [
       ["<?xml version='1.0'?><a b='", "'/>"],
       ["<tool-library><tool ", "></tool-library>"],
       ["ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1=", ";\nENDSEC;"],
       ["BEGIN\nKEY=", "!\n"],
       ["T1 P1 D", "!\n"],
-    ] as const,
-  })),
+    ],
+  },
   {
     name: "dxf",
     read: (text) => readDxfFile(bytes(text)),

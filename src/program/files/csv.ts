@@ -42,19 +42,21 @@ const withoutMark = (cell: string): string =>
 export function csvCells(text: string, separator: string): string[][] {
   const lines: string[][] = [[]];
   let cell = "";
+  let begun = false;
   let quoted = false;
   let closed = false;
   const push = () => {
     (lines.at(-1) as string[]).push(withoutMark(closed ? cell : cell.trim()));
     cell = "";
-    closed = false;
+    begun = closed = false;
   };
   for (let i = 0; i < text.length; i++) {
     const c = text[i] as string;
     if (quoted && c === '"' && text[i + 1] === '"') {
       cell += c;
+      begun = true;
       i++;
-    } else if (c === '"' && (quoted || cell.trim() === "")) {
+    } else if (c === '"' && (quoted || !begun)) {
       quoted = !quoted;
       closed = !quoted;
       if (quoted) cell = "";
@@ -63,7 +65,10 @@ export function csvCells(text: string, separator: string): string[][] {
       if (c === "\r" && text[i + 1] === "\n") i++;
       push();
       lines.push([]);
-    } else if (!closed || c.trim() !== "") cell += c;
+    } else if (!closed || c.trim() !== "") {
+      cell += c;
+      begun ||= c.trim() !== "";
+    }
   }
   push();
   return lines.filter((line) => line.some((each) => each !== ""));

@@ -189,12 +189,16 @@ function blockWords(context: CompletionContext): CompletionResult | null {
   };
 }
 
+/** What can be typed at a place of a program: the parameters of its cycle that are missing, or how a block begins. */
+export const completionsAt = (t: Texts, language: Language, context: CompletionContext): CompletionResult | null =>
+  parameters(t, language, context) ?? blockWords(context);
+
 const PARAMETERS = new RegExp(NUMBER_PARAMETER, "gi");
 
 /** Completion and hover help of a screen language: what a Q parameter asks and allows in the cycle of its block. */
 export function cycleHelp(t: Texts, language: Language): Extension {
   return [
-    autocompletion({ override: [(context) => parameters(t, language, context) ?? blockWords(context)], icons: false }),
+    autocompletion({ override: [(context) => completionsAt(t, language, context)], icons: false }),
     hoverTooltip((view, offset) => {
       const line = view.state.doc.lineAt(offset);
       const found = [...line.text.matchAll(PARAMETERS)].find(

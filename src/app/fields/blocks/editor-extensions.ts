@@ -11,6 +11,7 @@ import { blockMarks } from "./block-marks.ts";
 import { foundMarks } from "../find/found-marks.ts";
 import { cycleHelp } from "./cycle-help.ts";
 import { cycleFolding, FOLDED_PHRASE } from "./folding.ts";
+import { HIDDEN_PHRASE, longLines } from "./long-lines.ts";
 import { klartext } from "./nc-language.ts";
 import { readingField } from "./reading-field.ts";
 
@@ -35,6 +36,7 @@ const worded = (t: Texts, language: Language): Extension => [
     "No diagnostics": t.findings.none,
     close: t.page.close,
     [FOLDED_PHRASE]: t.editor.parameters,
+    [HIDDEN_PHRASE]: t.editor.hiddenCharacters,
     "Fold line": t.editor.fold,
     "Unfold line": t.editor.unfold,
   }),
@@ -51,6 +53,7 @@ export const editorExtensions = (mixedEnds: boolean): Extension => [
   ...(mixedEnds ? [EditorState.lineSeparator.of("\n")] : []),
   readingField,
   klartext,
+  longLines,
   blockMarks,
   foundMarks,
   cycleFolding,

@@ -58,12 +58,12 @@ export function termParts(
   const used = new Set<TermId>(but === null ? [] : [but]);
   const piecesOf = (text: string): readonly TermPart[] => {
     const found: TermMatch[] = [],
-      taken: TermMatch[] = [];
+      taken = new Uint8Array(text.length);
     for (const { term, form } of sought) {
       for (const match of text.matchAll(form)) {
         const at = { from: match.index, to: match.index + match[0].length, term };
-        if (taken.some(({ from, to }) => at.from < to && from < at.to)) continue;
-        taken.push(at);
+        if (taken.subarray(at.from, at.to).includes(1)) continue;
+        taken.fill(1, at.from, at.to);
         found.push(at);
       }
     }

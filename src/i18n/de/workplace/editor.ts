@@ -25,6 +25,7 @@ export const editor = {
   toolChanges: "Werkzeugwechsel",
   blocks: "Sätze",
   parameters: "$ Parameter",
+  hiddenCharacters: "$ weitere Zeichen",
   fold: "Zyklus zuklappen",
   unfold: "Zyklus aufklappen",
   /* files of a program */

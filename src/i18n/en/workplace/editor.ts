@@ -30,6 +30,7 @@ export const editor = {
 
   /* text */
   parameters: "$ parameters",
+  hiddenCharacters: "$ more characters",
   fold: "Collapse the cycle",
   unfold: "Expand the cycle",
 

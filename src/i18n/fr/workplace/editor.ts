@@ -25,6 +25,7 @@ export const editor = {
   toolChanges: "Changements d’outil",
   blocks: "Séquences",
   parameters: "$ paramètres",
+  hiddenCharacters: "$ caractères de plus",
   fold: "Replier le cycle",
   unfold: "Déplier le cycle",
   /* files of a program */

@@ -24,6 +24,7 @@ export const editor = {
   toolChanges: "换刀",
   blocks: "程序段",
   parameters: "$ 个参数",
+  hiddenCharacters: "还有 $ 个字符",
   fold: "折叠循环",
   unfold: "展开循环",
   /* files of a program */
