@@ -1,4 +1,5 @@
 import { describe, expect, test } from "vitest";
+import { LONGEST_LINE } from "../longest-line.ts";
 import { parse } from "../parse.ts";
 import { issuesOf } from "../program.ts";
 import { LAYOUTS } from "../style.ts";
@@ -327,6 +328,12 @@ describe("what is not understood", () => {
     ['N20 %:PAT: "A" *', 'isoBlockNotUnderstood error N20 1:5 {"text":"%:PAT: \\"A\\""}'],
   ])("%j", (text, finding) => expect(findings(text)).toEqual([finding]));
 
+  test.each([" Q1", ";"])("a line longer than a block can be: G01 X+2%s and so on", (more) => {
+    const long = `N20 G01 X+2${more.repeat(LONGEST_LINE)}`;
+    const { text, issues } = klartext(lines("%S G71 *", "N10 G01 X+1 *", long, "N30 G01 X+4 *", "N99999 %S G71 *"));
+    expect(text.split("\n")[2]).toContain(long.slice(4));
+    expect(issues.map(({ code, line }) => `${code} ${line}`)).toEqual(["isoBlockNotUnderstood 3"]);
+  });
   test("a kept block is unknown in Klartext too, and keeps its modal effect", () => {
     const { text } = klartext(
       lines("N10 G00 X+5 *", "N20 G01 X+4 G43 *", "N30 X+3 *", "N40 X+2 FOO *", "N50 G26 R5 *"),

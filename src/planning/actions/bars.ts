@@ -22,7 +22,7 @@ import { perObject } from "../per-object.ts";
 import type { Action, ActionKind, PlanRequest } from "../types.ts";
 import { barDiameter } from "../values/cutting-values.ts";
 import { clearRadius } from "./bore.ts";
-import { BESIDE, endedAt, freeInside, type BoreWay } from "./bore-turning.ts";
+import { BESIDE, contourUpTo, freeInside, type BoreWay } from "./bore-turning.ts";
 import { actionOf, fitsOf, fitted, toolsOf, type Better } from "./candidates.ts";
 import type { CutRequest } from "./values-of-job.ts";
 
@@ -247,7 +247,9 @@ export function barActions(
     const r = startFor(tool, { ...way, low });
     if (r === null) return null;
     const jobOf = (shape: ShapeRequest): SetJob => {
-      const made = isCut ? freeInside(endedAt(shape.contour ?? [], until, stock, request.part, cut.operation)) : shape;
+      const made = isCut
+        ? freeInside(contourUpTo(shape.contour ?? [], until, stock, request.part, cut.operation))
+        : shape;
       const own = jobInside(cycle, made, stock, { z: way.z, r });
       return plunges === undefined || !cycle.params[PLUNGING] ? own : withValue(own, PLUNGING, plunges ? 1 : 0);
     };

@@ -138,7 +138,7 @@ function runOut(
 }
 
 /** A contour inside that is cut only up to a Z, finishing with the way off the wall there. */
-export function endedAt(
+export function contourUpTo(
   contour: readonly Segment[],
   z: number,
   stock: readonly Ring[],

@@ -19,6 +19,14 @@ const ran = (text: string) => run(parse(text), { tools: shippedTools, rapid: 10_
 const OUTSIDE: Clamping = { kind: "chuckOutside", diameter: 60, length: 25, face: -75, size: 200 };
 const CENTRE = { quill: 40, tip: -2, angle: 60 };
 
+test("jaws grip the blank behind their face, over the stated length", () => {
+  const { rings = [] } = clampingBodies(OUTSIDE, []).find(({ part }) => part === "jaws") ?? {};
+  const [face, back] = [OUTSIDE.face, OUTSIDE.face - OUTSIDE.length];
+  expect(boxAround(rings).right).toBe(face);
+  const gripped = rings.flat().filter(({ z, r }) => z >= back && Math.abs(r - OUTSIDE.diameter / 2) < 1e-9);
+  expect([...new Set(gripped.map(({ z }) => z))].toSorted((x, y) => x - y)).toEqual([back, face]);
+});
+
 describe("comments in odd spelling", () => {
   test.each<[string, Clamping]>([
     [" CLAMPING CHUCK OUTSIDE D60 LENGTH25 FACE-75 SIZE200", OUTSIDE],
