@@ -89,7 +89,7 @@ const tracer = Error.prepareStackTrace;
 
 beforeAll(() => {
   // What writes the stack of a thrown error is the runner's, not the reader's.
-  Error.prepareStackTrace = undefined;
+  Error.prepareStackTrace = (error) => String(error);
   parse(OTHERS);
   session.connect();
   post("Profiler.enable");

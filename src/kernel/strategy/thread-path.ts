@@ -1,5 +1,6 @@
 import type { Flat } from "../geometry/flat.ts";
-import { NOTHING, SAME } from "../tolerance.ts";
+import { NOTHING, ROUND, SAME } from "../tolerance.ts";
+import { radians } from "../units.ts";
 
 /** Path of the finished groove of a thread. Strategy space, mm. */
 export interface ThreadLine {
@@ -55,4 +56,17 @@ function isBetween(a: Flat | undefined, p: Flat, b: Flat | undefined): boolean {
   if (a && p.u - a.u < SAME) return true;
   if (!a || !b || b.u - a.u < SAME) return false;
   return Math.abs(a.v + ((b.v - a.v) * (p.u - a.u)) / (b.u - a.u) - p.v) < NOTHING;
+}
+
+/** Greatest rise of the crest, mm per mm. */
+export const steepestRise = ({ crest }: ThreadLine): number =>
+  Math.max(0, ...crest.slice(1).map((p, i) => Math.abs((p.v - (crest[i] as Flat).v) / (p.u - (crest[i] as Flat).u))));
+
+/**
+ * Required height of a flank, mm: on a cone the crest rises on one side of the tip. Infinite where it is as steep as
+ * the flank.
+ */
+export function depthAlong(line: ThreadLine, half: number): number {
+  const over = 1 - steepestRise(line) * Math.tan(radians(half));
+  return over > ROUND ? line.depth / over : Infinity;
 }

@@ -28,7 +28,7 @@ import { limitedInfeed } from "./infeed.ts";
 import { POINT_TOOL } from "./oversize-contour.ts";
 import { emptyPlan } from "./leveled.ts";
 import { areaAbove, areaUnder, partBetween } from "./outline-area.ts";
-import { heightOn, passAt, risesAt, type ThreadLine } from "./thread-path.ts";
+import { depthAlong, heightOn, passAt, risesAt, steepestRise, type ThreadLine } from "./thread-path.ts";
 import { threadDepths } from "./thread-infeeds.ts";
 import { shortestRunIn } from "./thread-run-in.ts";
 import { lowerSide, teeth, tipsOf } from "./thread-profile.ts";
@@ -161,24 +161,10 @@ function toolIssues(t: Thread, w: ThreadTarget, tool: Tool): Issue[] {
   const high = extent(insertIn(tool, t.frame)).maxV;
   const depth = depthAlong(w, half);
   if (depth === Infinity) {
-    const angle = roundedAngle(inDegrees(Math.atan(riseOf(w))));
+    const angle = roundedAngle(inDegrees(Math.atan(steepestRise(w))));
     found.push(issue("threadTooSteep", "error", { angle, most: roundedAngle(90 - half) }, "crest"));
   } else if (depth > high + SAME) found.push(issue("threadOverInsert", "error", { depth, most: high }, "threadDepth"));
   return found;
-}
-
-/** Greatest rise of the crest, mm per mm. */
-const riseOf = ({ crest }: ThreadTarget): number =>
-  Math.max(0, ...crest.slice(1).map((p, i) => Math.abs((p.v - (crest[i] as Flat).v) / (p.u - (crest[i] as Flat).u))));
-
-/**
- * Required height of a flank, mm: on a cone the crest rises on one side of the tip. Infinite where it is as steep as
- * the flank.
- */
-function depthAlong(w: ThreadTarget, half: number): number {
-  const { depth } = w;
-  const over = 1 - riseOf(w) * Math.tan(radians(half));
-  return over > ROUND ? depth / over : Infinity;
 }
 
 /** Plans the passes of a thread. Never throws; what cannot be planned is an issue. */

@@ -21,7 +21,8 @@ function patternOf(sought: string): RegExp | null {
         sought
           .split(/\s+/)
           .map(escaped)
-          .join(String.raw`[^\S\r\n]+`),
+          // A run of blanks is tried from its beginning only.
+          .join(String.raw`(?<![^\S\r\n])[^\S\r\n]+`),
         "gi",
       );
 }

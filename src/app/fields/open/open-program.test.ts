@@ -1,7 +1,7 @@
 import { undoStep, redoStep } from "../../document/history.ts";
 // @vitest-environment jsdom
 import { useNotices } from "../../base/notices.ts";
-import { beforeEach, expect, test } from "vitest";
+import { beforeEach, expect, test, vi } from "vitest";
 import { shippedTools } from "../../../program/tools/shipped-tools.ts";
 import { engine } from "../../calculation/engine.ts";
 import { forgetOutcome, takeOutcome } from "../../calculation/outcome.ts";
@@ -86,7 +86,7 @@ test("with several programs that no other calls, it asks which to open", async (
     ["b.h", "sub.h"],
   ]);
   choice().open(choice().works);
-  expect(names()).toEqual(["a.h", "sub.h"]);
+  await vi.waitFor(() => expect(names()).toEqual(["a.h", "sub.h"]));
   choice().together();
   expect(names()).toEqual(["a.h", "b.h", "sub.h", "p.tab"]);
   expect(useNotices.getState().notices).toEqual([]);
