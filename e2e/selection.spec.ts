@@ -88,6 +88,12 @@ test("in the workplace of one cycle: the same place everywhere, measured, compar
   await expect(dialog.value).toHaveAccessibleName(/^Q463/);
   await expect(lathe.running).toContainText("Step 2 of 6");
 
+  // A move without a prompt of its own leaves the keyboard in the picture.
+  await stageOf(turnwise).focus();
+  await page.keyboard.press("Home");
+  await page.keyboard.press("Enter");
+  await expect(stageOf(turnwise)).toBeFocused();
+
   // A drag with the ruler measures, and leaves the picture where it is.
   await lathe.button("ruler").click();
   const reading = lathe.view.locator(".measure-panel");

@@ -109,14 +109,13 @@ export function View({
   useEffect(() => playback.dispatch({ do: "load", track: trackOf(steps) }), [steps, playback]);
   useEffect(() => playback.setStill(reducedMotion({ motion })), [motion, playback]);
 
-  /** Enter in the picture chooses the running move and focuses its dialog. */
+  /** Enter in the picture chooses the running move and focuses its dialog, if it has one that is shown. */
   const chooseByKey = ({ key, picture }: { readonly key: string; readonly picture: boolean }) => {
     const { position } = playback.get(),
       step = Math.min(position.step, steps.length - 1);
     if (key !== "Enter" || !picture || step < 0) return false;
     picking.choose(position);
-    stage.current?.blur();
-    picking.onMove?.(step, true);
+    if (picking.onMove?.(step, true)) stage.current?.blur();
     return true;
   };
   const states = { dimmed, measuring: measuring.on, ended, beside: isBeside };

@@ -60,13 +60,14 @@ function useProgramSession(): void {
   }, []);
 }
 
-/** Clicking a move in the picture opens the dialog of its block. */
-function openMove(step: number, byKey = false): void {
+/** Opens the dialog of the block of a move chosen in the picture. Returns whether the dialog takes the focus. */
+function openMove(step: number, byKey = false): boolean {
   const { pictured: shown } = useOutcome.getState();
-  if (!shown) return;
+  if (!shown) return false;
   openChosen(() => openSourceBlock(shown.run, step));
   showSection("block");
   if (byKey) usePlace.setState((p) => ({ focus: p.focus + 1 }));
+  return byKey;
 }
 
 const withView = (act: (view: EditorView) => void) => () => {

@@ -33,15 +33,14 @@ export function useChosenLine(read: JobReading): ChosenLine | null {
     : { block: definition, q: prompt };
 }
 
-/** Opens the prompt that most affects a clicked move. */
-export function openAsked(read: JobReading, step: number, byKey = false): void {
+/** Opens the prompt that most affects a chosen move. Returns whether the prompt takes the focus. */
+export function openAsked(read: JobReading, step: number, byKey = false): boolean {
   // In the contour section the element is chosen instead.
-  if (usePlace.getState().section === "contour") return;
+  if (usePlace.getState().section === "contour") return false;
   const { pictured: shown } = useOutcome.getState();
   const { operation = null, move } = shown?.run.steps[step] ?? {};
   const q = operation === null || !move ? null : decidingParameter(read.cycle.params, move);
-  if (q === null) return showSection("prompts");
-  const before = read.draft[q] ?? "";
-  if (byKey) openPrompt(q, before);
-  else showPrompt(q, before);
+  if (q === null) showSection("prompts");
+  else (byKey ? openPrompt : showPrompt)(q, read.draft[q] ?? "");
+  return byKey && q !== null;
 }

@@ -6,8 +6,8 @@ import { createHover, type Hover } from "./Chosen.tsx";
 import type { PointerActions } from "./gestures.ts";
 import type { Viewport } from "./viewport.ts";
 
-/** A move was clicked. `byKey`: chosen by keyboard, so its dialog gets the focus. */
-export type MovePointed = (step: number, byKey?: boolean) => void;
+/** A move was chosen. `byKey`: by keyboard, so its dialog gets the focus; returns whether it does. */
+export type MovePointed = (step: number, byKey?: boolean) => boolean;
 
 /** Distance at which a pointer picks, pixels. */
 const NEAR = 10;
