@@ -59,7 +59,7 @@ const job: fc.Arbitrary<Work> = fc
 const works: fc.Arbitrary<readonly ArchivedWork[]> = fc.array(
   fc.record({
     work: fc.uuid(),
-    savedAt: fc.oneof(fc.integer({ min: -(2 ** 45), max: 2 ** 45 }), fc.constant(1_795_395_781_123)),
+    savedAt: fc.oneof(fc.integer({ min: -(2 ** 35), max: 2 ** 35 }), fc.constant(1_795_395_781)).map((s) => s * 1000),
     job: fc.oneof(job, program),
   }),
   { maxLength: 5 },

@@ -123,7 +123,8 @@ export function writeArchive(
     works: all.map(({ work, savedAt, job }) => ({
       work,
       name: job.name,
-      ...sealed({ version: SAVE_VERSION, savedAt, job }),
+      // Whole seconds: saves are distinguished by less, and how many there were depends on the machine.
+      ...sealed({ version: SAVE_VERSION, savedAt: savedAt - (savedAt % 1000), job }),
     })),
     ...Object.fromEntries(beside.map(({ name, part, value }) => [name, sealed(part.write(value))])),
   };
