@@ -15,8 +15,8 @@ test.use({ reducedMotion: "no-preference" });
 const EDITS = Number(process.env["EDITS"] ?? 100);
 /** Edits until compiled code and caches have their size: the first 300 leave 3 MB, whatever comes after them. */
 const WARM = 300;
-/** Allowed growth of memory, bytes: 40 kB for each edit; right after quick edits 27 kB were measured. */
-const GROWTH = EDITS * 40_000;
+/** Allowed growth of memory, bytes: 10 kB for each edit. */
+const GROWTH = EDITS * 10_000;
 
 /** Oversizes that all differ, so that every one moves the path. */
 const oversizes = (count: number, from = 0) =>

@@ -115,7 +115,7 @@ test("typed digit by digit, any program gets the same plan as from scratch", () 
         expect(plan(request)).toEqual(planned(request));
       }
     }),
-    { numRuns: 150 },
+    { numRuns: 60 },
   );
 }, 60_000);
 

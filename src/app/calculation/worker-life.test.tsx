@@ -115,3 +115,24 @@ test("a worker that gets on is waited for, one that does not is given up", async
     vi.useRealTimers();
   }
 });
+
+test("a sign that comes after the answer waits for nothing: the question is forgotten", async () => {
+  vi.useFakeTimers();
+  try {
+    let sign: () => void = () => undefined;
+    const answer = life.ask((engine, alive) => {
+      sign = alive;
+      return engine.update();
+    });
+    // One for the answer, and one until the lock of the worker is looked for again.
+    const waiting = vi.getTimerCount();
+    asked[0]?.answer("a");
+    expect(await answer).toBe("a");
+    await vi.advanceTimersByTimeAsync(0);
+    const idle = vi.getTimerCount();
+    sign();
+    expect([vi.getTimerCount(), idle < waiting]).toEqual([idle, true]);
+  } finally {
+    vi.useRealTimers();
+  }
+});

@@ -72,13 +72,15 @@ export function workerLife<E>(start: (name: string) => Started<E>) {
   function ask<T>(question: Question<E, T>): Promise<T> {
     const { engine, endings } = started();
     return new Promise((resolve, reject) => {
-      let timer: ReturnType<typeof setTimeout>;
+      let timer: ReturnType<typeof setTimeout> | undefined;
+      // A sign may come later than the answer: it has a channel of its own.
       const wait = () => {
+        if (!endings.has(reject)) return;
         clearTimeout(timer);
         timer = setTimeout(() => reject(new Error("no answer from the calculation")), CALCULATING.answer);
       };
-      wait();
       endings.add(reject);
+      wait();
       question(engine, wait)
         .then(resolve, reject)
         .finally(() => {
