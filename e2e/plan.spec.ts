@@ -27,6 +27,7 @@ async function planned(page: Page): Promise<void> {
 /** Moves the focus to an element with the Tab key alone; it is never lost on the way. */
 async function tabTo(target: Locator, back = false): Promise<void> {
   const page = target.page();
+  await target.waitFor();
   for (let i = 0; i < 150; i += 1) {
     if (await target.evaluate((element) => element === document.activeElement)) return;
     await page.keyboard.press(back ? "Shift+Tab" : "Tab");

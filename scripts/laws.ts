@@ -108,16 +108,18 @@ function editedPrograms(count: number, seed: number): number {
   return bad > 0 ? 1 : 0;
 }
 
-/** Plans the parts of the trade. */
+/** Plans the parts of the trade. Returns 1 if a step of a plan was not prepared by those before it. */
 function trade(writes: boolean): number {
   const rows: PlanRow[] = [];
-  for (const { row, ms } of tradeRows()) {
+  let bad = 0;
+  for (const { row, ms, unprepared } of tradeRows()) {
     rows.push(row);
-    console.log(`${row.join(" | ")} | ${ms.toFixed(0)} ms`);
+    console.log([...row, `${ms.toFixed(0)} ms`, ...unprepared].join(" | "));
+    bad += unprepared.length;
   }
   if (writes) writeIntoPage("plans", markdownTable(5, PLAN_COLUMNS, rows), "docs/planning.md");
   else for (const line of handTable()) console.log(line);
-  return 0;
+  return bad > 0 ? 1 : 0;
 }
 
 /**

@@ -100,18 +100,17 @@ async function fileOf(root, path) {
 export function site(folder, under = "/") {
   const packed = new Map();
 
-  /** The content of a file as sent, and its ETag. */
-  async function contentOf({ found, version }, packing) {
+  /** The content of a file as sent, and its ETag; made once for all who ask at the same time. */
+  function contentOf({ found, version }, packing) {
     const key = `${packing} ${found}`;
     const known = packed.get(key);
-    if (known?.version === version) return known;
-    const content = await readFile(found);
-    const made = {
-      version,
+    if (known?.version === version) return known.made;
+    const made = readFile(found).then(async (content) => ({
       body: packing ? await packers[packing](content) : content,
       mark: `"${createHash("sha256").update(content).digest("base64url").slice(0, 22)}${packing ? `-${packing}` : ""}"`,
-    };
-    packed.set(key, made);
+    }));
+    packed.set(key, { version, made });
+    made.catch(() => packed.delete(key));
     return made;
   }
 

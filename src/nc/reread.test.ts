@@ -51,7 +51,7 @@ test("rereading near a change equals reading the whole text", () => {
         expect(reading.starts.at(-1)).toBe(text.length);
       }
     }),
-    { numRuns: 1500 },
+    { numRuns: 500 },
   );
 });
 

@@ -58,7 +58,7 @@ const picture: fc.Arbitrary<Case> = fc.constantFrom(...cycles).chain((cycle) =>
 export const cases = (count: number): Case[] => fc.sample(picture, { numRuns: count, seed: 7 });
 
 /** LAW_RUNS=number makes a longer run. */
-const numRuns = Number(process.env["LAW_RUNS"] ?? 2000);
+const numRuns = Number(process.env["LAW_RUNS"] ?? 800);
 
 /** A law over 2,000 random pictures. */
 export const laws = (name: string, holds: (c: Case) => void): void => {

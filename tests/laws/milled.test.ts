@@ -329,7 +329,7 @@ describe("the stock of programs with RL and RR", () => {
           text(s, elements),
         ).toEqual([]);
       }),
-      { numRuns: 4 * RUNS, examples: SOME_CUT },
+      { numRuns: 2 * RUNS, examples: SOME_CUT },
     );
     expect(clear).toBeGreaterThan(RUNS);
     expect(said).toBeGreaterThan(0);

@@ -29,7 +29,6 @@ const area = (residues: readonly Residue[], { box }: NonNullable<Residue["region
 /** A part, tools that are taken from the table, and what is said of one that is missing. */
 const ROWS = [
   ["bush", [], { form: "recessing", site: "inside" }],
-  ["piston", [], { form: "boring" }],
   ["npt-fitting", [], { form: "boring", mostDiameter: 11 }],
   ["face-groove", [8], { form: "recessing", site: "face" }],
   ["sleeve", [], { form: "boring" }],

@@ -2,7 +2,7 @@ import type { FinishedPart } from "../../src/planning/part/finished-part.ts";
 import type { WorkingPlan } from "../../src/planning/working-plan.ts";
 import { partByHand, PROGRAMMED_BY_HAND } from "./by-hand.ts";
 import { PART_NAMES, partOfTrade, PEER_NAMES } from "./parts.ts";
-import { planOf, requestOf } from "./plan-laws.ts";
+import { planOf, requestOf, unprepared } from "./plan-laws.ts";
 
 /** A plan with the processor time of its search, ms. */
 function measured(part: FinishedPart): { readonly plan: WorkingPlan; readonly ms: number } {
@@ -45,11 +45,18 @@ export const planRow = (name: string, plan: WorkingPlan): PlanRow => [
   plan.seconds.toFixed(0),
 ];
 
-/** The plans of the parts of the trade and of other controls with the processor time of each, ms. Yields as it plans them. */
-export function* tradeRows(): Generator<{ readonly row: PlanRow; readonly ms: number }> {
+/** A plan with the processor time that it took, ms, and its steps that were not prepared. */
+interface TradeRow {
+  readonly row: PlanRow;
+  readonly ms: number;
+  readonly unprepared: readonly string[];
+}
+
+/** The plans of the parts of the trade and of other controls. Yields as it plans them. */
+export function* tradeRows(): Generator<TradeRow> {
   for (const name of [...PART_NAMES, ...PEER_NAMES]) {
     const { plan, ms } = measured(partOfTrade(name));
-    yield { row: planRow(name, plan), ms };
+    yield { row: planRow(name, plan), ms, unprepared: unprepared(plan) };
   }
 }
 

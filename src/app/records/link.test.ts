@@ -70,7 +70,7 @@ test("a link restores the work with its files, tools and control, whatever they 
       expect(read).toEqual({ kind: "work", work });
       if (read.kind === "work") expect(hashOf(read.work)).toBe(hashOf(work));
     }),
-    { numRuns: 60 },
+    { numRuns: 25 },
   );
 });
 

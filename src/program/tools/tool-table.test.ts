@@ -78,7 +78,7 @@ describe("a row of the table", () => {
       fc.property(withHolder, (t) => {
         expect(readEntry(entryOf(t, "r")).tool).toEqual(t);
       }),
-      { numRuns: 2000 },
+      { numRuns: 800 },
     ));
 
   test("every row that is read as a tool can be drawn", () =>
@@ -128,7 +128,7 @@ describe("a row of the table", () => {
           } else expect(read.issues.some((found) => found.severity === "error")).toBe(true);
         },
       ),
-      { numRuns: 3000 },
+      { numRuns: 1000 },
     ));
 
   const { holder: _, ...bare } = shippedTools[0] as Tool;
