@@ -10,6 +10,7 @@ import { offline } from "./scripts/offline.ts";
 import { contentPolicy } from "./scripts/serve.mjs";
 import { MEDIA } from "./src/app/base/media.ts";
 import { LANGUAGES } from "./src/i18n/languages.ts";
+import { REPLACING } from "./tests/replacing.ts";
 
 /**
  * The static site (paths relative, so that it runs from any folder) and the tests. Where CI is set a missing golden is
@@ -25,9 +26,6 @@ const exclude = [...configDefaults.exclude, "e2e/**"];
 process.env["VITE_VERSION"] = (
   JSON.parse(readFileSync(new URL("package.json", import.meta.url), "utf8")) as { version: string }
 ).version;
-
-/** Tests of modules with a state, or with another module in the place of one: each file in a process of its own. */
-const STATEFUL = ["src/{app,features,shell}/**/*.test.ts", "tests/made-up/**/*.test.ts"];
 
 /** Only in the build: the development server needs inline scripts and a web socket. */
 const policyOfPage: Plugin = {
@@ -327,26 +325,26 @@ export default defineConfig({
         test: {
           name: "pure",
           environment: "node",
-          // What has no state needs no fresh process for each file: a third less work.
+          // No fresh process for each file, a third less work: a test leaves what it found.
           isolate: false,
           // Geometry makes many short-lived points: with more room for new objects, MB, the laws take 6 % less.
           execArgv: ["--max-semi-space-size=64"],
           globalSetup: "./tests/announce.ts",
           setupFiles: ["./tests/seed.ts"],
-          exclude: [...exclude, ...STATEFUL],
+          exclude: [...exclude, ...REPLACING],
           include: ["src/**/*.test.ts", "tests/**/*.test.ts"],
         },
       },
       {
         extends: true,
         test: {
-          name: "node",
+          name: "replacing",
           // A thread starts in less time than a process, and is as fresh.
           pool: "threads",
           environment: "node",
           setupFiles: ["./tests/seed.ts"],
           exclude,
-          include: STATEFUL,
+          include: [...REPLACING],
         },
       },
       {

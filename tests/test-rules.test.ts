@@ -1,6 +1,7 @@
 import { readdirSync, readFileSync } from "node:fs";
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
+import { REPLACING } from "./replacing.ts";
 import { projectPath } from "./sources.ts";
 
 const text = (found: Record<string, string>) =>
@@ -27,6 +28,13 @@ describe("rules for tests", () => {
         .filter(([, t]) => /performance\.now|Date\.now\(\)|test\.slow\(|setTimeout\(\d/.test(t))
         .map(([path]) => path),
     ).toEqual([]);
+  });
+
+  test("what replaces a module is listed, since the others share their modules", () => {
+    const replacing = tests.filter(([path, t]) => path.endsWith(".ts") && /\bvi\.(?:do)?[mM]ock\(/.test(t));
+    expect(replacing.map(([path]) => path.replace(/^(?:\.\.\/|\.\/)/, (up) => (up === "./" ? "tests/" : "")))).toEqual([
+      ...REPLACING,
+    ]);
   });
 
   test("no law has a time limit, and a failing one shrinks its case only on request", () => {
