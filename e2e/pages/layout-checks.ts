@@ -1,6 +1,6 @@
 import type { Locator, Page } from "@playwright/test";
 import { axeViolations, COLOUR_RULES } from "./axe.ts";
-import { expect } from "./test.ts";
+import { expect, test } from "./test.ts";
 
 /** Horizontal overflow of the page, px. */
 const horizontalOverflow = (page: Page): Promise<number> =>
@@ -41,12 +41,14 @@ export async function expectAccessibleAndFits(page: Page): Promise<void> {
 
 /**
  * The same in light and dark, for one of several screens of a test. Soft: the failure names the screen, and the test
- * continues. Leaves the page light.
+ * continues. Leaves the page light. The dark colours, which do not depend on the size, are looked at in one.
  */
 export async function expectFineInBothThemes(page: Page, screen: string): Promise<void> {
-  await page.emulateMedia({ colorScheme: "dark" });
-  expect.soft(await axeViolations(page, { only: COLOUR_RULES }), `colours of ${screen} in the dark`).toEqual([]);
-  await page.emulateMedia({ colorScheme: "light" });
+  if (test.info().project.name === "desktop") {
+    await page.emulateMedia({ colorScheme: "dark" });
+    expect.soft(await axeViolations(page, { only: COLOUR_RULES }), `colours of ${screen} in the dark`).toEqual([]);
+    await page.emulateMedia({ colorScheme: "light" });
+  }
   expect.soft(await axeViolations(page), `axe on ${screen}`).toEqual([]);
   await expectFits(page, screen);
 }
