@@ -64,7 +64,7 @@ export default defineConfig({
     },
     {
       name: "tablet",
-      testMatch: /(touch|screens)\.spec\.ts/,
+      testMatch: /\/(touch|screens)\.spec\.ts/,
       use: { ...devices["Desktop Chrome"], viewport: { width: 1024, height: 768 }, hasTouch: true },
     },
     {
