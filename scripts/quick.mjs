@@ -65,7 +65,7 @@ function nearest(from) {
 }
 const tests = files.length > 0 ? nearest(files) : [];
 const work = [
-  ["types", bin("typescript", "bin", "tsc"), "-b"],
+  ["types", bin("typescript-native", "bin", "tsc"), "-b"],
   files.length > 0 && [
     "lint",
     bin("eslint", "bin", "eslint.js"),

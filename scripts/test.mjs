@@ -45,7 +45,7 @@ const unit = [
 const stages = [
   [
     { name: "lint", args: [bin("eslint", "bin", "eslint.js"), "--max-warnings", "0", "."] },
-    { name: "types", args: [bin("typescript", "bin", "tsc"), "-b"] },
+    { name: "types", args: [bin("typescript-native", "bin", "tsc"), "-b"] },
     { name: "build", args: [bin("vite", "bin", "vite.js"), "build", "--logLevel", "warn"] },
     { name: "format", args: [bin("prettier", "bin", "prettier.cjs"), "--check", "--log-level", "warn", SOURCES] },
     { name: "a Chromium is here", args: [join(root, "scripts", "browser.mjs")] },

@@ -323,14 +323,17 @@ test("no exported name means two things in one layer, room or feature", () => {
 describe("packages", () => {
   /** Packages that are used by name or by another package, and never imported. */
   const unimported = new Set([
+    "@prettier/plugin-oxc",
     "@types/node",
     "@types/react",
     "@types/react-dom",
     "@types/three",
     "@testing-library/dom",
+    "axe-core",
     "jsdom",
     "prettier",
     "typescript",
+    "typescript-native",
   ]);
   const read = (path: string) => readFileSync(projectPath(path), "utf8");
   const manifest = JSON.parse(read("package.json")) as Record<
