@@ -110,6 +110,12 @@ export const running: Readonly<Record<string, Expected>> = {
     mostErrors: 0,
     verdict: "proved",
   },
+  "groove-far-across-axis": {
+    says: "a groove that is stated many metres across the axis has a floor everywhere",
+    hasNot: ["tooManyPasses"],
+    mostErrors: 0,
+    verdict: "proved",
+  },
   "inch-offer": {
     says: "a limit in inch, and no other size for a chamfer",
     errorAt: ["Q502"],

@@ -57,14 +57,17 @@ function acrossAxis(contour: readonly Bound[], frame: Frame): TurnedChain {
   // Towards the axis the contour ends on it, away from the axis it begins on it.
   if (frame.signU < 0 && meets(ends[1].to)) {
     const [chain, back] = joinedAtAxis(upToAxis(solid, frame));
-    return { chain, ends, front: null, back: [...back, level((back.at(-1) ?? (chain.at(-1) as Bound)).segment.to, 1)] };
+    const rear = (back.at(-1) ?? (chain.at(-1) as Bound)).segment.to;
+    return { chain, ends, front: null, back: [...back, level(rear, Math.max(rear.u, ends[1].to.u) + DEEP)] };
   }
   if (frame.signU > 0 && meets(ends[0].from)) {
     // The other direction is the same, seen from the far side.
     const [back, chain] = joinedAtAxis(
       upToAxis(solid.map(reversed).reverse(), frame).map((b) => mirrored(reversed(b))),
     );
-    return { chain, ends, front: [reversed(level((back[0] as Bound).segment.from, -1)), ...back], back: null };
+    const face = (back[0] as Bound).segment.from;
+    const beyond = level(face, Math.min(face.u, ends[0].from.u) - DEEP);
+    return { chain, ends, front: [reversed(beyond), ...back], back: null };
   }
   return { chain: solid, ends, front: null, back: null };
 }
@@ -78,9 +81,9 @@ function joinedAtAxis(chain: readonly Bound[]): readonly [Bound[], Bound[]] {
   return [[...chain.slice(0, -1), { ...last, segment: { ...last.segment, to: next.segment.to } }], image.slice(1)];
 }
 
-/** A level line from a place at its height, away from the axis. */
-const level = (p: Flat, way: 1 | -1): Bound => ({
-  segment: { kind: "line", from: p, to: { u: p.u + way * DEEP, v: p.v } },
+/** A level line from a place: beyond the end of a contour, however far across the axis it is stated. */
+const level = (p: Flat, u: number): Bound => ({
+  segment: { kind: "line", from: p, to: { u, v: p.v } },
   on: "edge",
 });
 
