@@ -37,8 +37,8 @@ function drawnWork(text: string): DrawnSetUp {
   };
 }
 
-/** The faults of a drawing: overlapping texts or texts outside it. */
-function faultsOf({ texts, width, height }: PartDrawing): readonly string[] {
+/** The faults of a drawing: overlapping texts, or texts or lines outside it. */
+function faultsOf({ shapes, texts, width, height }: PartDrawing): readonly string[] {
   const over = texts.flatMap((a, i) =>
     texts
       .slice(i + 1)
@@ -48,7 +48,10 @@ function faultsOf({ texts, width, height }: PartDrawing): readonly string[] {
   const out = texts.filter(
     ({ box }) => box.x < 0 || box.y < 0 || box.x + box.width > width || box.y + box.height > height,
   );
-  return [...over, ...out.map(({ text }) => `${text} outside`)];
+  const isOutside = ([, x = "", y = ""]: readonly string[]) =>
+    Number(x) < 0 || Number(y) < 0 || Number(x) > width || Number(y) > height;
+  const lines = shapes.filter(({ d }) => [...d.matchAll(/[ML](-?[\d.]+) (-?[\d.]+)/g)].some(isOutside));
+  return [...over, ...out.map(({ text }) => `${text} outside`), ...lines.map(({ role }) => `${role} outside`)];
 }
 
 const examples = cuttingCycles.map((cycle) => {

@@ -131,7 +131,7 @@ function laidOut(
     { edge, least, nearer } = PAPER[form],
     isRow = form === "coordinates";
   const [wide, tall] = [bounds.right - bounds.left, 2 * bounds.high];
-  const over = reachOfLines(content.above, "above") - nearer;
+  const over = Math.max(0, reachOfLines(content.above, "above") - nearer);
   const kept = isRow ? edge + over + reachOfTexts(content.below, KNEE) + edge : USUAL;
   const scaled = (factor: number) => {
     const { right, left, noted } = content.across(factor);
@@ -166,7 +166,7 @@ function laidOut(
       clear,
       ...(middles.length > 0 && { middles }),
     });
-  const above = lengthsAbove(0, []).reach - nearer;
+  const above = Math.max(0, lengthsAbove(0, []).reach - nearer);
   const shelf = edge + Math.max(0, count - 1) * ROW + 6,
     axis = (count > 0 ? shelf + ABOVE : edge) + above + half;
   const onPaper = inScene(axis),
