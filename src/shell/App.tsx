@@ -1,4 +1,6 @@
 import { Suspense, useEffect, type ComponentType } from "react";
+import { useLongerThan } from "../app/calculation/use-longer-than.ts";
+import { ANNOUNCE_AFTER } from "../app/base/waits.ts";
 import { menuCycle } from "../app/fields/chooser/menu.ts";
 import { Header } from "./Header.tsx";
 import { useDrawingRequest } from "../app/document/drawing-request.ts";
@@ -123,6 +125,17 @@ const PAGES: Readonly<Record<Page["page"], ComponentType>> = {
   guide: GuidePage,
 };
 
+/** Thousands of programs of an earlier version are read one by one, once. */
+function ReadingDevice() {
+  const t = useTexts("first").page;
+  const isLong = useLongerThan(true, ANNOUNCE_AFTER.working);
+  return isLong ? (
+    <p className="editor-loading soft" role="status">
+      {t.readingDevice}
+    </p>
+  ) : null;
+}
+
 /** The page: the header, the page on top, and dialogs. */
 export function App() {
   const ready = useSavedWorks((k) => k.ready);
@@ -150,6 +163,7 @@ export function App() {
         {newer && <UpdateBar />}
       </div>
       <HandedLine />
+      {!ready && <ReadingDevice />}
       {ready && !isCover({ page }) && <TaskLine />}
       {ready && (
         <Suspense>

@@ -7,6 +7,7 @@ import type { ReadArchive } from "../../app/records/archive.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { closeRestore, type PendingRestore } from "../../app/records/pending-restore.ts";
 import { BOXES, TABLES } from "../../app/records/parts.ts";
+import { LongList } from "./LongList.tsx";
 import {
   boxOffer,
   DEFAULT_CHOICES,
@@ -116,8 +117,10 @@ function Content({
               <b>{t.all}</b>
             </label>
           )}
-          <ul>
-            {archive.works.map(({ job }, i) => (
+          <LongList
+            all={archive.works}
+            more={list.more}
+            row={({ job }, i) => (
               <li key={i}>
                 <label>
                   <input
@@ -141,8 +144,8 @@ function Content({
                   </span>
                 </label>
               </li>
-            ))}
-          </ul>
+            )}
+          />
         </fieldset>
       )}
       {tables.map(
