@@ -121,7 +121,7 @@ test("rows of another device that nobody can read cost themselves only, and are 
     archive({
       ...manifest,
       works: [
-        { ...manifest.works[0], work: "far-2", content: { version: 3, savedAt: 5, job: { ...job, name: "Q.H" } } },
+        { ...manifest.works[0], work: "far-2", content: { version: 3, savedAt: 500, job: { ...job, name: "Q.H" } } },
       ],
     }),
   );

@@ -1,6 +1,5 @@
 import { Suspense, useEffect, type ComponentType } from "react";
-import { useLongerThan } from "../app/calculation/use-longer-than.ts";
-import { ANNOUNCE_AFTER } from "../app/base/waits.ts";
+import { LongWait } from "../app/calculation/LongWait.tsx";
 import { menuCycle } from "../app/fields/chooser/menu.ts";
 import { Header } from "./Header.tsx";
 import { useDrawingRequest } from "../app/document/drawing-request.ts";
@@ -126,15 +125,7 @@ const PAGES: Readonly<Record<Page["page"], ComponentType>> = {
 };
 
 /** Thousands of programs of an earlier version are read one by one, once. */
-function ReadingDevice() {
-  const t = useTexts("first").page;
-  const isLong = useLongerThan(true, ANNOUNCE_AFTER.working);
-  return isLong ? (
-    <p className="editor-loading soft" role="status">
-      {t.readingDevice}
-    </p>
-  ) : null;
-}
+const ReadingDevice = () => <LongWait className="editor-loading soft">{useTexts("first").page.readingDevice}</LongWait>;
 
 /** The page: the header, the page on top, and dialogs. */
 export function App() {

@@ -59,6 +59,7 @@ export const device = {
     notExported: "Die Sicherung konnte nicht erstellt werden.",
   },
   restore: {
+    busy: "Wird wiederhergestellt …",
     title: (name) => `Inhalt von ${name}`,
     works: (n) => (n === 1 ? "1 Programm" : `${n} Programme`),
     all: "Alle",

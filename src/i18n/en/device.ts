@@ -60,6 +60,7 @@ export const device = {
     notExported: "The backup could not be created.",
   },
   restore: {
+    busy: "Restoring …",
     title: (name: string) => `Contents of ${name}`,
     works: (n: number) => (n === 1 ? "1 program" : `${n} programs`),
     all: "All",

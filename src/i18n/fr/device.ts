@@ -64,6 +64,7 @@ export const device = typeset<DeviceTexts>({
     notExported: "La sauvegarde n’a pas pu être créée.",
   },
   restore: {
+    busy: "Restauration en cours …",
     title: (name) => `Contenu de ${name}`,
     works: (n) => (n === 1 ? "1 programme" : `${n} programmes`),
     all: "Tous",

@@ -55,6 +55,7 @@ export const device = {
     notExported: "无法创建备份。",
   },
   restore: {
+    busy: "正在恢复。",
     title: (name) => `${name} 的内容`,
     works: (n) => `${n} 个程序`,
     all: "全部",
