@@ -64,7 +64,8 @@ test("rows of another device that nobody can read cost themselves only, and are 
   const result = { format: "turnwise-result/1", name: "Ada", made: 1e20, tasks: [] };
   const manifest = {
     format: "turnwise-archive/1",
-    works: [{ work: "far", name: "P", content: { version: 3, savedAt: 1e20, job } }],
+    // The second one is called like a property of every object.
+    works: ["far", "constructor"].map((work) => ({ work, name: "P", content: { version: 3, savedAt: 1e20, job } })),
     results: {
       content: {
         version: 1,
@@ -80,7 +81,7 @@ test("rows of another device that nobody can read cost themselves only, and are 
   await expect(dialog.getByText(t.restore.unreadRows(1, "ada.json"))).toBeVisible();
   await button(page, t.restore.take).click();
   await button(page, t.restore.showAll).click();
-  await expect(button(page, t.works.open("P.H"))).toBeVisible();
+  await expect(button(page, t.works.open("P.H"))).toHaveCount(2);
 
   // What an earlier edition has let in, and a work of a later one.
   await page.evaluate(async () => {
@@ -94,20 +95,33 @@ test("rows of another device that nobody can read cost themselves only, and are 
     const open = indexedDB.open("turnwise-works");
     const db = await new Promise<IDBDatabase>((done) => (open.onsuccess = () => done(open.result)));
     const write = db.transaction("works", "readwrite");
-    write.objectStore("works").put({ version: 99, savedAt: 5, job: { name: "LATER.H" } }, "far-2");
+    const store = write.objectStore("works");
+    store.put({ version: 99, savedAt: 5, size: 5n, job: { name: "LATER.H" } }, "far-2");
+    for (let i = 0; i < 250; i++) {
+      const many = { name: `N${i}.H`, text: "0 BEGIN PGM N MM\n", encoding: "utf-8" };
+      store.put({ version: 3, savedAt: i + 1, job: many }, `n${i}`);
+    }
     await new Promise((done) => (write.oncomplete = done));
     db.close();
   });
   await page.reload();
   const unread = page.getByRole("region", { name: t.works.unread.title });
   await expect(unread.getByRole("listitem")).toHaveText([/LATER\.H.*newer/, /old\.json/]);
+  const download = page.waitForEvent("download");
+  await button(page, t.works.unread.save("LATER.H")).click();
+  expect((await download).suggestedFilename()).toBe("LATER.H.json");
+  // A list of any length is drawn in portions.
+  await expect(turnwise.works.rows).toHaveCount(200);
+  await button(page, t.works.more(52)).click();
+  await expect(turnwise.works.rows).toHaveCount(252);
+  await expect(turnwise.works.rows.nth(200).getByRole("checkbox")).toBeFocused();
   // A backup with a work of that name does not write over it.
   await page.goto("./#/");
   await opener(page).setInputFiles(
     archive({
       ...manifest,
       works: [
-        { ...manifest.works[0], work: "far-2", content: { version: 3, savedAt: 5, job: { ...job, name: "Q.H" } } },
+        { ...manifest.works[0], work: "far-2", content: { version: 3, savedAt: 500, job: { ...job, name: "Q.H" } } },
       ],
     }),
   );

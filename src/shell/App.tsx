@@ -1,4 +1,5 @@
 import { Suspense, useEffect, type ComponentType } from "react";
+import { LongWait } from "../app/calculation/LongWait.tsx";
 import { menuCycle } from "../app/fields/chooser/menu.ts";
 import { Header } from "./Header.tsx";
 import { useDrawingRequest } from "../app/document/drawing-request.ts";
@@ -123,6 +124,9 @@ const PAGES: Readonly<Record<Page["page"], ComponentType>> = {
   guide: GuidePage,
 };
 
+/** Thousands of programs of an earlier version are read one by one, once. */
+const ReadingDevice = () => <LongWait className="editor-loading soft">{useTexts("first").page.readingDevice}</LongWait>;
+
 /** The page: the header, the page on top, and dialogs. */
 export function App() {
   const ready = useSavedWorks((k) => k.ready);
@@ -150,6 +154,7 @@ export function App() {
         {newer && <UpdateBar />}
       </div>
       <HandedLine />
+      {!ready && <ReadingDevice />}
       {ready && !isCover({ page }) && <TaskLine />}
       {ready && (
         <Suspense>

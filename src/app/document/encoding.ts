@@ -48,8 +48,16 @@ function utf16In(bytes: Uint8Array): "utf-16le" | "utf-16be" | null {
   return zeros(0) * 3 > head.length ? "utf-16be" : null;
 }
 
-/** The text of a file of another program, which may be UTF-16 with or without a byte order mark; else as `decode`. */
+/**
+ * The text of a file of another program, which may be UTF-16 with or without a byte order mark, and is then written as
+ * UTF-8; else as `decode`.
+ */
 export function decodeAny(bytes: Uint8Array): ReturnType<typeof decode> {
   const wide = utf16In(bytes);
-  return wide ? { text: new TextDecoder(wide).decode(bytes), encoding: "utf-8" } : decode(bytes);
+  if (!wide) return decode(bytes);
+  try {
+    return { text: new TextDecoder(wide, { fatal: true }).decode(bytes), encoding: "utf-8" };
+  } catch {
+    return decode(bytes);
+  }
 }

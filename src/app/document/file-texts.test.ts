@@ -1,5 +1,6 @@
 import { strToU8, zipSync } from "fflate";
 import { expect, test } from "vitest";
+import { decode } from "./encoding.ts";
 import { textsOfFile } from "./file-texts.ts";
 
 const ENDINGS = [".json", ".p21", ".zip", ".hsmlib"];
@@ -13,6 +14,9 @@ test("a text file is one text, in UTF-8, Windows-1252 or UTF-16", () => {
   expect(read("a.tbl", Uint8Array.of(0xe4))).toEqual([["a.tbl", "ä", false]]);
   expect(read("a.hsmlib", Uint8Array.of(0xff, 0xfe, 0x3c, 0, 0xe4, 0))).toEqual([["a.hsmlib", "<ä", false]]);
   expect(read("a.hsmlib", Uint8Array.of(0xfe, 0xff, 0, 0x3c))).toEqual([["a.hsmlib", "<", false]]);
+  // Half of a character is none in UTF-16: every byte is kept.
+  const torn = Uint8Array.of(0xff, 0xfe, 0, 0xd8, 0x3c, 0);
+  expect(read("a.h", torn)).toEqual([["a.h", decode(torn).text, false]]);
 });
 
 test("an archive has the texts with a known ending, also those of archives within it", () => {

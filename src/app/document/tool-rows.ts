@@ -1,7 +1,8 @@
 import { z } from "zod/mini";
+import { LONGEST_CELL } from "../../program/files/bounded.ts";
 import { BESIDE_CELLS, MILL_COLUMNS, TOOL_COLUMNS } from "../../program/tools/tool-columns.ts";
 
-const cellText = z.string().check(z.maxLength(500));
+const cellText = z.string().check(z.maxLength(LONGEST_CELL));
 const cells = z.partialRecord(z.enum([...TOOL_COLUMNS, ...MILL_COLUMNS, ...BESIDE_CELLS]), cellText);
 
 export const toolRow = z.object({ id: cellText, cells });

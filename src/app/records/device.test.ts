@@ -127,6 +127,15 @@ test("saves set aside by an earlier edition that are readable now return under t
   expect(aside().size).toBe(0);
 });
 
+test("a row whose key is no text gets a name of its own, and hides no work of the same name", async () => {
+  await keepWork("42", { ...job, name: "TEXT" });
+  works().set(42 as never, { version: SAVE_VERSION, savedAt: 3, job: { ...job, name: "NUMBER" } });
+  expect(await findWorks()).toMatchObject({ setAside: 1, works: [{ name: "TEXT" }], unread: [{ name: "NUMBER" }] });
+  const { works: found } = await findWorks();
+  expect(found.map(({ name }) => name)).toEqual(["TEXT", "NUMBER"]);
+  for (const { work, name } of found) expect((await readWork(work))?.job.name).toBe(name);
+});
+
 test("a device that never answers counts as one without storage", async () => {
   vi.useFakeTimers();
   device.silent = true;

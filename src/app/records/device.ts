@@ -128,14 +128,16 @@ export async function findWorks(): Promise<FoundWorks> {
     const known = await knownHeads();
     for (const key of await works.keys()) {
       const work = String(key);
-      const head = known.get(work);
+      // A key of another type names no work: the row is set aside, and comes back under a name of its own.
+      const isNamed = typeof key === "string";
+      const head = isNamed ? known.get(work) : undefined;
       if (head) {
         found.push({ work, ...head });
         continue;
       }
       const raw = await works.get(key);
       const file = readSave(raw);
-      if (file) {
+      if (file && isNamed) {
         found.push({ work, ...headOf(file) });
         fresh.push([work, headOf(file)]);
       } else if (isNewer(raw)) {

@@ -15,15 +15,13 @@ const KEPT = storedData<Readonly<Record<string, Thumbnail>>>(
   z.record(z.string(), z.object({ box, part: path, blank: path, milled: z.optional(milled) })),
 );
 
-/** Thumbnails by work. */
-export const keptPictures = (): Readonly<Record<string, Thumbnail>> => KEPT.get() ?? {};
+/** Thumbnails by work. A map, since the name of a work from a backup may be that of a property of every object. */
+export const keptPictures = (): ReadonlyMap<string, Thumbnail> => new Map(Object.entries(KEPT.get() ?? {}));
 
 /** Stores a thumbnail. The oldest is dropped; without space nothing is stored. */
 export function keepPicture(work: string, picture: Thumbnail): void {
   const { part, blank, milled } = picture;
   if ([part, blank, ...(milled?.ways ?? []).map(({ d }) => d)].some(({ length }) => length > MOST.path)) return;
-  const others = Object.entries(keptPictures())
-    .filter(([name]) => name !== work)
-    .slice(1 - MOST.works);
+  const others = [...keptPictures()].filter(([name]) => name !== work).slice(1 - MOST.works);
   KEPT.set(Object.fromEntries([...others, [work, picture]]));
 }

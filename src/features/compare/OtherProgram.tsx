@@ -1,5 +1,5 @@
 import { useEffect, useId, useState } from "react";
-import { decode } from "../../app/document/encoding.ts";
+import { decodeAny } from "../../app/document/encoding.ts";
 import { useShownName } from "../../app/document/shown-file.ts";
 import { askForFiles } from "../../app/records/files/file-handle.ts";
 import { readWork } from "../../app/records/device.ts";
@@ -71,7 +71,7 @@ export function OtherProgram({
   const fromDevice = async () => {
     const { bytesOnDevice } = await import("../../app/records/files/save-back.ts");
     const bytes = work === null ? null : await bytesOnDevice(work, shown);
-    if (bytes) takeText(words.disk(shown), decode(bytes).text);
+    if (bytes) takeText(words.disk(shown), decodeAny(bytes).text);
     else take(null);
   };
   const fromClipboard = async () => {

@@ -43,8 +43,8 @@ export function SaveButton({ name, mayLeave, onSaved, onDownload, showBlock }: P
     if (await mayLeave()) await write("careful");
   };
   const compare = async (bytes: Uint8Array<ArrayBuffer>) => {
-    const { decode } = await import("../../app/document/encoding.ts");
-    showComparison(showBlock, { name, text: decode(bytes).text });
+    const { decodeAny } = await import("../../app/document/encoding.ts");
+    showComparison(showBlock, { name, text: decodeAny(bytes).text });
   };
   if (!canSaveFiles() && !obstacle) return null;
   return (

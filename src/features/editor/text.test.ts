@@ -1,3 +1,4 @@
+import { EditorState } from "@codemirror/state";
 import * as fc from "fast-check";
 import { expect, test } from "vitest";
 import { parse } from "../../nc/parse.ts";
@@ -11,6 +12,8 @@ import {
   type TextChange,
 } from "../../app/fields/blocks/block-edits.ts";
 import { decode, encode } from "../../app/document/encoding.ts";
+import { numberTyped } from "../../app/fields/blocks/typed-numbers.ts";
+import { readingField } from "../../app/fields/blocks/reading-field.ts";
 import { fromEditor, lineEndsOf, toEditor } from "../../app/fields/blocks/line-ends.ts";
 
 const text = "0 BEGIN PGM A MM\n1 L X+10 Z+2 R0 FMAX\n2 L Z-5 ;cut\n3 M30\n4 END PGM A MM\n";
@@ -37,6 +40,28 @@ test("bytes are preserved, whatever they encode", () => {
   );
   expect(decode(Uint8Array.of(0xd8)).text).toBe("Ø");
   expect(encode("中", "windows-1252")).toEqual(new TextEncoder().encode("中"));
+});
+
+test("thousands of pasted lines are numbered by two changes, and the cursor stays between them", () => {
+  const [head, lines] = ["0 BEGIN PGM A MM", Array.from({ length: 3000 }, (_, i) => `L X+${i}.5`)];
+  const startState = EditorState.create({ doc: `${head}\n1 END PGM A MM\n`, extensions: readingField });
+  const tr = startState.update({
+    changes: { from: head.length, insert: ["", ...lines].join("\n") },
+    selection: { anchor: head.length + ["", ...lines].join("\n").length },
+    userEvent: "input.paste",
+  });
+  const changes = numberTyped({
+    state: tr.state,
+    startState,
+    transactions: [tr],
+    docChanged: true,
+    selectionSet: true,
+  });
+  expect(changes.length).toBe(2);
+  const { doc, selection } = tr.state.update({ changes }).state;
+  const numbered = lines.map((line, i) => `${i + 1} ${line}`);
+  expect(doc.toString()).toBe([head, ...numbered, "3001 END PGM A MM", ""].join("\n"));
+  expect(selection.main.head).toBe([head, ...numbered].join("\n").length);
 });
 
 test("changes between programs turn one text into the other", () => {

@@ -7,6 +7,8 @@ import type { ReadArchive } from "../../app/records/archive.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { closeRestore, type PendingRestore } from "../../app/records/pending-restore.ts";
 import { BOXES, TABLES } from "../../app/records/parts.ts";
+import { LongWait } from "../../app/calculation/LongWait.tsx";
+import { LongList } from "./LongList.tsx";
 import {
   boxOffer,
   DEFAULT_CHOICES,
@@ -81,7 +83,7 @@ function Content({
   const [tables] = useState(() => TABLES.map((group) => ({ group, offer: tableOffer(archive, group) })));
   const [boxes] = useState(() => BOX_NAMES.map((group) => ({ group, offer: boxOffer(archive, group) })));
   useEffect(() => void statesOf(archive.works).then(setStates), [archive]);
-  if (!states) return null;
+  if (!states) return <LongWait>{page.readingDevice}</LongWait>;
   const isNew = (i: number) => states[i] !== "same";
   const chosen = archive.works.filter((_, i) => isNew(i) && !without.has(i));
   const fresh = archive.works.filter((_, i) => isNew(i)).length;
@@ -116,8 +118,10 @@ function Content({
               <b>{t.all}</b>
             </label>
           )}
-          <ul>
-            {archive.works.map(({ job }, i) => (
+          <LongList
+            all={archive.works}
+            more={list.more}
+            row={({ job }, i) => (
               <li key={i}>
                 <label>
                   <input
@@ -141,8 +145,8 @@ function Content({
                   </span>
                 </label>
               </li>
-            ))}
-          </ul>
+            )}
+          />
         </fieldset>
       )}
       {tables.map(
@@ -192,6 +196,7 @@ function Content({
           {t.unreadParts[part]}
         </Message>
       ))}
+      {busy && <LongWait>{t.busy}</LongWait>}
       <div className="bring-buttons">
         <button type="button" className="button primary" disabled={nothing || busy} onClick={() => void take()}>
           {nothing ? t.nothing : t.take}

@@ -1,4 +1,5 @@
 import { useState } from "react";
+import { LongList } from "./LongList.tsx";
 import { Icon } from "../../app/base/Icon.tsx";
 import { downloadText } from "../../app/base/download.ts";
 import { asideRows, forgetAside } from "../../app/base/set-aside.ts";
@@ -13,6 +14,20 @@ interface UnreadEntry {
   readonly isNewer: boolean;
   readonly read: () => Promise<unknown>;
   readonly remove: () => Promise<unknown>;
+}
+
+/** Data of any kind as text: JSON, where a value that JSON lacks, or that contains itself, is named instead. */
+function anyText(raw: unknown): string {
+  const around: unknown[] = [];
+  const value = function (this: unknown, _: string, each: unknown): unknown {
+    if (typeof each === "bigint") return String(each);
+    if (typeof each !== "object" || each === null) return each;
+    around.splice(around.indexOf(this) + 1);
+    if (around.includes(each)) return "…";
+    around.push(each);
+    return each;
+  };
+  return JSON.stringify(raw, value, 1) ?? "";
 }
 
 /** What cannot be read on this device: programs and rows of its tables. Nothing of it is deleted by itself. */
@@ -44,8 +59,11 @@ export function UnreadList() {
     <section className="unread" aria-label={t.unread.title}>
       <h2>{t.unread.title}</h2>
       <p className="soft">{t.unread.lead}</p>
-      <ul className="works-list">
-        {all.map(({ key, name, isNewer, read, remove }) => (
+      <LongList
+        all={all}
+        more={t.more}
+        className="works-list"
+        row={({ key, name, isNewer, read, remove }) => (
           <li key={key} className="work-row">
             <span className="unread-words">
               <b className="kept-name">{name}</b>
@@ -58,9 +76,7 @@ export function UnreadList() {
                 aria-label={t.unread.save(name)}
                 title={t.unread.save(name)}
                 onClick={() =>
-                  void read().then((raw) =>
-                    downloadText(JSON.stringify(raw, null, 1) ?? "", `${name.replace(/[\\/:*?"<>|]+/g, "-")}.json`),
-                  )
+                  void read().then((raw) => downloadText(anyText(raw), `${name.replace(/[\\/:*?"<>|]+/g, "-")}.json`))
                 }
               >
                 <Icon name="download" />
@@ -76,8 +92,8 @@ export function UnreadList() {
               </button>
             </div>
           </li>
-        ))}
-      </ul>
+        )}
+      />
     </section>
   );
 }

@@ -15,6 +15,7 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { TableStatus } from "../../app/fields/table/TableStatus.tsx";
 import { listWorks, WORK_ORDERS, type WorkOrder } from "./list-works.ts";
 import { sizeWords } from "./size-words.ts";
+import { LongList } from "./LongList.tsx";
 import { useListActions } from "./use-list-actions.ts";
 import { WorkRow } from "./WorkRow.tsx";
 import "./works.css";
@@ -103,12 +104,17 @@ export function WorksPage() {
     sought.trim() !== "" || programs.length === 0 || exercises.some(({ work }) => selected.has(work));
   const rows = (label: string, of: readonly WorkSummary[]) =>
     of.length > 0 && (
-      <ul className="works-list" aria-label={label} onKeyDown={(event) => onListKey(event, wish)}>
-        {of.map((each) => (
+      <LongList
+        all={of}
+        more={t.more}
+        className="works-list"
+        aria-label={label}
+        onKeyDown={(event) => onListKey(event, wish)}
+        row={(each) => (
           <RowGuard key={each.work} name={each.name}>
             <WorkRow
               of={each}
-              seen={pictures[each.work]}
+              seen={pictures.get(each.work)}
               kind={each.cycle === null ? t.program : (menu.of[each.cycle]?.name ?? "")}
               task={each.task === undefined ? null : page.start.task}
               about={words(each.savedAt, each.size)}
@@ -119,8 +125,8 @@ export function WorksPage() {
               onWish={onWish}
             />
           </RowGuard>
-        ))}
-      </ul>
+        )}
+      />
     );
 
   return (

@@ -18,7 +18,8 @@ export const device = {
     duplicate: (name) => `${name} duplizieren`,
     remove: (name) => `${name} löschen`,
     select: (name) => `${name} auswählen`,
-    selectAll: "Alle gezeigten auswählen",
+    more: (n) => `${n} weitere zeigen`,
+    selectAll: "Alle auswählen",
     selected: (n) => `${n} ausgewählt`,
     removeSelected: "Löschen",
     saveSelected: "Sichern",
@@ -58,6 +59,7 @@ export const device = {
     notExported: "Die Sicherung konnte nicht erstellt werden.",
   },
   restore: {
+    busy: "Wird wiederhergestellt …",
     title: (name) => `Inhalt von ${name}`,
     works: (n) => (n === 1 ? "1 Programm" : `${n} Programme`),
     all: "Alle",

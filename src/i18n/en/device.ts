@@ -19,7 +19,8 @@ export const device = {
     duplicate: (name: string) => `Duplicate ${name}`,
     remove: (name: string) => `Delete ${name}`,
     select: (name: string) => `Select ${name}`,
-    selectAll: "Select all shown",
+    more: (n: number) => `Show ${n} more`,
+    selectAll: "Select all",
     selected: (n: number) => `${n} selected`,
     removeSelected: "Delete",
     saveSelected: "Back up",
@@ -59,6 +60,7 @@ export const device = {
     notExported: "The backup could not be created.",
   },
   restore: {
+    busy: "Restoring …",
     title: (name: string) => `Contents of ${name}`,
     works: (n: number) => (n === 1 ? "1 program" : `${n} programs`),
     all: "All",

@@ -19,7 +19,8 @@ export const device = typeset<DeviceTexts>({
     duplicate: (name) => `Dupliquer ${name}`,
     remove: (name) => `Supprimer ${name}`,
     select: (name) => `Sélectionner ${name}`,
-    selectAll: "Sélectionner tout ce qui est affiché",
+    more: (n) => `Afficher ${n} de plus`,
+    selectAll: "Tout sélectionner",
     selected: (n) => (n === 1 ? "1 sélectionné" : `${n} sélectionnés`),
     removeSelected: "Supprimer",
     saveSelected: "Sauvegarder",
@@ -63,6 +64,7 @@ export const device = typeset<DeviceTexts>({
     notExported: "La sauvegarde n’a pas pu être créée.",
   },
   restore: {
+    busy: "Restauration en cours …",
     title: (name) => `Contenu de ${name}`,
     works: (n) => (n === 1 ? "1 programme" : `${n} programmes`),
     all: "Tous",

@@ -18,7 +18,8 @@ export const device = {
     duplicate: (name) => `复制 ${name}`,
     remove: (name) => `删除 ${name}`,
     select: (name) => `选择 ${name}`,
-    selectAll: "选择所有显示项",
+    more: (n) => `再显示 ${n} 个`,
+    selectAll: "全选",
     selected: (n) => `已选 ${n} 个`,
     removeSelected: "删除",
     saveSelected: "备份",
@@ -54,6 +55,7 @@ export const device = {
     notExported: "无法创建备份。",
   },
   restore: {
+    busy: "正在恢复。",
     title: (name) => `${name} 的内容`,
     works: (n) => `${n} 个程序`,
     all: "全部",

@@ -11,6 +11,7 @@ const file = (given: object) => JSON.stringify({ format: "turnwise-part/1", name
 test.each([
   ["no JSON", "{", ["notJson"]],
   ["a list", "[]", ["notPart"]],
+  ["lists within lists", "[".repeat(101) + "]".repeat(101), ["notPart"]],
   ["another format", file({ format: "turnwise-machine/1" }), ["notPart"]],
   ["a newer version", file({ format: "turnwise-part/2" }), ["newer"]],
   ["a file that is too long", file({ name: " ".repeat(200_001) }), ["tooLong"]],

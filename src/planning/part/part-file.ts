@@ -219,8 +219,8 @@ export function readPart(source: string): ReadPart {
   let raw: unknown = null;
   try {
     raw = readJson(source);
-  } catch {
-    return refused("notJson");
+  } catch (error) {
+    return refused(error instanceof SyntaxError ? "notJson" : "notPart");
   }
   const format = isRecord(raw) && typeof raw["format"] === "string" ? raw["format"] : "";
   if (!format.startsWith(FORMAT)) return refused("notPart");

@@ -3,11 +3,13 @@ import { expect, test } from "vitest";
 import { z } from "zod/mini";
 import { jsonGauge, sieved } from "./bounded.ts";
 
-/** Nesting and values of a text, from what it was written from. */
-function sizeOf(value: unknown): { depth: number; values: number } {
-  if (typeof value !== "object" || value === null) return { depth: 0, values: 0 };
+/** Nesting, values and longest name of a text, from what it was written from. */
+function sizeOf(value: unknown): { depth: number; values: number; name: number } {
+  if (typeof value !== "object" || value === null) return { depth: 0, values: 0, name: -1 };
   const inner = Object.values(value).map(sizeOf);
+  const names = Array.isArray(value) ? [] : Object.keys(value).map((each) => JSON.stringify(each).length - 2);
   return {
+    name: Math.max(-1, ...names, ...inner.map(({ name }) => name)),
     depth: 1 + Math.max(0, ...inner.map(({ depth }) => depth)),
     values: inner.reduce((sum, { values }) => sum + values, 1) + Math.max(0, inner.length - 1),
   };
@@ -26,8 +28,8 @@ test("a JSON text is measured as it is nested, wherever it is cut, with brackets
         return gauge(written.slice(0, cut)) && gauge(written.slice(cut));
       };
       expect(fits(exact)).toBe(true);
-      for (const key of ["depth", "values", "length"] as const)
-        expect(fits({ ...exact, [key]: exact[key] - 1 })).toBe(false);
+      for (const key of ["depth", "values", "length", "name"] as const)
+        expect(fits({ ...exact, [key]: exact[key] - 1 })).toBe(exact[key] < 0);
     }),
   );
 });

@@ -5,26 +5,28 @@ import { z } from "zod/mini";
  * these bounds: a text is measured before it is parsed, and a number that no device writes is no number.
  */
 
-/** Bounds of a JSON text: characters, nesting, and values. */
+/** Bounds of a JSON text: characters, nesting, values, and characters of a name (messages repeat names). */
 export interface JsonBounds {
   readonly length: number;
   readonly depth: number;
   readonly values: number;
+  readonly name: number;
 }
 
 /** The largest backup has a tenth of these values; the deepest file that anybody writes has a tenth of this depth. */
-export const JSON_BOUNDS: JsonBounds = { length: 200_000_000, depth: 100, values: 8_000_000 };
+export const JSON_BOUNDS: JsonBounds = { length: 200_000_000, depth: 100, values: 8_000_000, name: 1000 };
 
 const QUOTE = 0x22;
 const BACKSLASH = 0x5c;
+const COLON = 0x3a;
 const [COMMA, LIST, LIST_END, OBJECT, OBJECT_END] = [0x2c, 0x5b, 0x5d, 0x7b, 0x7d];
 
 /**
  * Measures a JSON text that arrives in pieces: false as soon as it leaves the bounds. It allocates nothing, so that a
  * text which unpacks to millions of brackets is refused at the first hundred.
  */
-export function jsonGauge({ length, depth, values }: JsonBounds = JSON_BOUNDS): (piece: string) => boolean {
-  let [characters, level, count] = [0, 0, 0];
+export function jsonGauge({ length, depth, values, name }: JsonBounds = JSON_BOUNDS): (piece: string) => boolean {
+  let [characters, level, count, text] = [0, 0, 0, 0];
   let inText = false;
   let isEscaped = false;
   return (piece) => {
@@ -32,10 +34,15 @@ export function jsonGauge({ length, depth, values }: JsonBounds = JSON_BOUNDS): 
     if (characters > length) return false;
     for (let at = 0; at < piece.length; at++) {
       const code = piece.charCodeAt(at);
+      if (inText) text += 1;
       if (isEscaped) isEscaped = false;
-      else if (code === QUOTE) inText = !inText;
-      else if (inText) isEscaped = code === BACKSLASH;
-      else if (code === COMMA) count += 1;
+      else if (code === QUOTE) {
+        inText = !inText;
+        if (inText) text = -1;
+      } else if (inText) isEscaped = code === BACKSLASH;
+      else if (code === COLON) {
+        if (text > name) return false;
+      } else if (code === COMMA) count += 1;
       else if (code === LIST || code === OBJECT) {
         level += 1;
         count += 1;
@@ -46,7 +53,10 @@ export function jsonGauge({ length, depth, values }: JsonBounds = JSON_BOUNDS): 
   };
 }
 
-/** The value of a JSON text, with or without a byte order mark. Throws on other text and on one beyond the bounds. */
+/**
+ * The value of a JSON text, with or without a byte order mark. Throws a SyntaxError on other text, a RangeError on one
+ * beyond the bounds.
+ */
 export function readJson(text: string, bounds: JsonBounds = JSON_BOUNDS): unknown {
   if (!jsonGauge(bounds)(text)) throw new RangeError("the data are larger or deeper than any that are used");
   return JSON.parse(text.replace(/^\uFEFF/, ""));
@@ -69,6 +79,13 @@ export const whole = z.int().check(z.gte(-1_000_000_000), z.lte(1_000_000_000));
 
 const isRecord = (raw: unknown): raw is Readonly<Record<string, unknown>> =>
   typeof raw === "object" && raw !== null && !Array.isArray(raw);
+
+/** Longest text of a cell, characters: as read, stored and shown. */
+export const LONGEST_CELL = 500;
+
+/** A text that a list shows, cut where no such text is longer. */
+export const cellText = (text: string): string =>
+  text.length > LONGEST_CELL ? `${text.slice(0, LONGEST_CELL - 1)}…` : text;
 
 /** A row that did not pass, with the name it goes by, as far as it has one. */
 export interface UnreadRow {

@@ -29,6 +29,7 @@ describe("a machine file", () => {
   test.each([
     ["not JSON", "{", "notJson"],
     ["a list", "[]", "notMachine"],
+    ["deeper than any", "[".repeat(101) + "]".repeat(101), "notMachine"],
     ["a tool file", `{"tools":[]}`, "notMachine"],
     ["of a newer edition", `{"format":"turnwise-machine/2","name":"A"}`, "newer"],
     ["longer than any", `{"format":"turnwise-machine/1","name":"${"A".repeat(10_000)}"}`, "notMachine"],

@@ -129,8 +129,8 @@ export function readMachine(text: string): ReadMachine {
   let raw: unknown = null;
   try {
     raw = text.length > LONGEST_FILE ? null : readJson(text);
-  } catch {
-    return refusal("notJson");
+  } catch (error) {
+    return refusal(error instanceof SyntaxError ? "notJson" : "notMachine");
   }
   const format = isRecord(raw) && typeof raw["format"] === "string" ? raw["format"] : "";
   if (!format.startsWith(FORMAT)) return refusal("notMachine");

@@ -1,4 +1,5 @@
 import type { LengthUnit } from "../../kernel/units.ts";
+import { cellText } from "../files/bounded.ts";
 import { MOST_ROWS, type readToolFile } from "../tools/tool-table-json.ts";
 import type { ProposalReason, RefusedItem } from "./facts.ts";
 import { isRecord, jsonOf, type ForeignContent, type NamedText, type ReadingContext } from "./foreign-file.ts";
@@ -95,11 +96,14 @@ function assembled(read: readonly Reading[]): readonly Reading[] {
 function foreignContent({ format, content }: FoundForeign, unit: LengthUnit): ReadToolFile["content"] {
   const { tools, unitAsked, cutShort = false } = content;
   if (tools.length > MOST_ROWS) return { problem: "tooMany", most: MOST_ROWS };
-  const made = mounted(tools).map(foreignTool);
+  const made = mounted(tools).map((each) => {
+    const tool = foreignTool(each);
+    return { ...tool, label: cellText(tool.label), unused: tool.unused.map(cellText) };
+  });
   // Without a kind there is no table for a tool, and nothing that its sizes could mean.
   const [known, unknown] = [made.filter(({ cells }) => cells.TYPE), made.filter(({ cells }) => !cells.TYPE)];
   const refused = [
-    ...content.refused,
+    ...content.refused.map((each) => ({ ...each, label: cellText(each.label), kind: cellText(each.kind) })),
     ...unknown.map(({ label, unused }): RefusedItem => ({ label, why: "kindUnknown", kind: unused.join(", ") })),
   ];
   if (known.length === 0 && refused.length === 0) return { problem: "noRows" };

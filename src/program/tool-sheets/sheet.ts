@@ -1,3 +1,4 @@
+import { cellText } from "../files/bounded.ts";
 import { csvCells } from "../files/csv.ts";
 
 /** A sheet of any origin: the titles of its columns, and its lines as text. */
@@ -20,7 +21,7 @@ const isNumber = (cell: string) => /^[+-]?[\d.,]+$/.test(cell.trim());
 export function sheetOf(cells: readonly (readonly string[])[]): Sheet | null {
   const rows = cells
     .slice(0, MOST_LINES + HEAD_LINES)
-    .map((row) => row.slice(0, MOST_COLUMNS).map((cell) => cell.trim()))
+    .map((row) => row.slice(0, MOST_COLUMNS).map((cell) => cellText(cell.trim())))
     .filter((row) => row.some((cell) => cell !== ""));
   const words = rows.slice(0, HEAD_LINES).map((row) => row.filter((cell) => cell !== "" && !isNumber(cell)).length);
   const at = words.indexOf(Math.max(...words));

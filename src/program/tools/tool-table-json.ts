@@ -1,4 +1,4 @@
-import { readJson } from "../files/bounded.ts";
+import { cellText, readJson } from "../files/bounded.ts";
 import type { Holder, Tool } from "../../kernel/plan/tool.ts";
 import { writeHead } from "./holder-cells.ts";
 import {
@@ -91,8 +91,13 @@ function readKind(text: string): TableFile {
   return /^BEGIN\s/i.test(bare) ? readTableText(text) : readTableCsv(text);
 }
 
-/** Reads a file of any kind. Never throws. */
+const shortCells = (cells: ToolEntry["cells"]): ToolEntry["cells"] =>
+  Object.fromEntries(Object.entries(cells).map(([name, text]) => [name, cellText(text)]));
+
+/** Reads a file of any kind. A cell that is longer than any is cut, so that its column reports it. Never throws. */
 export function readToolFile(text: string): TableFile | { readonly problem: "tooMany"; readonly most: number } {
   const read = readKind(text);
-  return "rows" in read && read.rows.length > MOST_ROWS ? { problem: "tooMany", most: MOST_ROWS } : read;
+  if (!("rows" in read)) return read;
+  if (read.rows.length > MOST_ROWS) return { problem: "tooMany", most: MOST_ROWS };
+  return { ...read, rows: read.rows.map(shortCells), leftOut: read.leftOut.slice(0, MOST_ROWS).map(cellText) };
 }

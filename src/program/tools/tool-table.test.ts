@@ -11,6 +11,7 @@ import { shippedTools } from "./shipped-tools.ts";
 import { drillOf } from "./drill-of.ts";
 import { entryOf, readEntry, type MillTool, type ToolEntry } from "./tool-entry.ts";
 import { freeNumber, mergedTools, newId, readList, sameList, shippedList } from "./tool-list.ts";
+import { LONGEST_CELL } from "../files/bounded.ts";
 import { readTableJson, readToolFile, writeTableJson } from "./tool-table-json.ts";
 import { readTableText, writeMillText, writeTableText } from "./tool-table-text.ts";
 
@@ -376,6 +377,17 @@ describe("the control's column text", () => {
     ["BEGIN TOOLTURN.TRN MM\nT TYPE TO RS\n[END]", "noRows"],
     ["BEGIN TOOLTURN.TRN MM", "columnsMissing"],
   ])("%j: %s", (text, problem) => expect(readToolFile(text)).toMatchObject({ problem }));
+
+  test.each([
+    ["JSON", (long: string) => `{"tools":[{"T":1,"RS":${JSON.stringify(long)}}]}`],
+    ["JSON with a list in a cell", (long: string) => `{"tools":[{"T":1,"RS":[${JSON.stringify(long)}]}]}`],
+    ["a sheet", (long: string) => `T,RS,${long}\n1,${long},2`],
+  ])("%s: no cell and no unknown column is longer than a stored one", (_, text) => {
+    const read = readToolFile(text("9".repeat(100_000)));
+    if (!("rows" in read)) throw new Error(read.problem);
+    const texts = [...read.rows.flatMap((row) => Object.values(row)), ...read.leftOut];
+    expect(Math.max(...texts.map(({ length }) => length))).toBe(LONGEST_CELL);
+  });
 
   test("no text makes it throw", () =>
     fc.assert(

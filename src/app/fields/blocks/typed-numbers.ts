@@ -33,6 +33,17 @@ function touchedBlocks(state: EditorState, { transactions }: TextUpdate): readon
   return [blockAt(reading, from), blockAt(reading, to)];
 }
 
+/** Most changes that stay single: each costs the editor more than the text up to the next one. */
+const SINGLE = 2000;
+
+/** Many changes as one, with the text between them. */
+function joined({ doc }: EditorState, changes: readonly TextChange[]): readonly TextChange[] {
+  const [first, last] = [changes[0], changes.at(-1)];
+  if (changes.length <= SINGLE || !first || !last) return changes;
+  const insert = changes.map((each, i) => each.insert + doc.sliceString(each.to, changes[i + 1]?.from ?? each.to));
+  return [{ from: first.from, to: last.to, insert: insert.join("") }];
+}
+
 /**
  * What numbers the blocks that were just typed: in a numbered program a block has its number from its first letter on.
  */
@@ -43,5 +54,10 @@ export function numberTyped(update: TextUpdate): readonly TextChange[] {
   const [first, last] = touchedBlocks(state, update);
   const isOpen = last === blockAt(reading, state.selection.main.head) && mayJoinCycle(reading, last);
   const { program } = reading;
-  return changesBetween(program, withNumbers(program, first, isOpen ? last - 1 : last));
+  const changes = changesBetween(program, withNumbers(program, first, isOpen ? last - 1 : last));
+  const { head } = state.selection.main;
+  const after = changes.findIndex(({ from }) => from >= head);
+  const at = after < 0 ? changes.length : after;
+  // The cursor stays where it is in the text: no change goes over it.
+  return [...joined(state, changes.slice(0, at)), ...joined(state, changes.slice(at))];
 }

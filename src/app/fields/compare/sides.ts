@@ -1,4 +1,4 @@
-import { decode } from "../../document/encoding.ts";
+import { decodeAny } from "../../document/encoding.ts";
 import { LARGEST_PROGRAM } from "../../base/limits.ts";
 import { shownFile } from "../../document/shown-file.ts";
 import { asProgram } from "../../document/printed.ts";
@@ -44,7 +44,7 @@ export function withOtherText(present: ProgramWork, text: string): ProgramWork {
 export async function textOfFile(file: File): Promise<string | null> {
   if (file.size > LARGEST_PROGRAM) return null;
   try {
-    return decode(new Uint8Array(await file.arrayBuffer())).text;
+    return decodeAny(new Uint8Array(await file.arrayBuffer())).text;
   } catch {
     return null;
   }

@@ -88,7 +88,7 @@ export function SavedPrograms() {
   const language = useSettings((s) => s.language);
   const all = useSavedWorks((k) => k.works);
   // Pictures are made while a work is open, not while the list is shown.
-  const pictures = useMemo(() => (all.length > 0 ? keptPictures() : {}), [all]);
+  const pictures = useMemo(() => (all.length > 0 ? keptPictures() : new Map<string, never>()), [all]);
   const works = all.filter(({ cycle }) => cycle === null || menuCycle(cycle));
   if (works.length === 0 && removed === null) return null;
   const when = momentWriter(language);
@@ -98,7 +98,7 @@ export function SavedPrograms() {
     <RowGuard key={of.work} name={of.name}>
       <SavedRow
         of={of}
-        seen={pictures[of.work]}
+        seen={pictures.get(of.work)}
         when={when(of.savedAt)}
         isElsewhere={elsewhere.has(of.work)}
         onRemoved={() => setRemoved(of.name)}

@@ -1,4 +1,4 @@
-import { decode } from "../../document/encoding.ts";
+import { decodeAny } from "../../document/encoding.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
 import { kindOfName } from "../../../program/drawing/endings.ts";
 import { fileKey } from "../../../program/state/program-files.ts";
@@ -39,7 +39,7 @@ async function read(chosen: readonly Chosen[]): Promise<Read> {
     chosen.map(async ({ file, handle }) => {
       try {
         const bytes = new Uint8Array(await file.arrayBuffer());
-        const own = { name: file.name, ...decode(bytes) };
+        const own = { name: file.name, ...decodeAny(bytes) };
         const klartext = await asKlartext(own);
         return { file: klartext, handle: klartext === own ? handle : null, bytes };
       } catch {

@@ -90,6 +90,7 @@ test("altered, truncated, oversized and newer content is reported separately, an
   expect(readTaught('{"tools":[]}')).toEqual({ kind: "foreign" });
   expect(readTaught('{"format":"turnwise-archive/9"}')).toEqual({ kind: "foreign" });
   expect(readTaught("null")).toEqual({ kind: "foreign" });
+  expect(readTaught(`${"[".repeat(101)}${"]".repeat(101)}`)).toEqual({ kind: "foreign" });
   expect(readTaught(taughtFile(task).padEnd(4_000_001))).toEqual({ kind: "tooLarge" });
   if (result) expect(readTaught(taughtFile(result).replace('"hints": 1', '"hints": -1'))).toEqual({ kind: "damaged" });
   expect(readTaught(`\uFEFF${taughtFile(task)}`)).toMatchObject({ kind: "task" });

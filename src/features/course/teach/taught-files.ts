@@ -97,7 +97,7 @@ function parsed(text: string): { readonly raw: unknown } | CourseFileProblem {
   try {
     return { raw: readJson(plain) };
   } catch (error) {
-    return { kind: "notJson", line: lineOf(error, plain) };
+    return error instanceof SyntaxError ? { kind: "notJson", line: lineOf(error, plain) } : { kind: "foreign" };
   }
 }
 

@@ -93,6 +93,7 @@ export const page = {
     plate: "Gefräste Platte: An- und Wegfahren",
   },
   loading: "Editor wird geladen …",
+  readingDevice: "Die Programme dieses Geräts werden gelesen …",
   tools: {
     title: "Werkzeugtabelle",
     open: "Werkzeuge",

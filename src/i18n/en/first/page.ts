@@ -93,6 +93,7 @@ export const page = {
     plate: "Milled plate: approach and departure",
   },
   loading: "Loading the editor …",
+  readingDevice: "Reading the programs of this device …",
   tools: {
     title: "Tool table",
     open: "Tools",

@@ -93,6 +93,7 @@ export const page = {
     plate: "Plaque fraisée : approche et sortie",
   },
   loading: "Chargement de l’éditeur …",
+  readingDevice: "Lecture des programmes de cet appareil …",
   tools: {
     title: "Tableau d’outils",
     open: "Outils",

@@ -92,6 +92,7 @@ export const page = {
     plate: "铣削板件：接近与离开",
   },
   loading: "正在加载编辑器。",
+  readingDevice: "正在读取此设备上的程序。",
   tools: {
     title: "刀具表",
     open: "刀具",
