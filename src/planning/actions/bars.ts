@@ -251,15 +251,6 @@ export function barActions(
   const chain = wanted.contour ?? [];
   const inOneCall = kind === "roughInside" && cut.operation === "both";
   const bore = { front, wallAt: wallsOf(stock, front) };
-  /**
-   * The radius that a bar finds on its way: a finishing pass from in front of the face makes the bore for the body behind
-   * it, as far as it cuts the wall and not the bottom. Roughing needs a hole that the body enters, for its chips.
-   */
-  const widened = (low: number) => {
-    if (cut.operation !== "finish" || way.z < front) return way.clear;
-    const wall = geometry.flattenedChain(chain, CHORD).flatMap(({ r }) => (r > low + BESIDE - SAME ? [r] : []));
-    return wall.length > 0 ? Math.max(way.clear, Math.min(...wall)) : way.clear;
-  };
   /** Where bars that enter are blocked, and the rear end of their path; null where they have none. */
   const blocked = new Map<Tool, { readonly met: number; readonly rear: number } | null>();
   const fitOfBar = (tool: Tool, until = -Infinity) => {
@@ -267,7 +258,7 @@ export function barActions(
     const [smallest, largest] = [toDiameter(radius(way.clear)), toDiameter(radius(box.high))];
     const isCut = until > -Infinity;
     const low = isCut ? Math.max(way.low, clearRadius(stock, until, front) - BESIDE) : way.low;
-    const r = startFor(tool, { ...way, low, clear: widened(low) });
+    const r = startFor(tool, { ...way, low });
     if (r === null) return null;
     const jobOf = (shape: ShapeRequest): SetJob => {
       const made = isCut
