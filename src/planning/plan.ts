@@ -4,6 +4,7 @@ import type { Block } from "../nc/program.ts";
 import { actionSources } from "./actions/index.ts";
 import { explained } from "./explain.ts";
 import { inOneCall } from "./in-one-call.ts";
+import { LEAST_REGION } from "./open-regions.ts";
 import { ordered } from "./ordered.ts";
 import { allActionsIn, doneIn, Ends, firstNode, nodeBehind, type PlanNode, type Searching } from "./plan-node.ts";
 import { residueOf } from "./residue.ts";
@@ -58,7 +59,10 @@ function* replayed({ keep = [], instead }: ClampingChanges, s: Searching): Gener
   return node;
 }
 
-/** A plan to which none of the changes of single steps brings more: each may make another one worth it. */
+/**
+ * A plan to which none of the changes of single steps brings more: each may make another one worth it. What another way to
+ * do a step leaves may be what a tool could take that was not needed before.
+ */
 function* improved(end: PlanNode, kept: number, s: Searching): Generator<PlanNode, PlanNode> {
   let [best, before]: [PlanNode, PlanNode | null] = [end, null];
   while (best !== before) {
@@ -66,6 +70,8 @@ function* improved(end: PlanNode, kept: number, s: Searching): Generator<PlanNod
     best = yield* pruned(best, s);
     best = yield* retooled(best, kept, s);
     best = yield* ordered(best, kept, s);
+    const further = best.left < LEAST_REGION ? best : yield* beam(best, 1, s);
+    if (s.ends.isBetter(further, best)) best = further;
   }
   return best;
 }

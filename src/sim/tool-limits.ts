@@ -88,6 +88,15 @@ function axialDiameter({ tool, move: { to } }: Step, outline: Ring, stock: Look)
   );
 }
 
+/**
+ * How far behind its tip, mm, a bar with its tip at a radius needs the bore of its row: in front of that are its nose, and
+ * with a leaning main edge a cone of the bottom.
+ */
+export function needsBoreBehind(tool: Tool, r: number): number {
+  const lean = Math.max(0, -1 / Math.tan(radians(tool["T-ANGLE"] ?? 180))) * Math.min(r, tool.DMIN ?? 0);
+  return 2 * noseRadius(tool) + lean;
+}
+
 /** A bar in a bore narrower than it needs, anywhere between its tip and the mouth of the bore. */
 function narrowBore({ tool, move: { to } }: Step, outline: Ring, stock: Look): LimitHit | null {
   const { DMIN, TO, holder } = tool;
@@ -95,9 +104,7 @@ function narrowBore({ tool, move: { to } }: Step, outline: Ring, stock: Look): L
   if (DMIN === undefined || tip.v <= 0 || shankAxis(TO, holder?.axis) !== "Z") return null;
   const own = boxOf(outline);
   const length = tip.u > 0 ? -own.left : own.right;
-  // In front of a leaning main edge a cone of the bottom is left, which the bar does not reach.
-  const lean = Math.max(0, -1 / Math.tan(radians(tool["T-ANGLE"] ?? 180))) * Math.min(to.r, DMIN);
-  const behind = SAME + (tip.u === 0 ? length : Math.min(length, 2 * noseRadius(tool) + lean));
+  const behind = SAME + (tip.u === 0 ? length : Math.min(length, needsBoreBehind(tool, to.r)));
   const along = tip.u > 0 ? sorted(to.z - behind, -FAR) : sorted(to.z + behind, FAR);
   if (stock(boxAlong("z", along, [to.r + SAME, FAR])).length === 0) return null;
   const rings = stock(boxAlong("z", along, [to.r - DMIN, DMIN / 2 - SAME]));

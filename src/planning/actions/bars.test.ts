@@ -20,6 +20,12 @@ const BORES = [
     hole: { 0: 5.8, [-79]: 4.8, [-99]: 4.8 },
     rear: [-40.5, -38],
   },
+  {
+    name: "a cylinder, with its way off the wall in front of that place",
+    bore: { 0: 5, [-50]: 5 },
+    hole: { 0: 4.6, [-99]: 4.6 },
+    rear: [-40.5, -38],
+  },
 ];
 
 const points = (radii: object) =>

@@ -9,7 +9,7 @@ import type { Move } from "../../kernel/plan/move.ts";
 import type { Plan } from "../../kernel/plan/plan.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { CHORD, SAME } from "../../kernel/tolerance.ts";
-import { radius, toDiameter } from "../../kernel/units.ts";
+import { diameter, radius, radiusOf, toDiameter } from "../../kernel/units.ts";
 import type { SetJob } from "../../program/job/job.ts";
 import { jobFor, withValue } from "../../program/job/requested-job.ts";
 import { cylinderAround } from "../../program/job/requested-shape.ts";
@@ -17,6 +17,7 @@ import { frontOf } from "../../program/job/stock-surface.ts";
 import { positionAsTyped } from "../../program/values/typed-value.ts";
 import type { HeldBar } from "../../report/advice/stability.ts";
 import { outlinesOf } from "../../sim/outlines.ts";
+import { needsBoreBehind } from "../../sim/tool-limits.ts";
 import type { OpenRegion } from "../open-regions.ts";
 import { perObject } from "../per-object.ts";
 import type { Action, ActionKind, PlanRequest } from "../types.ts";
@@ -124,10 +125,14 @@ function sidesOf(rings: readonly Ring[]) {
   return { across, beside, down: -boxAround([across]).low, up: boxAround([beside]).high };
 }
 
-/** The holder of a bar, and the same with its insert, which the cycle checks itself where it has a path. */
+/**
+ * The holder of a bar, and the same with its insert, which the cycle checks itself where it has a path. `needs`: the least
+ * radius of a bore by its row.
+ */
 const bodyOf = perObject((tool: Tool) => {
   const { insert, holder } = outlinesOf()(tool);
-  return { holder: sidesOf(holder), all: sidesOf([insert, ...holder]) };
+  const row = { tool, needs: radiusOf(tool.DMIN ?? diameter(0)) };
+  return { holder: { ...sidesOf(holder), ...row }, all: { ...sidesOf([insert, ...holder]), ...row } };
 });
 
 /** A bore: the Z of its front, and its radius in each step from there. */
@@ -137,12 +142,12 @@ interface Bore {
 }
 
 /**
- * The Z of the tip at which a bar comes nearer to the wall of a bore than `room` mm; null where it stays clear all along.
- * The path widens the bore as it goes.
+ * The Z of the tip at which a bar comes nearer to the wall of a bore than `room` mm, or stands in one that is narrower than
+ * its row says; null where it stays clear all along. The path widens the bore as it goes.
  */
 function blockedAt(
   moves: readonly Pick<Move, "kind" | "to">[],
-  { across, beside, down, up }: ReturnType<typeof sidesOf>,
+  { across, beside, down, up, tool, needs }: ReturnType<typeof bodyOf>["holder"],
   { front, wallAt }: Bore,
   room: number,
 ): number | null {
@@ -150,20 +155,24 @@ function blockedAt(
   const cut: number[] = [];
   /** The narrowest place in front of each step. */
   const narrow: number[] = [];
+  const boreAt = (step: number) => Math.max(wallAt(step), cut[step] ?? 0);
   const narrowAt = (step: number) => {
-    for (let k = narrow.length; k <= step; k += 1) narrow[k] = Math.min(narrow[k - 1] ?? Infinity, wallAt(k));
+    for (let k = narrow.length; k <= step; k += 1) narrow[k] = Math.min(narrow[k - 1] ?? Infinity, boreAt(k));
     return narrow[step] ?? Infinity;
   };
   const widen = (step: number, r: number) => {
-    if (step < 0 || r <= Math.max(wallAt(step), cut[step] ?? 0)) return;
+    if (step < 0 || r <= boreAt(step)) return;
     cut[step] = r;
     for (let k = step; k < narrow.length; k += 1) {
-      const least = Math.min(narrow[k - 1] ?? Infinity, Math.max(wallAt(k), cut[k] ?? 0));
+      const least = Math.min(narrow[k - 1] ?? Infinity, boreAt(k));
       if (k > step && narrow[k] === least) break;
       narrow[k] = least;
     }
   };
+  // A step holds the narrowest place up to its rear end.
+  const ahead = room < 0 ? STEP : 0;
   const isMet = (z: number, r: number) =>
+    narrowAt(stepOf(z + needsBoreBehind(tool, r) + ahead)) < needs - SAME ||
     across.some((corner) => r + narrowAt(stepOf(z + corner.z)) - room < -corner.r) ||
     beside.some((corner) => r + corner.r > narrowAt(stepOf(z + corner.z)) - room);
   let before = moves[0]?.to ?? at(front, 0);
@@ -172,13 +181,18 @@ function blockedAt(
     before = to;
     if (kind === "rapid") continue;
     const count = Math.max(1, Math.ceil(Math.abs(to.z - from.z) / STEP));
+    let last = stepOf(from.z);
     for (let i = 0; i <= count; i += 1) {
       const [z, r] = [from.z + (i / count) * (to.z - from.z), from.r + (i / count) * (to.r - from.r)];
+      const step = stepOf(z);
+      // No step between is left out by rounding.
+      for (let k = Math.min(last + 1, step); k <= Math.max(last - 1, step); k += 1) widen(k, r);
+      last = step;
       if (z >= front) continue;
-      widen(stepOf(z), r);
       // Mostly the whole body is clear of the narrowest place.
-      const least = narrowAt(stepOf(z)) - room;
-      if ((r + least < down || r + up > least) && isMet(z, r)) return z;
+      const narrowest = narrowAt(step);
+      const least = narrowest - room;
+      if ((narrowest < needs || r + least < down || r + up > least) && isMet(z, r)) return z;
     }
   }
   return null;
@@ -237,8 +251,8 @@ export function barActions(
   const chain = wanted.contour ?? [];
   const inOneCall = kind === "roughInside" && cut.operation === "both";
   const bore = { front, wallAt: wallsOf(stock, front) };
-  /** Where bars that enter are blocked; null where they have no path. */
-  const blocked = new Map<Tool, number | null>();
+  /** Where bars that enter are blocked, and the rear end of their path; null where they have none. */
+  const blocked = new Map<Tool, { readonly met: number; readonly rear: number } | null>();
   const fitOfBar = (tool: Tool, until = -Infinity) => {
     const box = { ...region.box, left: Math.max(region.box.left, until) };
     const [smallest, largest] = [toDiameter(radius(way.clear)), toDiameter(radius(box.high))];
@@ -259,7 +273,7 @@ export function barActions(
     if (fit && ((inOneCall && !fit.makesContour) || !cutsInto(fit.plan, tool, region))) return null;
     const met = fit && blockedAt(fit.plan.moves, bodyOf(tool).holder, bore, isCut ? NEARLY : -NEARLY);
     if (fit && met === null) return { ...fit, box };
-    blocked.set(tool, met);
+    blocked.set(tool, !fit || met === null ? null : { met, rear: Math.min(...fit.plan.moves.map(({ to }) => to.z)) });
     return null;
   };
   const actionFrom = ({ tool, job, values, box }: NonNullable<ReturnType<typeof fitOfBar>>): Action => {
@@ -274,8 +288,9 @@ export function barActions(
       blocked.delete(tool);
       const fit = ended(until);
       if (fit) return fit;
-      // The way off the wall takes the body nearer to the other one.
-      until += 2 * Math.max(0, (blocked.get(tool) ?? until) - until) + BACK;
+      // The way off the wall goes farther, and takes the body nearer to the other one.
+      const { met, rear } = blocked.get(tool) ?? { met: until, rear: until };
+      until += Math.max(2 * (met - until), met - rear) + BACK;
     }
     const inFront = chain.map(({ to }) => to.z).filter((z) => z > limit + SAME);
     for (const z of [...new Set(inFront)].toSorted((x, y) => x - y).slice(0, MOST_CORNERS)) {
@@ -286,8 +301,8 @@ export function barActions(
   };
   const short = () => {
     const along = geometry.flattenedChain(chain, CHORD).map((to) => ({ kind: "feed", to }) as const);
-    const limits = [...blocked].map(([tool, met]) => {
-      const limit = met ?? blockedAt(along, bodyOf(tool).all, bore, NEARLY) ?? Infinity;
+    const limits = [...blocked].map(([tool, at]) => {
+      const limit = at?.met ?? blockedAt(along, bodyOf(tool).all, bore, NEARLY) ?? Infinity;
       return { tool, limit, isOwn: !request.usualTools?.includes(tool.T) };
     });
     const deepestFirst = limits.toSorted((a, b) => a.limit - b.limit);

@@ -107,7 +107,11 @@ function isWorthReaming(reamer: Tool, request: PlanRequest): boolean {
   const price = ({ T }: Tool) => (usualTools.includes(T) ? rules.usualTool : 0);
   const stock = boredFor(made.cylinders, request);
   if (!reachesRear(reamer, made, stock)) return false;
-  const bars = finishInside.actions({ stock, done: [], threads: new Set() }, request);
+  const rear = Math.min(...made.cylinders.map(({ to }) => to.z));
+  // A bar that is blocked in front of their rear does not bore them.
+  const bars = finishInside
+    .actions({ stock, done: [], threads: new Set() }, request)
+    .filter(({ place }) => place.rear < rear + SAME);
   const boring = bars.map((action) => boundOf(action, [], request).seconds + price(action.tool));
   return reamSeconds(reamer, made, stock, request) + price(reamer) <= Math.min(Infinity, ...boring);
 }
