@@ -1,9 +1,9 @@
 import { defineConfig, devices } from "@playwright/test";
-import { browserFlags, findBrowser } from "./scripts/browser.mjs";
+import { browserFlags, findLightBrowser } from "./scripts/browser.mjs";
 
 /** Journeys run on the built page, as it is served to users. `npm run e2e` builds first. */
 const port = Number(process.env["PORT"] ?? 4179);
-const executablePath = process.env["CHROMIUM_PATH"] ?? findBrowser();
+const executablePath = process.env["CHROMIUM_PATH"] ?? findLightBrowser();
 /** A journey ends before what the last and slowest of the compilers makes pays for itself: a tenth less work. */
 const SHORT_RUNS = "--js-flags=--no-turbofan";
 const launchOptions = { args: [...browserFlags, SHORT_RUNS], ...(executablePath ? { executablePath } : {}) };
