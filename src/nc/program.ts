@@ -1,3 +1,4 @@
+import { perObject } from "./per-object.ts";
 import type { BlockIssue, NcIssue } from "./issue.ts";
 import type { Statement } from "./statement.ts";
 
@@ -26,20 +27,20 @@ export interface Program {
 export const print = (program: Program): string => program.blocks.map((b) => b.raw).join("");
 
 /** Line (from 1) on which each block starts. */
-export function startLines(program: Program): number[] {
+export const startLines = perObject((program: Program): readonly number[] => {
   let line = 1;
   return program.blocks.map((b) => {
     const start = line;
     line += b.lines;
     return start;
   });
-}
+});
 
 /**
  * Number of each block: as printed, or counted on from the previous one. Comments and blank lines count only when
  * numbered.
  */
-export function blockNumbers(program: Program): number[] {
+export const blockNumbers = perObject((program: Program): readonly number[] => {
   let next = 0;
   return program.blocks.map((b) => {
     const silent = b.statement.kind === "empty" || b.statement.kind === "comment";
@@ -47,7 +48,7 @@ export function blockNumbers(program: Program): number[] {
     if (b.number !== null || !silent) next = own + 1;
     return own;
   });
-}
+});
 
 /** Lines and columns (both from 0) of ascending offsets inside a block, in one pass. */
 function places(raw: string, offsets: readonly number[]): { line: number; column: number }[] {

@@ -8,7 +8,7 @@ import { length } from "../kernel/units.ts";
 import { shippedTools } from "../program/tools/shipped-tools.ts";
 import { contourJob, planOf } from "./actions/contour-job.ts";
 import { face } from "./actions/face.ts";
-import { perObject, perText } from "./per-object.ts";
+import { perObject, perText } from "../nc/per-object.ts";
 import { localKey, ofPieces, stockKey, turnedVolume } from "./stock-key.ts";
 import { finishes, Tries } from "./tries.ts";
 import type { Action, PlanRequest } from "./types.ts";

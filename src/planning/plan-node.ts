@@ -4,7 +4,7 @@ import { SLIVER } from "../kernel/tolerance.ts";
 import { diameter, perSide } from "../kernel/units.ts";
 import { withHandValues } from "./hand-values.ts";
 import { LEAST_REGION, workIn } from "./open-regions.ts";
-import { perObject } from "./per-object.ts";
+import { perObject } from "../nc/per-object.ts";
 import { isInPlace } from "./places.ts";
 import { ofPieces, turnedVolume } from "./stock-key.ts";
 import type { Trade } from "./trade-rules.ts";

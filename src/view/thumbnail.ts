@@ -90,26 +90,44 @@ const viewBox = (left: number, low: number, right: number, high: number): ViewBo
 const isIn = (stock: Cuboid | null, { kind, from, to }: PlaneMove) =>
   kind !== "rapid" && (!stock || Math.min(from.z ?? Infinity, to.z ?? Infinity) < stock.top);
 
+/** Most moves of a tool that a small picture draws; more would fill it. */
+const MOST_WAYS = 10_000;
+
+/** The sides of the moves' ends, X to the right and Y up. */
+function around(moves: readonly PlaneMove[]): Pick<Cuboid, "left" | "low" | "right" | "high"> {
+  let [left, low, right, high] = [Infinity, Infinity, -Infinity, -Infinity];
+  for (const { from, to } of moves) {
+    left = Math.min(left, from.x, to.x);
+    low = Math.min(low, from.y, to.y);
+    right = Math.max(right, from.x, to.x);
+    high = Math.max(high, from.y, to.y);
+  }
+  return { left, low, right, high };
+}
+
 /** The picture of a milled part seen from above, Y up; null where nothing is milled. */
 export function planeThumbnailOf(moves: readonly PlaneMove[], stock: Cuboid | null = null): Thumbnail | null {
   const cut = moves.filter((move) => isIn(stock, move));
   if (cut.length === 0) return null;
-  const ends = cut.flatMap(({ from, to }) => [from, to]);
-  const [xs, ys] = [ends.map(({ x }) => x), ends.map(({ y }) => y)];
-  const { left, low, right, high } = stock ?? {
-    left: Math.min(...xs),
-    low: Math.min(...ys),
-    right: Math.max(...xs),
-    high: Math.max(...ys),
-  };
+  const { left, low, right, high } = stock ?? around(cut);
   const air = Math.max(right - left, high - low) * AIR_OF_PLANE,
     box = viewBox(left - air, low - air, right + air, high + air);
-  const ways = new Map<number, string>();
+  const fine = box[2] * FINE;
+  const cell = ({ x, y }: PlanePoint) => `${Math.round(x / fine)} ${Math.round(y / fine)}`;
+  const ways = new Map<number, { d: string; readonly drawn: Set<string> }>();
   for (const { from, to, centre, turn, radius } of cut) {
+    const way = ways.get(2 * radius) ?? { d: "", drawn: new Set() };
+    ways.set(2 * radius, way);
+    const key = `${cell(from)} ${cell(to)} ${turn ?? ""}`;
+    // Long programs pass the same places many times.
+    if (way.drawn.has(key) || way.drawn.size === MOST_WAYS) continue;
+    way.drawn.add(key);
     const path =
       centre && turn ? ({ kind: "arc", from, to, centre, turn } as const) : ({ kind: "line", from, to } as const);
-    const places = plane.flattened(path, box[2] * FINE).map(({ x, y }) => `${n(x)} ${n(-y)}`);
-    ways.set(2 * radius, `${ways.get(2 * radius) ?? ""}M${places.join("L")}`);
+    way.d += `M${plane
+      .flattened(path, fine)
+      .map(({ x, y }) => `${n(x)} ${n(-y)}`)
+      .join("L")}`;
   }
   return {
     box,
@@ -117,7 +135,7 @@ export function planeThumbnailOf(moves: readonly PlaneMove[], stock: Cuboid | nu
     blank: "",
     milled: {
       stock: stock && viewBox(left, low, right, high),
-      ways: [...ways].map(([wide, d]) => ({ d, wide: Number(n(wide)) })),
+      ways: [...ways].map(([wide, { d }]) => ({ d, wide: Number(n(wide)) })),
     },
   };
 }

@@ -46,7 +46,7 @@ export function operationCount(
   const listed = operationsOf(program).units.filter(
     (own) =>
       !isOff(program, own) &&
-      numbers.some((block, i) => i >= own.from && i < own.to && (cutting.has(i) || called.has(block))),
+      numbers.slice(own.from, own.to).some((block, i) => cutting.has(own.from + i) || called.has(block)),
   );
   return Math.max(operations.length, listed.length);
 }

@@ -8,7 +8,7 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { closeRestore, type PendingRestore } from "../../app/records/pending-restore.ts";
 import { BOXES, TABLES } from "../../app/records/parts.ts";
 import { LongWait } from "../../app/calculation/LongWait.tsx";
-import { LongList } from "./LongList.tsx";
+import { LongList } from "../../app/base/LongList.tsx";
 import {
   boxOffer,
   DEFAULT_CHOICES,

@@ -1,5 +1,5 @@
 import { useState } from "react";
-import { LongList } from "./LongList.tsx";
+import { LongList } from "../../app/base/LongList.tsx";
 import { Icon } from "../../app/base/Icon.tsx";
 import { downloadText } from "../../app/base/download.ts";
 import { asideRows, forgetAside } from "../../app/base/set-aside.ts";

@@ -15,7 +15,7 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { TableStatus } from "../../app/fields/table/TableStatus.tsx";
 import { listWorks, WORK_ORDERS, type WorkOrder } from "./list-works.ts";
 import { sizeWords } from "./size-words.ts";
-import { LongList } from "./LongList.tsx";
+import { LongList } from "../../app/base/LongList.tsx";
 import { useListActions } from "./use-list-actions.ts";
 import { WorkRow } from "./WorkRow.tsx";
 import "./works.css";

@@ -19,7 +19,7 @@ import type { HeldBar } from "../../report/advice/stability.ts";
 import { outlinesOf } from "../../sim/outlines.ts";
 import { needsBoreBehind } from "../../sim/tool-limits.ts";
 import type { OpenRegion } from "../open-regions.ts";
-import { perObject } from "../per-object.ts";
+import { perObject } from "../../nc/per-object.ts";
 import type { Action, ActionKind, PlanRequest } from "../types.ts";
 import { barDiameter } from "../values/cutting-values.ts";
 import { clearRadius } from "./bore.ts";

@@ -10,7 +10,7 @@ import type { SetJob } from "../../program/job/job.ts";
 import { tipAtCall } from "../../program/job/requested-job.ts";
 import { checkTool } from "../../program/tools/check-tool.ts";
 import { fitOf, type ToolFit } from "../../program/tools/which-tool.ts";
-import { perObject } from "../per-object.ts";
+import { perObject } from "../../nc/per-object.ts";
 import type { Action, ActionKind, PlanRequest, PlanState } from "../types.ts";
 import { planOf } from "./contour-job.ts";
 import { withValues, type CutRequest } from "./values-of-job.ts";

@@ -14,7 +14,7 @@ import { readDraft } from "../../program/job/read-draft.ts";
 import { jobFor, tipAtCall } from "../../program/job/requested-job.ts";
 import { boxAroundContour, cylinderAround } from "../../program/job/requested-shape.ts";
 import { positionAsTyped } from "../../program/values/typed-value.ts";
-import { perObject, perText } from "../per-object.ts";
+import { perObject, perText } from "../../nc/per-object.ts";
 import { highest } from "./outside-work.ts";
 
 /** Clearance of a start point in front of the stock, and above it where the tool goes down into a valley, mm. */

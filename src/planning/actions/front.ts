@@ -1,7 +1,7 @@
 import { part, type Segment } from "../../kernel/geometry/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { THICKEST } from "../apply-action.ts";
-import { perObject } from "../per-object.ts";
+import { perObject } from "../../nc/per-object.ts";
 import type { Chain } from "../types.ts";
 
 /** A chain without the faces in front of it, which facing takes. */

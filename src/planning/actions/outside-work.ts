@@ -6,7 +6,7 @@ import { CHORD, SAME, SLIVER } from "../../kernel/tolerance.ts";
 import { perSide, diameter } from "../../kernel/units.ts";
 import { regionsOf } from "../../sim/region.ts";
 import { LEAST_REGION, type OpenRegion } from "../open-regions.ts";
-import { perObject, perText, type PerText } from "../per-object.ts";
+import { perObject, perText, type PerText } from "../../nc/per-object.ts";
 import { withoutEdge, withoutFront } from "./front.ts";
 import { isValley, pocketsOf, type Pocket } from "./pockets.ts";
 import { ofPieces } from "../stock-key.ts";

@@ -1,7 +1,7 @@
 import { at, part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { CHORD, SAME } from "../../kernel/tolerance.ts";
 import { radians } from "../../kernel/units.ts";
-import { perObject } from "../per-object.ts";
+import { perObject } from "../../nc/per-object.ts";
 import type { Chain, ElementMark } from "../types.ts";
 
 /** A part of the chain below the level of its surroundings: a groove or a valley, radial or in a face. */

@@ -1,7 +1,7 @@
 import { worksAcross } from "../../cycles/use.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
 import { withValue } from "../../program/job/requested-job.ts";
-import { perObject } from "../per-object.ts";
+import { perObject } from "../../nc/per-object.ts";
 import type { Action, ActionKind, ActionSource, Chain, PlanRequest } from "../types.ts";
 import { bestWays, notDone, outsideTools, type Candidate } from "./candidates.ts";
 import { contourJob, type Way } from "./contour-job.ts";

@@ -3,7 +3,7 @@ import { useOf, worksAcross } from "../../cycles/use.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
 import { withCycleValues } from "../../program/job/requested-job.ts";
-import { perObject } from "../per-object.ts";
+import { perObject } from "../../nc/per-object.ts";
 import type { Action, ActionSource, Chain, PlanRequest } from "../types.ts";
 import { actionsOf, notDone, outsideTools } from "./candidates.ts";
 import { isToleranced } from "./finest.ts";

@@ -15,7 +15,7 @@ import type { Tool } from "../../kernel/plan/tool.ts";
 import type { Action, Chain, PlanRequest } from "../types.ts";
 import { actionOf, deepest, fitted, isRefused, type Better, type Candidate, type Fitted } from "./candidates.ts";
 import { contourJob, planOf } from "./contour-job.ts";
-import { perObject, perText } from "../per-object.ts";
+import { perObject, perText } from "../../nc/per-object.ts";
 import type { OutsideWork, Piece } from "./outside-work.ts";
 import { withoutFront } from "./front.ts";
 import { bridgedOver, isValley, type Pocket } from "./pockets.ts";

@@ -7,7 +7,7 @@ import type { Tool } from "../../kernel/plan/tool.ts";
 import { usualTable } from "../../program/tools/cutting-table.ts";
 import type { SetJob } from "../../program/job/job.ts";
 import { withCycleValues } from "../../program/job/requested-job.ts";
-import { perObject } from "../per-object.ts";
+import { perObject } from "../../nc/per-object.ts";
 import type { PlanRequest, ReasonedValue } from "../types.ts";
 import { withCuttingValues, type ValuesOfCycle } from "../values/cycle-values.ts";
 import { cuttingValues } from "../values/cutting-values.ts";

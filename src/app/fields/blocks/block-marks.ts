@@ -1,6 +1,6 @@
 import { RangeSet, StateEffect, type Range, StateField, type EditorState, type Extension } from "@codemirror/state";
 import { Decoration, EditorView, GutterMarker, gutter, type DecorationSet } from "@codemirror/view";
-import { blockNumbers, type Program } from "../../../nc/program.ts";
+import { blockNumbers } from "../../../nc/program.ts";
 import { blockAt } from "../../../nc/reread.ts";
 import { blockRange, cursorBlock, readingField } from "./reading-field.ts";
 
@@ -58,13 +58,6 @@ function optionalIn({ state, visibleRanges }: EditorView): DecorationSet {
 
 const optionalBlocks = EditorView.decorations.of(optionalIn);
 
-const numbers = new WeakMap<Program, readonly number[]>();
-function numbersOf(program: Program): readonly number[] {
-  const known = numbers.get(program) ?? blockNumbers(program);
-  numbers.set(program, known);
-  return known;
-}
-
 class NumberMarker extends GutterMarker {
   constructor(readonly text: string) {
     super();
@@ -86,7 +79,7 @@ const countedNumbers = gutter({
     const block = reading.program.blocks[index];
     if (!block || reading.starts[index] !== line.from || block.number !== null) return null;
     if (block.statement.kind === "empty" || block.statement.kind === "comment") return null;
-    return new NumberMarker(String(numbersOf(reading.program)[index] ?? ""));
+    return new NumberMarker(String(blockNumbers(reading.program)[index] ?? ""));
   },
   lineMarkerChange: (update) => update.state.field(readingField) !== update.startState.field(readingField),
   markers: () => RangeSet.empty,

@@ -3,16 +3,17 @@ import plate from "../../../examples/plate.h?raw";
 import { parse } from "../../../nc/parse.ts";
 import { run } from "../../../program/run/run.ts";
 import { shippedTools } from "../../../program/tools/shipped-tools.ts";
-import { operationRows, pathPicture } from "./operation-rows.ts";
+import { motionsOf, operationRows, pathPicture } from "./operation-rows.ts";
 
 const shop = { tools: shippedTools, rapid: 10_000 };
 
 test("an operation without a cycle is drawn by its own path", () => {
   const milled = run(parse(plate), shop);
-  const [square, rounded] = [pathPicture(milled, 6, 18), pathPicture(milled, 18, 34)];
+  const pictureOf = (from: number, to: number) => pathPicture(motionsOf(milled)(from, to), milled.cuboid);
+  const [square, rounded] = [pictureOf(6, 18), pictureOf(18, 34)];
   expect(square?.milled?.stock).not.toBeNull();
   expect(rounded?.milled?.ways).not.toEqual(square?.milled?.ways);
-  expect(pathPicture(milled, 0, 6)).toBeNull();
+  expect(pictureOf(0, 6)).toBeNull();
 });
 
 test("a path turned block by block has Z to the right and X upwards", () => {
@@ -23,7 +24,10 @@ test("a path turned block by block has Z to the right and X upwards", () => {
     ),
     shop,
   );
-  expect(pathPicture(turned, 0, 9)?.milled).toEqual({ stock: null, ways: [{ d: "M2 -20L-20 -20", wide: 0 }] });
+  expect(pathPicture(motionsOf(turned)(0, 9), null)?.milled).toEqual({
+    stock: null,
+    ways: [{ d: "M2 -20L-20 -20", wide: 0 }],
+  });
 });
 
 test.each([

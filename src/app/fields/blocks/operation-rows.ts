@@ -1,13 +1,17 @@
 import { planePoint } from "../../../kernel/plane/plane.ts";
+import type { Cuboid } from "../../../kernel/area/box.ts";
+import type { Step } from "../../../kernel/time/step.ts";
+import { placeInSorted } from "../../../program/run/path-index.ts";
 import type { Run } from "../../../program/state/run-types.ts";
+import type { PlaneStep } from "../../../program/tools/plane-types.ts";
 import { planeThumbnailOf, type Thumbnail } from "../../../view/thumbnail.ts";
-import { blockNumbers, startLines, type Program } from "../../../nc/program.ts";
+import { startLines, type Program } from "../../../nc/program.ts";
 import type { Severity } from "../../../kernel/plan/issue.ts";
 import type { Tool } from "../../../kernel/plan/tool.ts";
 import { canBeFinished } from "../../../program/edits/finishing-operation.ts";
 import { isOff, operationsOf, wholeOf, type FixedReason } from "../../../program/edits/operations.ts";
 import type { Outcome } from "../../calculation/outcome.ts";
-import { doneByLine, firstLine, type Done } from "./program-parts.ts";
+import { doneByLine, type Done } from "./program-parts.ts";
 import type { FindingEntry } from "../../findings/entry.ts";
 import { indexOf } from "./repairs.ts";
 
@@ -38,7 +42,6 @@ export interface OperationRow {
   /** Result of its calls; null if none was run. */
   readonly done: Done | null;
   readonly findings: { readonly count: number; readonly severity: Severity } | null;
-  readonly blocks: readonly { readonly index: number; readonly number: number; readonly text: string }[];
 }
 
 /** The block that opens with an operation. */
@@ -47,29 +50,36 @@ export function openingBlock(program: Program, unit: number): number | null {
   return own ? (own.definitions[0] ?? own.from) : null;
 }
 
-/** Run time of a block range, s. */
-function secondsIn({ run }: Outcome, from: number, to: number): number {
-  const turned = run.steps.reduce((sum, step, i) => {
-    const block = run.stepBlocks[i] ?? -1;
-    return block >= from && block < to ? sum + step.seconds : sum;
-  }, 0);
-  return run.plane.reduce((sum, step) => (step.index >= from && step.index < to ? sum + step.seconds : sum), turned);
+/** The motions of a run in its turning and in its milling plane, in the order of the blocks that say it. */
+interface Motions {
+  readonly turned: readonly Step[];
+  readonly milled: readonly PlaneStep[];
 }
 
-/** The path of a block range as a small picture: milled in X/Y, or turned in Z/X. */
-export function pathPicture({ plane, cuboid, steps, stepBlocks }: Run, from: number, to: number): Thumbnail | null {
-  const milled = planeThumbnailOf(
-    plane.filter(({ index }) => index >= from && index < to),
-    cuboid,
-  );
-  if (milled) return milled;
-  const turned = steps.flatMap(({ from: start, move: { kind, to: end } }, i) => {
-    const block = stepBlocks[i] ?? -1;
-    if (block < from || block >= to) return [];
-    // A line without width: in a section, the tool is no disc.
-    return [{ kind, from: { ...planePoint(start), z: null }, to: { ...planePoint(end), z: null }, radius: 0 }];
-  });
-  return planeThumbnailOf(turned);
+/** Finds those of a list whose blocks lie in a range: sorted once, since a program has many ranges. */
+function byBlock<T>(all: readonly T[], blockOf: (each: T, i: number) => number) {
+  const placed = all.map((each, i) => ({ each, block: blockOf(each, i) })).sort((a, b) => a.block - b.block);
+  const blocks = placed.map(({ block }) => block);
+  return (from: number, to: number): readonly T[] =>
+    placed.slice(placeInSorted(blocks, from), placeInSorted(blocks, to)).map(({ each }) => each);
+}
+
+/** Finds the motions of a run in a range of blocks. */
+export function motionsOf({ steps, stepBlocks, plane }: Run): (from: number, to: number) => Motions {
+  const turnedIn = byBlock(steps, (_, i) => stepBlocks[i] ?? -1);
+  const milledIn = byBlock(plane, ({ index }) => index);
+  return (from, to) => ({ turned: turnedIn(from, to), milled: milledIn(from, to) });
+}
+
+const secondsOf = ({ turned, milled }: Motions) =>
+  [...turned, ...milled].reduce((sum, { seconds }) => sum + seconds, 0);
+
+/** A path as a small picture: milled in X/Y, or turned in Z/X. */
+export function pathPicture({ turned, milled }: Motions, cuboid: Cuboid | null): Thumbnail | null {
+  // A line without width: in a section, the tool is no disc.
+  const inSection = ({ from, move: { kind, to } }: Step) =>
+    ({ kind, from: { ...planePoint(from), z: null }, to: { ...planePoint(to), z: null }, radius: 0 }) as const;
+  return planeThumbnailOf(milled, cuboid) ?? planeThumbnailOf(turned.map(inSection));
 }
 
 function added(all: readonly (Done | undefined)[]): Done | null {
@@ -81,12 +91,6 @@ function added(all: readonly (Done | undefined)[]): Done | null {
         seconds: sum.seconds + each.seconds,
         residue: sum.residue + each.residue,
       }));
-}
-
-/** Whether the last mode set before a block is turning. */
-function turnsBefore(program: Program, index: number): boolean {
-  const mode = program.blocks.slice(0, index).findLast(({ statement }) => statement.kind === "mode")?.statement;
-  return mode?.kind === "mode" && mode.mode === "TURN";
 }
 
 /** The operations of a text for the list; `outcome` and `entries` belong to that text. */
@@ -105,10 +109,20 @@ export function operationRows(
   },
 ): readonly OperationRow[] {
   const all = operationsOf(program);
-  const numbers = blockNumbers(program);
   const lines = startLines(program);
   const done = outcome ? doneByLine(outcome, file) : null;
-  const places = entries.map((entry) => ({ at: indexOf(program, entry), severity: entry.issue.severity }));
+  const placesIn = byBlock(entries, (entry) => indexOf(program, entry));
+  const motionsIn = outcome && file === null ? motionsOf(outcome.run) : null;
+  let turns = false,
+    read = 0;
+  /** Whether the last mode set before a block is turning; asked in their order. */
+  const turnsBefore = (index: number): boolean => {
+    for (; read < index; read += 1) {
+      const statement = program.blocks[read]?.statement;
+      if (statement?.kind === "mode") turns = statement.mode === "TURN";
+    }
+    return turns;
+  };
   return all.units.map((own, unit): OperationRow => {
     const { from, to } = wholeOf(all, unit);
     const called = own.toolCall === null ? undefined : program.blocks[own.toolCall]?.statement;
@@ -118,25 +132,22 @@ export function operationRows(
           ? called.tool.parameter
           : String(called.tool)
         : null;
-    const here = places.filter(({ at }) => at >= from && at < to).map(({ severity }) => severity);
+    const here = placesIn(from, to).map(({ issue }) => issue.severity);
     const worst = (["error", "warning", "info"] as const).find((each) => here.includes(each));
-    const did = added(own.definitions.map((index) => done?.get(lines[index] ?? 0)));
-    const seconds = outcome && file === null ? secondsIn(outcome, from, to) : 0;
+    const result = added(own.definitions.map((index) => done?.get(lines[index] ?? 0)));
+    const motions = motionsIn?.(from, to);
+    const seconds = motions ? secondsOf(motions) : 0;
     const cycles = own.definitions.flatMap((index) => {
       const s = program.blocks[index]?.statement;
       return s?.kind === "cycle" || s?.kind === "cycleLine" ? [s.cycle] : [];
     });
     // Before the first run, the mode of the machine tells it.
-    const isMilled =
-      file === null &&
-      (outcome
-        ? outcome.run.plane.some(({ index }) => index >= from && index < to)
-        : cycles.length === 0 && !turnsBefore(program, to));
+    const isMilled = file === null && (motions ? motions.milled.length > 0 : cycles.length === 0 && !turnsBefore(to));
     return {
       unit,
       title: own.title,
       cycles,
-      path: outcome && file === null && cycles.length === 0 ? pathPicture(outcome.run, from, to) : null,
+      path: outcome && motions && cycles.length === 0 ? pathPicture(motions, outcome.run.cuboid) : null,
       tool,
       // A milling cutter may have the number of a turning tool.
       known: isMilled ? null : (tools.find(({ T, NAME }) => String(T) === tool || NAME === tool) ?? null),
@@ -147,17 +158,12 @@ export function operationRows(
       from,
       to,
       opens: own.definitions[0] ?? own.from,
-      done: did
-        ? { ...did, seconds: Math.max(seconds, did.seconds) }
+      done: result
+        ? { ...result, seconds: Math.max(seconds, result.seconds) }
         : seconds > 0
           ? { passes: 0, seconds, residue: 0 }
           : null,
       findings: worst ? { count: here.length, severity: worst } : null,
-      blocks: program.blocks
-        .slice(from, to)
-        .flatMap(({ raw, statement }, i) =>
-          statement.kind === "empty" ? [] : [{ index: from + i, number: numbers[from + i] ?? 0, text: firstLine(raw) }],
-        ),
     };
   });
 }

@@ -10,6 +10,7 @@ import type { Statement } from "../../../nc/statement.ts";
 import { noWords } from "../../../nc/words.ts";
 import { roundedTo } from "../../../program/values/field.ts";
 import { startOfCut, INTENDED_CUT } from "../../../program/state/intended-cuts.ts";
+import { placeInSorted } from "../../../program/run/path-index.ts";
 import type { NcOutput } from "../../../program/machine/nc-output.ts";
 import { outputIn } from "../../../program/edits/output-in.ts";
 import { STOPS_SPINDLE } from "../../../program/blocks/spindle-start.ts";
@@ -23,7 +24,7 @@ import { withContour, withContourNamed } from "./missing-contour.ts";
 
 /** Index of the block that a finding belongs to; -1 when it belongs to none. */
 export function indexOf(program: Program, { line, block }: Pick<FindingEntry, "line" | "block">): number {
-  if (line !== null) return startLines(program).findLastIndex((start) => start <= line);
+  if (line !== null) return placeInSorted(startLines(program), line + 1) - 1;
   return block === null ? -1 : blockNumbers(program).indexOf(block);
 }
 

@@ -1,11 +1,14 @@
-import { useRef } from "react";
+import { useMemo, useRef } from "react";
 import { Drawing } from "../../../app/fields/chooser/Drawing.tsx";
 import { PartPicture } from "../../../app/fields/kept/PartPicture.tsx";
 import { menuCycle } from "../../../app/fields/chooser/menu.ts";
 import { chooseOpenBlock } from "../../../app/fields/blocks/choose-block.ts";
-import { openBlock } from "../../../app/fields/blocks/session.ts";
+import { firstLine } from "../../../app/fields/blocks/program-parts.ts";
+import { openBlock, useSession } from "../../../app/fields/blocks/session.ts";
 import { Icon, type IconName } from "../../../app/base/Icon.tsx";
+import { LongList } from "../../../app/base/LongList.tsx";
 import { Message } from "../../../app/base/Message.tsx";
+import { blockNumbers } from "../../../nc/program.ts";
 import { InsertDrawing } from "../../../app/pictures/lathe/InsertDrawing.tsx";
 import { useLengths } from "../../../app/calculation/lengths.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
@@ -30,16 +33,60 @@ interface Props {
   readonly onDrop: (to: number) => void;
 }
 
+/** The operation of an entry of the list. */
+export const unitOf = (item: Element | null): number | null =>
+  item instanceof HTMLElement ? Number(item.dataset["unit"]) : null;
+
 /** Marks the drop place; none for null. */
 function markPlace(list: Element | null, to: number | null): void {
-  [...(list?.children ?? [])].forEach((item, i) => item.classList.toggle("is-target", i === to));
+  for (const item of list?.children ?? []) item.classList.toggle("is-target", unitOf(item) === to);
 }
 
-/** Index of the place under the pointer. */
+/** The operation under the pointer. */
 function placeAt(list: Element | null, y: number): number {
   const items = [...(list?.children ?? [])];
-  const found = items.findIndex((item) => y < item.getBoundingClientRect().bottom);
-  return found < 0 ? items.length - 1 : found;
+  return unitOf(items.find((item) => y < item.getBoundingClientRect().bottom) ?? items.at(-1) ?? null) ?? 0;
+}
+
+/** The blocks of an operation; the open one is among those shown. */
+function OperationBlocks({
+  row: { from, to },
+  title,
+  index,
+}: Pick<Props, "row" | "index"> & { readonly title: string }) {
+  const words = useTexts().operations;
+  const program = useSession((s) => s.reading.program);
+  const all = useMemo(
+    () => program.blocks.slice(from, to).flatMap((block, i) => (block.statement.kind === "empty" ? [] : [from + i])),
+    [program, from, to],
+  );
+  return (
+    <LongList
+      className="operation-blocks"
+      aria-label={words.blocksOf(title)}
+      isOrdered
+      all={all}
+      around={all.indexOf(index)}
+      more={words.more}
+      earlier={words.earlier}
+      row={(at) => (
+        <li key={at}>
+          <button
+            type="button"
+            className="number operation-block"
+            aria-current={at === index ? "true" : undefined}
+            onClick={() => {
+              openBlock(at);
+              chooseOpenBlock();
+            }}
+          >
+            <span className="soft">{blockNumbers(program)[at]}</span>{" "}
+            <span>{firstLine(program.blocks[at]?.raw ?? "")}</span>
+          </button>
+        </li>
+      )}
+    />
+  );
 }
 
 /** One operation: its name, results, actions and blocks. */
@@ -68,7 +115,12 @@ export function OperationItem({ row, last, isCurrent, isOpen, index, onAct, onDr
     markPlace(item.current?.parentElement ?? null, null);
   };
   return (
-    <li ref={item} className={`operation${row.isOff ? " is-off" : ""}`} aria-current={isCurrent ? "step" : undefined}>
+    <li
+      ref={item}
+      data-unit={row.unit}
+      className={`operation${row.isOff ? " is-off" : ""}`}
+      aria-current={isCurrent ? "step" : undefined}
+    >
       <div className="operation-head">
         <button
           type="button"
@@ -151,23 +203,7 @@ export function OperationItem({ row, last, isCurrent, isOpen, index, onAct, onDr
               {words.ties[row.tie]}
             </Message>
           )}
-          <ol className="operation-blocks" aria-label={words.blocksOf(title)}>
-            {row.blocks.map((block) => (
-              <li key={block.index}>
-                <button
-                  type="button"
-                  className="number operation-block"
-                  aria-current={block.index === index ? "true" : undefined}
-                  onClick={() => {
-                    openBlock(block.index);
-                    chooseOpenBlock();
-                  }}
-                >
-                  <span className="soft">{block.number}</span> <span>{block.text}</span>
-                </button>
-              </li>
-            ))}
-          </ol>
+          <OperationBlocks row={row} title={title} index={index} />
         </>
       )}
     </li>

@@ -8,6 +8,7 @@ import { useShownOtherFile } from "../../../app/document/shown-file.ts";
 import { findingsHere } from "../../../app/document/shown-findings.ts";
 import { useListed } from "../../../app/findings/use-findings.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
+import { LongList } from "../../../app/base/LongList.tsx";
 import { lazyPart } from "../../../app/base/parts.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { useToolList } from "../../../app/document/work-tools.ts";
@@ -21,7 +22,7 @@ import {
 } from "./change-operation.ts";
 import { askForOperation } from "../../../app/document/inserting.ts";
 import { operationRows, type OperationRow } from "../../../app/fields/blocks/operation-rows.ts";
-import { OperationItem, type OperationAct } from "./OperationItem.tsx";
+import { OperationItem, unitOf, type OperationAct } from "./OperationItem.tsx";
 import { titleOf } from "../../../app/fields/blocks/words.ts";
 import "./operations.css";
 
@@ -60,11 +61,11 @@ export function OperationList({ filter }: { readonly filter: ReactNode }) {
   const [folded, fold] = useState(false);
   const [refused, refuse] = useState<Refusal | null>(null);
   const [retooled, retool] = useState<{ readonly row: OperationRow; readonly finishes: boolean } | null>(null);
-  const list = useRef<HTMLOListElement>(null);
+  const list = useRef<HTMLDivElement>(null);
   const goTo = useRef<number | null>(null);
   const current = rows.findLast(({ from, to }) => index >= from && index < to)?.unit ?? -1;
 
-  const head = (unit: number) => list.current?.children.item(unit)?.querySelector<HTMLElement>(".operation-open");
+  const head = (unit: number) => list.current?.querySelector<HTMLElement>(`[data-unit="${unit}"] .operation-open`);
   useEffect(() => {
     if (goTo.current === null) return;
     head(Math.min(goTo.current, rows.length - 1))?.focus();
@@ -105,15 +106,14 @@ export function OperationList({ filter }: { readonly filter: ReactNode }) {
     }
   };
   const onKeyDown = (event: KeyboardEvent) => {
-    const at = [...(list.current?.children ?? [])].findIndex((item) => item.contains(event.target as Node));
-    const row = rows[at];
+    const row = rows[unitOf((event.target as HTMLElement).closest("[data-unit]")) ?? -1];
     if (!row || event.ctrlKey || event.metaKey || !(event.target as HTMLElement).matches(".operation-open")) return;
     const way = event.key === "ArrowUp" ? -1 : event.key === "ArrowDown" ? 1 : 0;
     if (way === 0 && event.key !== "Delete") return;
     event.preventDefault();
     if (event.key === "Delete") act(row, "remove");
     else if (event.altKey) act(row, way < 0 ? "up" : "down");
-    else head(at + way)?.focus();
+    else head(row.unit + way)?.focus();
   };
 
   const why =
@@ -142,9 +142,17 @@ export function OperationList({ filter }: { readonly filter: ReactNode }) {
         )}
       </p>
       {rows.length === 0 && <p className="soft structure-empty">{words.none}</p>}
-      <div className="operations-list">
-        <ol ref={list} aria-label={words.list} aria-busy={outcome === null} onKeyDown={onKeyDown}>
-          {rows.map((row) => (
+      <div ref={list} className="operations-list">
+        <LongList
+          aria-label={words.list}
+          aria-busy={outcome === null}
+          onKeyDown={onKeyDown}
+          isOrdered
+          all={rows}
+          around={current}
+          more={words.more}
+          earlier={words.earlier}
+          row={(row) => (
             <OperationItem
               key={row.unit}
               row={row}
@@ -155,8 +163,8 @@ export function OperationList({ filter }: { readonly filter: ReactNode }) {
               onAct={(what) => act(row, what)}
               onDrop={(to) => to !== row.unit && tell(moveOperation(row.unit, to), to)}
             />
-          ))}
-        </ol>
+          )}
+        />
       </div>
       {retooled && (
         <ToolDialog

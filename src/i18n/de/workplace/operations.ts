@@ -13,6 +13,8 @@ export const operations = {
   off: "übersprungen",
   blocks: (n) => (n === 1 ? "1 Satz" : `${n} Sätze`),
   blocksOf: (title) => `Sätze von ${title}`,
+  more: (n) => `${n} weitere zeigen`,
+  earlier: (n) => `${n} frühere zeigen`,
   findings: (n) => (n === 1 ? "1 Prüfmeldung" : `${n} Prüfmeldungen`),
   actions: (title) => `${title} ändern`,
   duplicate: "Duplizieren",

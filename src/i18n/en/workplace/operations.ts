@@ -14,6 +14,8 @@ export const operations = {
   off: "skipped",
   blocks: (n: number) => (n === 1 ? "1 block" : `${n} blocks`),
   blocksOf: (title: string) => `Blocks of ${title}`,
+  more: (n: number) => `Show ${n} more`,
+  earlier: (n: number) => `Show ${n} earlier`,
   findings: (n: number) => (n === 1 ? "1 finding" : `${n} findings`),
   actions: (title: string) => `Change ${title}`,
   duplicate: "Duplicate",

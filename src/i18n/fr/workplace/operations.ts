@@ -13,6 +13,8 @@ export const operations = {
   off: "ignorée",
   blocks: (n) => (n === 1 ? "1 séquence" : `${n} séquences`),
   blocksOf: (title) => `Séquences de ${title}`,
+  more: (n) => `Afficher ${n} de plus`,
+  earlier: (n) => `Afficher les ${n} précédentes`,
   findings: (n) => (n === 1 ? "1 message" : `${n} messages`),
   actions: (title) => `Modifier ${title}`,
   duplicate: "Dupliquer",

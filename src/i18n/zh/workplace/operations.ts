@@ -13,6 +13,8 @@ export const operations = {
   off: "已跳过",
   blocks: (n) => `${n} 个程序段`,
   blocksOf: (title) => `“${title}”的程序段`,
+  more: (n) => `再显示后面 ${n} 项`,
+  earlier: (n) => `再显示前面 ${n} 项`,
   findings: (n) => `${n} 条检查信息`,
   actions: (title) => `更改“${title}”`,
   duplicate: "复制",
