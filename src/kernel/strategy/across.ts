@@ -69,7 +69,7 @@ export function withAxisCheck(plan: Plan, setting: PlanContext, role: "startU" |
   if (!(plan.moves.length > 0)) return plan;
   const missing = role === "startV" && plan.openSide.r < 0 ? boreMissing(plan, setting, lowest) : null;
   if (missing) return withoutPath(plan, missing);
-  if (Math.min(start.r, ...plan.moves.map((m) => m.to.r)) + lowest > -SAME) return plan;
+  if ([start, ...plan.moves.map((m) => m.to)].every(({ r }) => r + lowest > -SAME)) return plan;
   let from = start;
   for (const to of plan.moves.flatMap((m, i) => waypoints(plan.moves[i - 1]?.to ?? start, m))) {
     const across = overlapAcrossAxis(outline, Math.min(from.r, to.r));

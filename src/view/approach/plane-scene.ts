@@ -57,9 +57,8 @@ export function planeScene(
   contours: readonly (readonly PlaneSegment[])[],
   leads: ReadonlySet<number>,
 ): PlaneScene {
-  const ways: Record<PlaneRole, PlaneSegment[]> = { contour: [], rapid: [], feed: [], lead: [] };
+  const ways: Record<PlaneRole, PlaneSegment[]> = { contour: contours.flat(), rapid: [], feed: [], lead: [] };
   for (const m of motions) ways[isRapid(m) ? "rapid" : leads.has(m.index) ? "lead" : "feed"].push(wayOf(m));
-  ways.contour.push(...contours.flat());
   const box = reachOf(motions);
   const drawn = boundsOf(ways.contour.flatMap((s) => [s.from, s.to]).map(partPoint));
   const all = joined(box, drawn) ?? EMPTY;

@@ -38,7 +38,7 @@ function linesOf(
     const key = `${tone} ${limited}`,
       line = drawn.get(key) ?? { tone, limited, segments: [] };
     drawn.set(key, line);
-    line.segments.push(...segments);
+    for (const segment of segments) line.segments.push(segment);
   }
   const order = (line: Drawn) => (line.tone ?? -1) + (line.limited ? 0.5 : 0);
   return [...drawn.values()]
