@@ -57,6 +57,13 @@ describe("a milled part seen from above, Y up", () => {
     expect(made?.milled?.ways[1]?.d).toBe("M0 -9L30 -9");
   });
 
+  test("a path of 200,000 moves is drawn without those that lie on others", () => {
+    const long = Array.from({ length: 200_000 }, (_, i) => move("feed", [i % 7, 0, -1], [(i + 1) % 7, 5, -1]));
+    const made = planeThumbnailOf(long);
+    expect(made?.box).toEqual(planeThumbnailOf(long.slice(0, 14))?.box);
+    expect(made?.milled?.ways[0]?.d.split("M")).toHaveLength(8);
+  });
+
   test("arcs stay round", () => {
     const arc = {
       ...move("feed", [10, 0, -3], [-10, 0, -3]),
