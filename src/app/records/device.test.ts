@@ -63,6 +63,11 @@ test("a list holds no texts of programs", async () => {
   expect((await readWork("p"))?.job).toMatchObject({ name: "LONG.H" });
 });
 
+test("a work without a name is listed by its first block", async () => {
+  await keepWork("p", { name: " ", text: "0 BEGIN PGM BUSH MM\n", encoding: "utf-8" });
+  expect((await findWorks()).works.map(({ name }) => name)).toEqual(["BUSH.h"]);
+});
+
 test("works of an edition without summaries are found, and read only once", async () => {
   await keepWork("old", { ...job, name: "OLD" }, 41);
   device.stores.delete("turnwise-heads");

@@ -1,6 +1,7 @@
 import { z } from "zod/mini";
 import { time } from "../base/clock.ts";
 import { amount, moment, whole } from "../../program/files/bounded.ts";
+import { fileNameOf } from "../base/file-name.ts";
 import { database, isSilent } from "../base/database.ts";
 import { isProgram, textsOf, type Work } from "../document/work.ts";
 import { isNewer, nameIn, readSave, SAVE_VERSION, type SaveFile } from "./save-file.ts";
@@ -74,10 +75,14 @@ const sizeOf = (job: Work): number =>
     ? textsOf(job).reduce((sum, { name, text }) => sum + name.length + text.length, 0)
     : JSON.stringify(job).length;
 
+/** What a work is called in a list: a file of another program may hold one without a name. */
+export const nameOfWork = (job: Work): string =>
+  job.name.trim() === "" ? fileNameOf(isProgram(job) ? job.text : "") : job.name;
+
 type Head = Omit<WorkSummary, "work">;
 const headOf = ({ savedAt, job }: Pick<SaveFile, "savedAt" | "job">): Head => ({
   savedAt,
-  name: job.name,
+  name: nameOfWork(job),
   cycle: isProgram(job) ? null : job.cycle,
   size: sizeOf(job),
   ...(job.task && { task: job.task.id }),

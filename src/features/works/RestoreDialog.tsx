@@ -1,4 +1,5 @@
 import { useEffect, useId, useState } from "react";
+import { nameOfWork } from "../../app/records/device.ts";
 import type { DeviceTexts } from "../../i18n/en/device.ts";
 import { goToEntrance } from "../../app/document/go-home.ts";
 import { Icon } from "../../app/base/Icon.tsx";
@@ -137,7 +138,7 @@ function Content({
                     }
                   />
                   <span>
-                    <b className="kept-name">{job.name}</b>{" "}
+                    <b className="kept-name">{nameOfWork(job)}</b>{" "}
                     <span className="small">
                       {"cycle" in job ? `${job.cycle} ${menu.of[job.cycle]?.name ?? ""}` : list.program}
                     </span>{" "}
