@@ -55,6 +55,9 @@ test("a milled program shows its plane and its stock; its approach is edited in 
   await expect(view).toBeVisible();
   // The first approach is named before anything is chosen.
   await expect(view.locator(".plane-points text")).toHaveText(["PS", "X−10 Y−10", "PH", "X−5 Y−5", "PA", "X+5 Y+5"]);
+  // Enter in the picture opens the block of the move, with the keyboard.
+  await view.getByRole("group", { name: t.approach.view }).press("Enter");
+  await expect(page.locator(".panel-block :focus")).toBeVisible();
   await editor.line("APPR LT").click();
   await editor.show("block");
   await expect(page.getByRole("img", { name: /PH at X−5 Y−5, PA at X\+5 Y\+5/ })).toBeVisible();

@@ -65,8 +65,7 @@ function openMove(step: number, byKey = false): boolean {
   const { pictured: shown } = useOutcome.getState();
   if (!shown) return false;
   openChosen(() => openSourceBlock(shown.run, step));
-  showSection("block");
-  if (byKey) usePlace.setState((p) => ({ focus: p.focus + 1 }));
+  (byKey ? enterSection : showSection)("block");
   return byKey;
 }
 
