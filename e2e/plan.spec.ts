@@ -24,13 +24,18 @@ async function planned(page: Page): Promise<void> {
   await expect(steps(page).first()).toBeVisible();
 }
 
-/** Moves the focus to an element with the Tab key alone; it is never lost on the way. */
+/** Moves the focus to an element with the Tab key, and the arrows in its toolbar; it is never lost on the way. */
 async function tabTo(target: Locator, back = false): Promise<void> {
   const page = target.page();
   await target.waitFor();
   for (let i = 0; i < 150; i += 1) {
-    if (await target.evaluate((element) => element === document.activeElement)) return;
-    await page.keyboard.press(back ? "Shift+Tab" : "Tab");
+    const [isThere, isInBar] = await target.evaluate((element) => {
+      const { activeElement } = document;
+      return [element === activeElement, element.closest("[role=toolbar]")?.contains(activeElement) ?? false] as const;
+    });
+    if (isThere) return;
+    if (isInBar) await page.keyboard.press(back ? "ArrowLeft" : "ArrowRight");
+    else await page.keyboard.press(back ? "Shift+Tab" : "Tab");
   }
   await expect(target).toBeFocused();
 }
