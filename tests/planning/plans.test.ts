@@ -59,6 +59,12 @@ describe("a plan that exists", () => {
     expect(changed.tools).not.toContain(last);
   });
 
+  test("makes what it left before the part is off its bar", () => {
+    const keep = keysOf(plan).filter((key) => !key.startsWith("finishInside"));
+    expect(keep.at(-1)).toContain("partOff");
+    expect(planOf(request, { keep }).isComplete).toBe(true);
+  });
+
   test("takes another way, and keeps it when something else changes", () => {
     const at = plan.steps.findIndex(({ others }) => others.length > 0);
     const actionKey = plan.steps[at]?.others[0]?.tried.action.key ?? "";
