@@ -31,12 +31,18 @@ test("a thread on the bare bar is found to be not prepared", () => {
   );
 });
 
+/** Features of random parts whose plans take little time. */
+const FEW = 4;
+
 test("plans of random parts keep the laws", () => {
   fc.assert(
-    fc.property(arbitraryParts, ({ part }) => {
-      const request = requestOf(part);
-      expect(request ? brokenByPart(request) : []).toEqual([]);
-    }),
+    fc.property(
+      arbitraryParts.filter(({ features }) => features.length <= FEW),
+      ({ part }) => {
+        const request = requestOf(part);
+        expect(request ? brokenByPart(request) : []).toEqual([]);
+      },
+    ),
     { numRuns: 2 },
   );
 });
