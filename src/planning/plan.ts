@@ -6,7 +6,16 @@ import { explained } from "./explain.ts";
 import { inOneCall } from "./in-one-call.ts";
 import { LEAST_REGION } from "./open-regions.ts";
 import { ordered } from "./ordered.ts";
-import { allActionsIn, doneIn, Ends, firstNode, nodeBehind, type PlanNode, type Searching } from "./plan-node.ts";
+import {
+  allActionsIn,
+  doneIn,
+  Ends,
+  firstNode,
+  isParted,
+  nodeBehind,
+  type PlanNode,
+  type Searching,
+} from "./plan-node.ts";
 import { residueOf } from "./residue.ts";
 import { retooled } from "./retooled.ts";
 import { beam, pruned } from "./search.ts";
@@ -61,7 +70,7 @@ function* replayed({ keep = [], instead }: ClampingChanges, s: Searching): Gener
 
 /**
  * A plan to which none of the changes of single steps brings more: each may make another one worth it. What another way to
- * do a step leaves may be what a tool could take that was not needed before.
+ * do a step leaves may be what a tool could take that was not needed before: while the part is still on its bar.
  */
 function* improved(end: PlanNode, kept: number, s: Searching): Generator<PlanNode, PlanNode> {
   let [best, before]: [PlanNode, PlanNode | null] = [end, null];
@@ -70,7 +79,8 @@ function* improved(end: PlanNode, kept: number, s: Searching): Generator<PlanNod
     best = yield* pruned(best, s);
     best = yield* retooled(best, kept, s);
     best = yield* ordered(best, kept, s);
-    const further = best.left < LEAST_REGION ? best : yield* beam(best, 1, s);
+    const held = isParted(best) ? (best.before ?? best) : best;
+    const further = best.left < LEAST_REGION ? best : yield* beam(held, 1, s);
     if (s.ends.isBetter(further, best)) best = further;
   }
   return best;

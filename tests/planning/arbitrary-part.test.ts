@@ -21,6 +21,8 @@ test("random parts are parts, with a mark for each element", () => {
   expect([...seen].toSorted()).toEqual([
     "bore arc",
     "bore taper",
+    "bore undercut",
+    "centres",
     "chuckOutside",
     "collet",
     "concave",
@@ -35,5 +37,6 @@ test("random parts are parts, with a mark for each element", () => {
     "tube",
     "undercut",
     "valley",
+    "wider behind",
   ]);
 });

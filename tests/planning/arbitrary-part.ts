@@ -4,14 +4,24 @@ import { newRow, type ContourRow } from "../../src/program/job/job.ts";
 
 /*
  * Random parts of the trade's elements for laws: steps, tapers, arcs, chamfers, roundings, grooves in cylinders and
- * faces, undercuts, valleys, bores with tapers, arcs and recesses, threads with their relief; from bar, tube and
- * stepped blanks, some in a stated clamping. All of them are parts: plannedPart finds no problem.
+ * faces, undercuts, valleys, bores with tapers, arcs, recesses and undercuts, some wider behind a shoulder, threads with
+ * their relief; from bar, tube and stepped blanks, some in a stated clamping or between centres. All of them are parts:
+ * plannedPart finds no problem.
  */
 
 const FEATURES = ["plain", "plain", "thread", "undercut", "groove", "valley", "taper", "convex", "concave"] as const;
 /** Those that begin in the middle of their rise. */
 const SLOPED: ReadonlySet<string> = new Set(["taper", "convex", "concave"]);
-const BORE_FEATURES = ["plain", "plain", "groove", "thread", "bore taper", "bore arc"] as const;
+const BORE_FEATURES = [
+  "plain",
+  "plain",
+  "groove",
+  "thread",
+  "bore taper",
+  "bore arc",
+  "bore undercut",
+  "wider behind",
+] as const;
 /** Those that narrow along their whole length. */
 const NARROWING: ReadonlySet<string> = new Set(["bore taper", "bore arc"]);
 
@@ -137,11 +147,14 @@ function outsideOf(steps: readonly Outer[], core: number, faceGroove: boolean) {
   return { rows, marks, length: -z, first: core + (steps[0]?.rise ?? 0), halves, hasFaceGroove };
 }
 
-/** A bore from the front, wide to narrow; returns its widest and narrowest place, half millimetres. */
-function insideOf(steps: readonly Inner[], length: number, through: boolean) {
+/**
+ * A bore from the front, wide to narrow; returns its widest and narrowest place, half millimetres. `flat`: a hole of the
+ * blank goes on behind it.
+ */
+function insideOf(steps: readonly Inner[], length: number, through: boolean, flat: boolean) {
   const { rows, marks, row } = table("i");
-  const widest = steps.reduce((sum, { rise }) => sum + rise, 6);
-  let [halves, z] = [widest, 0];
+  const first = steps.reduce((sum, { rise }) => sum + rise, 6);
+  let [halves, z, widest] = [first, 0, first];
   const reach = steps.reduce((sum, { long }) => sum + long, 0),
     shrink = Math.min(1, (length - (through ? 0 : 24)) / reach);
   for (const [i, step] of steps.entries()) {
@@ -165,10 +178,23 @@ function insideOf(steps: readonly Inner[], length: number, through: boolean) {
     }
     // Drawn at its nominal ⌀: the part has the core.
     const isThread = step.feature === "thread" && halves >= 12;
+    if (step.feature === "wider behind") {
+      // A shoulder that looks to the rear, across the axis or at 45°.
+      const [wide, from] = [2 + 2 * step.share, z - (z - end) * 0.4],
+        lean = step.share % 2 === 0 ? 0 : Math.min(wide / 2, (z - end) * 0.2);
+      row({ z: text(from) }, markOf({ ...step, tolerance: null }));
+      row({ x: across(halves + wide), z: text(from - lean) });
+      widest = Math.max(widest, halves + wide);
+    }
     row(
       { z: text(end) },
       isThread ? { thread: `M${across(halves)}x${text(pitchFor(halves))}` } : markOf({ ...step, tolerance: null }),
     );
+    const next = steps[i + 1];
+    if (next && !NARROWING.has(next.feature) && step.rise >= 10 && z - end > 8) {
+      if (isThread) row({ kind: "UDC" }, { undercut: "DIN 76-C" });
+      if (step.feature === "bore undercut") row({ kind: "UDC", form: step.share % 2 === 0 ? "E" : "F" });
+    }
     if (step.feature === "groove" && z - end > 6)
       row({
         kind: "GRV",
@@ -183,7 +209,7 @@ function insideOf(steps: readonly Inner[], length: number, through: boolean) {
     if (!last) halves -= step.rise;
   }
   // The bottom that a drill leaves.
-  if (!through) row({ x: "0", z: text(z - halves / 2 / Math.tan(DRILL_POINT)) });
+  if (!through && !flat) row({ x: "0", z: text(z - halves / 2 / Math.tan(DRILL_POINT)) });
   return { rows, marks, widest, narrowest: halves };
 }
 
@@ -226,31 +252,33 @@ export const arbitraryParts: fc.Arbitrary<ArbitraryPart> = fc
     rear: fc.constantFrom("bar", "chuck", "sawn"),
     faceGroove: fc.boolean(),
     blank: fc.constantFrom("cylinder", "cylinder", "forged"),
-    held: fc.constantFrom(null, null, "chuckOutside", "softJaws", "collet"),
+    held: fc.constantFrom(null, null, "chuckOutside", "softJaws", "collet", "centres"),
     material: fc.constantFrom("c45", "42crmo4", "brass", "x5crni"),
   })
   .map(({ outside: outer, inside: inner, through, drilled, over, facing, rear, material, ...more }): ArbitraryPart => {
     const length = outer.reduce((sum, { long }) => sum + long, 0);
     const isThrough = inner.length > 0 && (through || length < 48);
-    const bore = insideOf(inner, length, isThrough);
-    const core = inner.length > 0 ? bore.widest + WALL : WALL;
+    const bore = insideOf(inner, length, isThrough, drilled);
+    const hole = !drilled ? 0 : inner.length > 0 ? bore.narrowest - 3 : 10 + 2 * over;
+    const core = WALL + (inner.length > 0 ? bore.widest : hole);
     const outside = outsideOf(outer, core, more.faceGroove),
-      isKept = rear === "chuck" && !isThrough,
-      behind = rear === "sawn" ? 1 : 35;
-    const hole = drilled && isThrough ? bore.narrowest - 3 : 0;
-    const isForged = more.blank === "forged" && hole === 0;
-    const clamping =
-      more.held === null || behind < GRIP
+      isCentred = more.held === "centres" && inner.length === 0 && hole === 0,
+      isKept = rear === "chuck" && !isThrough && !isCentred,
+      behind = isCentred ? 0 : rear === "sawn" ? 1 : 35,
+      front = isCentred ? 0 : facing / 2;
+    const isForged = more.blank === "forged" && hole === 0 && !isCentred;
+    const size = text(2 * (outside.halves + over));
+    const held = {
+      D: text(outside.halves + over),
+      LENGTH: text(GRIP),
+      FACE: text(GRIP - length - behind),
+      SIZE: size,
+    };
+    const clamping = isCentred
+      ? { kind: "centres" as const, words: { D: size, FACE: text(-length), QUILL: size, TIP: "-4", ANGLE: "60" } }
+      : more.held === null || more.held === "centres" || behind < GRIP
         ? null
-        : {
-            kind: more.held,
-            words: {
-              D: text(outside.halves + over),
-              LENGTH: text(GRIP),
-              FACE: text(GRIP - length - behind),
-              SIZE: text(2 * (outside.halves + over)),
-            },
-          };
+        : { kind: more.held, words: held };
     return {
       features: [
         ...[...outer, ...inner].map((step) => step.feature),
@@ -267,15 +295,15 @@ export const arbitraryParts: fc.Arbitrary<ArbitraryPart> = fc
         marks: { ...outside.marks, ...(inner.length > 0 && bore.marks) },
         general: { tolerance: "ISO 2768-m", ra: 3.2 },
         blank: isForged
-          ? { outline: forgedRows(outside, outer[0]?.long ?? 0, { over, front: facing / 2, rear: length + behind }) }
+          ? { outline: forgedRows(outside, outer[0]?.long ?? 0, { over, front, rear: length + behind }) }
           : {
               outside: text(outside.halves + over),
               bore: hole > 0 ? across(hole) : "0",
-              length: text(length + facing / 2 + behind),
-              allowance: text(facing / 2),
+              length: text(length + front + behind),
+              allowance: text(front),
             },
         clamping,
-        partsOff: rear !== "sawn" && !isKept,
+        partsOff: rear !== "sawn" && !isKept && !isCentred,
         unmachinedBehind: isKept,
       },
     };

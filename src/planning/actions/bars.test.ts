@@ -26,6 +26,12 @@ const BORES = [
     hole: { 0: 4.6, [-99]: 4.6 },
     rear: [-40.5, -38],
   },
+  {
+    name: "a bore as wide as their row says, though the hole is narrower",
+    bore: { 0: 5.5, [-99]: 5.5 },
+    hole: { 0: 5.1, [-99]: 5.1 },
+    rear: [-101, -99],
+  },
 ];
 
 const points = (radii: object) =>

@@ -22,6 +22,7 @@ import type { OpenRegion } from "../open-regions.ts";
 import { perObject } from "../../nc/per-object.ts";
 import type { Action, ActionKind, PlanRequest } from "../types.ts";
 import { barDiameter } from "../values/cutting-values.ts";
+import { leastDepth } from "../values/turning-values.ts";
 import { clearRadius } from "./bore.ts";
 import { BESIDE, contourUpTo, freeInside, type BoreWay } from "./bore-turning.ts";
 import { actionOf, fitsOf, fitted, toolsOf, type Better } from "./candidates.ts";
@@ -251,6 +252,19 @@ export function barActions(
   const chain = wanted.contour ?? [];
   const inOneCall = kind === "roughInside" && cut.operation === "both";
   const bore = { front, wallAt: wallsOf(stock, front) };
+  const isOwn = ({ T }: Tool) => !request.usualTools?.includes(T);
+  const enters = (tool: Tool) => startFor(tool, way) !== null;
+  /**
+   * The radius that a bar finds behind its tip: a finishing pass from in front of the face makes the bore for a body that
+   * does not enter, as far as it cuts the wall, and not only rubs along it or cuts the bottom. Roughing needs a hole that
+   * the body enters, for its chips.
+   */
+  const foundBy = (tool: Tool, low: number) => {
+    if (enters(tool) || cut.operation !== "finish" || way.z < front) return way.clear;
+    const wall = geometry.flattenedChain(chain, CHORD).flatMap(({ r }) => (r > low + BESIDE - SAME ? [r] : []));
+    const made = Math.min(...wall);
+    return made < Infinity && made > way.clear + leastDepth(tool) ? made : way.clear;
+  };
   /** Where bars that enter are blocked, and the rear end of their path; null where they have none. */
   const blocked = new Map<Tool, { readonly met: number; readonly rear: number } | null>();
   const fitOfBar = (tool: Tool, until = -Infinity) => {
@@ -258,7 +272,7 @@ export function barActions(
     const [smallest, largest] = [toDiameter(radius(way.clear)), toDiameter(radius(box.high))];
     const isCut = until > -Infinity;
     const low = isCut ? Math.max(way.low, clearRadius(stock, until, front) - BESIDE) : way.low;
-    const r = startFor(tool, { ...way, low });
+    const r = startFor(tool, { ...way, low, clear: foundBy(tool, low) });
     if (r === null) return null;
     const jobOf = (shape: ShapeRequest): SetJob => {
       const made = isCut
@@ -303,21 +317,28 @@ export function barActions(
     const along = geometry.flattenedChain(chain, CHORD).map((to) => ({ kind: "feed", to }) as const);
     const limits = [...blocked].map(([tool, at]) => {
       const limit = at?.met ?? blockedAt(along, bodyOf(tool).all, bore, NEARLY) ?? Infinity;
-      return { tool, limit, isOwn: !request.usualTools?.includes(tool.T) };
+      return { tool, limit };
     });
     const deepestFirst = limits.toSorted((a, b) => a.limit - b.limit);
     const firstOf = (some: typeof limits) => {
-      for (const { tool, limit, isOwn } of some) {
+      for (const { tool, limit } of some) {
         const fit = shortOf(tool, limit);
-        if (fit) return { fit, isOwn };
+        if (fit) return fit;
       }
       return null;
     };
     const deepest = firstOf(deepestFirst);
     // With a usual tool that the table lacks also the deepest of the operator's own.
-    const own = deepest && !deepest.isOwn ? firstOf(deepestFirst.filter(({ isOwn }) => isOwn)) : null;
-    return [deepest, own].flatMap((found) => (found ? [actionFrom(found.fit)] : []));
+    const own = deepest && !isOwn(deepest.tool) ? firstOf(deepestFirst.filter(({ tool }) => isOwn(tool))) : null;
+    return [deepest, own].flatMap((fit) => (fit ? [actionFrom(fit)] : []));
   };
-  const whole = fitsOf(tools, most, request, (tool) => fitOfBar(tool), better).map(actionFrom);
+  const fitsWith = (some: readonly Tool[]) => fitsOf(some, most, request, (tool) => fitOfBar(tool), better);
+  const entering = fitsWith(tools.filter(enters));
+  const [isMade, isMadeByOwn] = [entering, entering.filter(({ tool }) => isOwn(tool))].map((fits) =>
+    fits.some(({ makesContour }) => makesContour),
+  );
+  // Bars that make their own room cut with their whole body in the hole, so that those that enter it go first.
+  const others = tools.filter((tool) => !enters(tool) && !isMadeByOwn && (!isMade || isOwn(tool)));
+  const whole = [...entering, ...fitsWith(others)].map(actionFrom);
   return { whole, short };
 }

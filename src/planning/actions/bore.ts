@@ -3,8 +3,9 @@ import { intersection, opened } from "../../kernel/area/clip.ts";
 import { at, part as geometry, type Ring } from "../../kernel/geometry/point.ts";
 import { CHORD, SLIVER } from "../../kernel/tolerance.ts";
 import { regionsOf } from "../../sim/region.ts";
+import { thickestOf } from "../apply-action.ts";
 import { LEAST_REGION, type OpenRegion } from "../open-regions.ts";
-import type { PlannedPart } from "../types.ts";
+import type { PlannedPart, PlanRequest } from "../types.ts";
 import { withoutEdge } from "./front.ts";
 
 /** Farther than any part, mm. */
@@ -26,13 +27,21 @@ export function insideRegions(stock: readonly Ring[], part: PlannedPart, thick =
     .toSorted((a, b) => b.area - a.area);
 }
 
-/** The same, more than the edge at the front of the bore: finishing takes that. */
-export function thickRegions(stock: readonly Ring[], part: PlannedPart, thick: number): readonly OpenRegion[] {
+/** The same, more than the edge at the front of the bore: finishing takes that, as far as it can with what lies before it. */
+export function thickRegions(
+  stock: readonly Ring[],
+  request: Pick<PlanRequest, "part" | "rules">,
+  thick: number,
+): readonly OpenRegion[] {
+  const { part } = request;
   const all = insideRegions(stock, part, thick);
   const segments = withoutEdge(part.inside.segments, "inside");
   if (!segments) return all;
   const plain = { ...part, inside: { ...part.inside, segments } };
-  return all.filter(({ rings }) => insideRegions(rings, plain, thick).length > 0);
+  const most = thickestOf(request) + SLIVER;
+  return all.filter(
+    ({ rings }) => insideRegions(rings, plain, thick).length > 0 || insideRegions(rings, part, most).length > 0,
+  );
 }
 
 /** Radius within which a stock has no material between two Z; Infinity where there is none at all. */

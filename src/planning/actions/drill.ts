@@ -10,6 +10,7 @@ import { canDo, type AxisWork } from "../../program/edits/hand-operation.ts";
 import { frontOf } from "../../program/job/stock-surface.ts";
 import { drillsBefore } from "../../program/tools/reamed-hole.ts";
 import { RUN_THROUGH } from "../../sim/behind-blank.ts";
+import { applyAction } from "../apply-action.ts";
 import { boundOf } from "../bound.ts";
 import type { Action, ActionSource, ElementMark, PlannedPart, PlanRequest } from "../types.ts";
 import { isDeepHole } from "../values/axis-values.ts";
@@ -108,10 +109,11 @@ function isWorthReaming(reamer: Tool, request: PlanRequest): boolean {
   const stock = boredFor(made.cylinders, request);
   if (!reachesRear(reamer, made, stock)) return false;
   const rear = Math.min(...made.cylinders.map(({ to }) => to.z));
-  // A bar that is blocked in front of their rear does not bore them.
+  const state = { stock, done: [], threads: new Set<string>() };
+  // A bar that is blocked in front of their rear, or meets a wall on its way, does not bore them.
   const bars = finishInside
-    .actions({ stock, done: [], threads: new Set() }, request)
-    .filter(({ place }) => place.rear < rear + SAME);
+    .actions(state, request)
+    .filter((action) => action.place.rear < rear + SAME && applyAction(action, state, request).works);
   const boring = bars.map((action) => boundOf(action, [], request).seconds + price(action.tool));
   return reamSeconds(reamer, made, stock, request) + price(reamer) <= Math.min(Infinity, ...boring);
 }

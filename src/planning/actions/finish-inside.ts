@@ -29,7 +29,7 @@ export const finishInside: ActionSource = {
     const { part, rules, withoutCycles } = request;
     const { stock } = state;
     const least = THIN * radiusOf(rules.allowance.diameter);
-    const thick = thickRegions(stock, part, least);
+    const thick = thickRegions(stock, request, least);
     // What is thicker is for a groove's own tool, for roughing, or for the second clamping.
     const heavy = offset(
       thick.flatMap(({ rings }) => rings),

@@ -7,6 +7,7 @@ import { perSide, diameter } from "../../kernel/units.ts";
 import { regionsOf } from "../../sim/region.ts";
 import { LEAST_REGION, type OpenRegion } from "../open-regions.ts";
 import { perObject, perText, type PerText } from "../../nc/per-object.ts";
+import { thickestOf } from "../apply-action.ts";
 import { withoutEdge, withoutFront } from "./front.ts";
 import { isValley, pocketsOf, type Pocket } from "./pockets.ts";
 import { ofPieces } from "../stock-key.ts";
@@ -191,9 +192,23 @@ function workIn(stock: readonly Ring[], request: PlanRequest, reached: PerText<R
     chain,
     pockets,
     pieces: piecesOf(inFrontOf(left, rearOfPart(request)), SLIVER, chain, [SLIVER, 0], request),
-    rough: piecesOf(difference(left, grown), THIN, chain, [over + SLIVER, IN_CORNER], request).map(inFront(chain)),
+    rough: roughOf(left, { chain, solid, grown, over }, request).map(inFront(chain)),
     over,
   };
+}
+
+/** What is roughed; the edge at the front, too, where finishing would take more with it than it can. */
+function roughOf(
+  left: readonly Ring[],
+  { chain, solid, grown, over }: Pick<Reached & OutsideWork, "chain" | "solid" | "grown" | "over">,
+  request: PlanRequest,
+): readonly Piece[] {
+  const beyond = (area: readonly Ring[]) =>
+    piecesOf(difference(left, area), THIN, chain, [over + SLIVER, IN_CORNER], request);
+  const rough = beyond(grown);
+  return rough.length === 0 && opened(left, thickestOf(request) + SLIVER).length > 0
+    ? beyond(offset(solid, over))
+    : rough;
 }
 
 /** Pieces of roughing as they are in front of a chain: most are the same objects in many stocks. */

@@ -71,6 +71,7 @@ describe("what a reamer makes", () => {
       [0],
       [],
     ],
+    ["none on the cone of a drill that its lead meets", [at(0, R), at(-20, R), at(-23, 0)], [0], []],
     [
       "one that ends before a narrower one",
       [at(0, R), at(-20, R), at(-20, 8), at(-22, 8), at(-22, 4), at(-30, 4)],

@@ -40,7 +40,12 @@ export function reamedBy(reamer: Tool, { inside: { segments, marks } }: PlannedP
   const last = cylinders.at(-1);
   if (!last) return null;
   const rear = last.to.z - LEAD;
-  const isFree = geometry.flattenedChain(segments, CHORD).every((p) => p.z < rear + SAME || p.r > r);
+  const isFree = geometry.flattenedChain(segments, CHORD).every((to, i, all) => {
+    const from = all[i - 1] ?? to;
+    // Of what ends behind its edge, as the cone that a drill leaves, the place at the edge counts.
+    const share = to.z < rear && from.z > rear ? (from.z - rear) / (from.z - to.z) : 1;
+    return (to.z < rear + SAME && share === 1) || from.r + share * (to.r - from.r) > r;
+  });
   return isFree ? { cylinders, rear } : null;
 }
 

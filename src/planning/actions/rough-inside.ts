@@ -75,8 +75,8 @@ function turning(region: OpenRegion, stock: readonly Ring[], request: PlanReques
     });
 }
 
-const roughRegions = ({ stock }: PlanState, { part, rules }: PlanRequest): readonly OpenRegion[] =>
-  thickRegions(stock, part, THICK * radiusOf(rules.allowance.diameter));
+const roughRegions = ({ stock }: PlanState, request: PlanRequest): readonly OpenRegion[] =>
+  thickRegions(stock, request, THICK * radiusOf(request.rules.allowance.diameter));
 
 /** The actions on the largest regions that a bar can cut. */
 function onLargest(

@@ -121,6 +121,8 @@ test("a tube keeps its own bore", () => {
   expect([written(part?.inside ?? { segments: [], marks: [] }), problems]).toEqual([`${BORE} e2`, []]);
   const counterbored = plannedPart(partWith("L 40 0 | L - -30", "L 26 0 | L - -8", { blank: tube }));
   expect(counterbored.part && written(counterbored.part.inside)).toBe("26,0 > 26,-8 i2 > 20,-8 i2 > 20,-30 i2");
+  const open = plannedPart(partWith("L 40 0 | L - -30", "L 26 0 | L - -8", { blank: tube, unmachinedBehind: true }));
+  expect(open.part && written(open.part.inside)).toBe("26,0 > 26,-8 i2 > 20,-8 i2");
 });
 
 test("a contour that ends in a face ends in the blank", () => {

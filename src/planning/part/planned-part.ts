@@ -65,13 +65,16 @@ function withFrontFace(outside: Links): Links {
   return begin && first && first.r > SAME ? [lineTo(onAxisAt(first), first, begin), ...outside] : outside;
 }
 
-/** The bottom of a bore that ends in the solid: a missing one is added, down to the hole of the blank or to the axis. */
+/**
+ * The bottom of a bore that ends in the solid: a missing one is added, down to the hole of the blank or to the axis. Of a
+ * part that goes on as its blank is (`rearZ` −Infinity) the hole has no end.
+ */
 function withFloor(inside: Links, rearZ: number, hole: number): Links {
   const [end, last] = [inside.at(-1), lastPoint(inside)];
   if (!end || !last || last.r <= SAME || last.z <= rearZ + SAME) return inside;
   const floor = at(last.z, Math.min(hole, last.r)),
     links = last.r - floor.r > SAME ? [...inside, lineTo(last, floor, end)] : inside;
-  return hole > SAME ? [...links, lineTo(floor, at(rearZ, floor.r), end)] : links;
+  return hole > SAME && rearZ > -Infinity ? [...links, lineTo(floor, at(rearZ, floor.r), end)] : links;
 }
 
 /** `hole`: radius of the hole of the blank, 0 where it is solid. */
@@ -106,8 +109,7 @@ function sidesOf(part: FinishedPart, hole: number, problems: PartProblem[]): Sid
   }
   const rear = isOpen ? -Infinity : last.z;
   const ended = isOpen ? joined.inside : endedAt(joined.inside, lineTo(last, onAxisAt(last), end));
-  const inside = isOpen && hole > 0 ? ended : withFloor(ended, rear, hole);
-  return { outside: joined.outside, inside, isOpen };
+  return { outside: joined.outside, inside: withFloor(ended, rear, hole), isOpen };
 }
 
 /** The closed half section of both sides. */

@@ -1,4 +1,5 @@
 import { isBar, noseRadius } from "../../kernel/cutter/insert.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
 import { radius, toDiameter } from "../../kernel/units.ts";
 import { SPEED_SHARE } from "../../program/tools/cutting-work.ts";
 import { feedForRz, USUAL_RZ } from "../../report/advice/formulas.ts";
@@ -11,8 +12,10 @@ import type { CuttingValues, ValuesRequest, WantedRoughness } from "./values-req
 
 /** Rz of a turned surface over its Ra: 9 · √3 / 4 = 3.9 for a profile of circular arcs; an approximation. */
 const RZ_OF_RA = 4;
-/** Least depth over the nose radius: with less the nose rubs. */
+/** Least depth over the nose radius. */
 const DEPTH_OF_NOSE = 2 / 3;
+/** The least depth of a cut, mm: with less the nose rubs. */
+export const leastDepth = (tool: Tool): number => DEPTH_OF_NOSE * noseRadius(tool);
 /** Wanted Rz, µm, of a mark. */
 export const rzOf = ({ kind, value }: WantedRoughness): number => (kind === "Rz" ? value : RZ_OF_RA * value);
 
@@ -27,10 +30,9 @@ export function roughing(request: ValuesRequest): CuttingValues {
     ? shareOfSpeed(request, SPEED_SHARE.recess)
     : reasoned(material.roughSpeed, "speedOfMaterial", "material", { vc: material.roughSpeed });
   const turning = constantSurface(request, vc);
-  const nose = noseRadius(tool);
   const table = reasoned(material.roughFeed, "feedOfMaterial", "material", { f: material.roughFeed });
   // Where the least depth of the nose already bends workpiece or bar, the feed is reduced as well.
-  const thinnest = Math.max(LEAST.depth, DEPTH_OF_NOSE * nose);
+  const thinnest = Math.max(LEAST.depth, leastDepth(tool));
   const finer = feedsByForce(request, thinnest, DEFLECTION.rough);
   const feed = wide
     ? feedOfBlade(request, turning.spindle)
@@ -63,7 +65,7 @@ export function finishing(request: ValuesRequest): CuttingValues {
     ? leastOf(feedOfBlade(request, turning.spindle), byMark)
     : leastOf(reasoned(usual, "feedOfMaterial", "material", { f: usual }), byMark, feedByNose(tool));
   const typed = typedDown(feed, GRID.feed);
-  const byNoseDepth = reasoned(DEPTH_OF_NOSE * nose, "depthOfNose", "insert", { rε: nose });
+  const byNoseDepth = reasoned(leastDepth(tool), "depthOfNose", "insert", { rε: nose });
   const depth = leastOf(
     atLeast(byNoseDepth, LEAST.depth, "depthLeast"),
     ...depthsByForce(request, typed.value, DEFLECTION.finish),

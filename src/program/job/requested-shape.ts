@@ -138,22 +138,23 @@ export function blankRings(wanted: ShapeRequest, cylinder: readonly Ring[]): rea
   return open ? difference(cylinder, offset(union([open]), -wanted.allowance)) : cylinder;
 }
 
-/** The contour as table rows. */
+/** The contour as table rows. Elements shorter than what is typed are none: an arc back to its own begin is a circle. */
 export function rowsOf(contour: readonly Segment[]): ContourRow[] {
   const [first] = contour;
   if (!first) return [];
   const x = ({ r }: Pt) => positionAsTyped(toDiameter(r));
   const row = (i: number, to: Pt, given: Partial<ContourRow> = {}) =>
     newRow(`e${i}`, { x: x(to), z: positionAsTyped(to.z), ...given });
+  let last = row(1, first.from);
   return [
-    row(1, first.from),
-    ...contour.flatMap((s, i): ContourRow[] =>
-      s.kind === "line"
-        ? [row(i + 2, s.to)]
-        : [
-            newRow(`c${i + 2}`, { kind: "CC", x: x(s.centre), z: positionAsTyped(s.centre.z) }),
-            row(i + 2, s.to, { kind: "C", turn: s.turn }),
-          ],
-    ),
+    last,
+    ...contour.flatMap((s, i): ContourRow[] => {
+      const end = row(i + 2, s.to, s.kind === "line" ? {} : { kind: "C", turn: s.turn });
+      if (end.x === last.x && end.z === last.z) return [];
+      last = end;
+      return s.kind === "line"
+        ? [end]
+        : [newRow(`c${i + 2}`, { kind: "CC", x: x(s.centre), z: positionAsTyped(s.centre.z) }), end];
+    }),
   ];
 }
