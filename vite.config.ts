@@ -6,6 +6,7 @@ import { runnerImport, type Plugin } from "vite";
 import { configDefaults, defineConfig } from "vitest/config";
 import { bundle, pageObjects, type PageObjects } from "./scripts/bundle.mjs";
 import { LongestFirst } from "./scripts/longest-first.ts";
+import { courseIndex, cycleMenu, startPictures } from "./scripts/made-modules.ts";
 import { offline } from "./scripts/offline.ts";
 import { contentPolicy } from "./scripts/serve.mjs";
 import { MEDIA } from "./src/app/base/media.ts";
@@ -62,34 +63,6 @@ const pageStyles: Plugin = {
     });
   },
 };
-
-/** Modules that a script makes when the page is built, by ids that begin with one name. */
-function madeModules(id: string, script: string, made: string): Plugin {
-  let modules: Promise<Readonly<Record<string, string>>> | null = null;
-  const make = () =>
-    (modules ??= runnerImport<Readonly<Record<string, () => Readonly<Record<string, string>>>>>(
-      new URL(script, import.meta.url).pathname,
-      {
-        configFile: false,
-        logLevel: "error",
-      },
-    ).then(({ module }) => module[made]?.() ?? {}));
-  return {
-    name: id,
-    resolveId: (asked) => (asked.startsWith(id) ? `\0${asked}` : undefined),
-    load: async (asked) => (asked.startsWith(`\0${id}`) ? (await make())[asked.slice(1)] : undefined),
-    hotUpdate() {
-      modules = null;
-    },
-  };
-}
-
-/** What the first screen has to know of the catalogue and of its texts, without them. */
-const cycleMenu = madeModules("virtual:cycle-menu", "scripts/menu.ts", "menuModules");
-/** What it shows of the programs that ship with it, without running them. */
-const startPictures = madeModules("virtual:start-pictures", "scripts/start-pictures.ts", "pictureModules");
-/** What the list of lessons has to know of the course, without its files. */
-const courseIndex = madeModules("virtual:course-index", "scripts/course-index.ts", "courseModules");
 
 /** gallery.html and its styles: every golden and every cycle as drawings, of no weight for the page itself. */
 const gallery: Plugin = {

@@ -45,7 +45,14 @@ async function oneModule(entry, how) {
  * @param {{ minify?: boolean }} [how]
  * @returns {Promise<string>}
  */
-export const bundle = (name, how) => oneModule(`scripts/${name}.ts`, { external: ["@playwright/test"], ...how });
+export async function bundle(name, how) {
+  const { runnerImport } = await import("vite");
+  const { module } = await runnerImport(join(root, "scripts/made-modules.ts"), {
+    configFile: false,
+    logLevel: "error",
+  });
+  return oneModule(`scripts/${name}.ts`, { external: ["@playwright/test"], plugins: Object.values(module), ...how });
+}
 
 const PROMPT_IDS = "/e2e/pages/prompt-ids.ts";
 

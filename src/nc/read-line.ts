@@ -37,7 +37,13 @@ export function readLine(text: string, at: number): Statement | null {
     if (value === null) return null;
     axes.push({ axis: AXES[i] ?? "X", value, incremental: m[2 * i + 1] === "I" });
   }
-  const words: { -readonly [K in keyof Words]: Words[K] } = { axes, linear: NONE, functions: NONE, extra: NONE };
+  // A copy has no room for more: that room would be a fifth of a long program.
+  const words: { -readonly [K in keyof Words]: Words[K] } = {
+    axes: axes.slice(),
+    linear: NONE,
+    functions: NONE,
+    extra: NONE,
+  };
   if (m[7] !== undefined) words.compensation = m[7] as Compensation;
   if (m[8] !== undefined) words.feed = m[8] === "MAX" ? "max" : "auto";
   else if (m[9] !== undefined) {

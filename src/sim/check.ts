@@ -7,7 +7,7 @@ import { withoutSlivers } from "../kernel/area/real-area.ts";
 import type { NeededHole, Step } from "../kernel/time/step.ts";
 import type { Tool } from "../kernel/plan/tool.ts";
 import { inStock } from "./contact.ts";
-import { ringsMeeting, type Cutting } from "./cutting.ts";
+import { piecesMeeting, type Cutting } from "./cutting.ts";
 import { sweptBehindBlank } from "./behind-blank.ts";
 import type { Edges } from "./edges.ts";
 import type { WorkHold, Loose } from "./work-holding.ts";
@@ -37,8 +37,8 @@ export interface CheckContext {
   readonly hold: WorkHold | null;
   /** True where a clamping is stated, so that the space behind the blank is known. */
   readonly isClamped: boolean;
-  /** Pieces that have come off and are gone. */
-  readonly loose: Loose | null;
+  /** Pieces that have come off before a step and are gone. */
+  readonly loose: (step: number) => Loose | null;
   readonly outlines: (tool: Tool) => Outlines;
   readonly operations: readonly SimulatedOperation[];
 }
@@ -49,45 +49,59 @@ const broughtTo = (step: Step): Step => ({
   move: { kind: "rapid", phase: "position", run: "rough", step: 0, to: step.from },
 });
 
+/** The cause of a finding: its step, or the block that brought the tool there. */
+type Cause = Pick<AnyFinding, "block" | "operation" | "isMeant" | "rear" | "below"> & { readonly limit?: LimitHit };
+
+/** The finding of an area; none without one. */
+const findingOf = (
+  kind: AnyFinding["kind"],
+  rings: readonly Ring[],
+  index: number,
+  step: Step,
+  by: Cause = step,
+): AnyFinding[] =>
+  rings.length === 0
+    ? []
+    : [
+        {
+          kind,
+          step: index,
+          block: by.block,
+          operation: by.operation,
+          place: placeIn(largest(rings)),
+          area: areaOf(rings),
+          rings,
+          moves: 1,
+          ...(by.isMeant && { isMeant: true }),
+          ...(by.below !== undefined && { below: by.below }),
+          ...(by.rear !== undefined && { rear: by.rear }),
+          ...(kind === "spindleStopped" && step.spindleFault && { idle: step.spindleFault }),
+          ...(by.limit && {
+            limit: { tool: step.tool.T, column: by.limit.column, value: by.limit.value, limit: by.limit.limit },
+          }),
+          ...(kind === "holeMissing" && step.hole && { hole: { tool: step.tool.T, ...step.hole } }),
+        },
+      ];
+
+/** The stock in the way of a step that needs a hole. */
+function inHole({ from, move: { to } }: Step, { radius }: NeededHole, cut: Cutting): Ring[] {
+  const [low, high] = [Math.min(from.z, to.z), Math.max(from.z, to.z)];
+  return withoutSlivers(inBox(cut.stock(), { left: low, right: high, low: 0, high: radius }));
+}
+
 /** The damage done by a step, checked before its sweep is subtracted from the stock. */
 export function check(index: number, sweep: Sweep, cut: Cutting, against: CheckContext): AnyFinding[] {
-  const { steps, finished, hold, loose } = against;
+  const { steps, finished, hold } = against;
   const step = steps[index] as Step,
-    outlines = against.outlines(step.tool);
+    outlines = against.outlines(step.tool),
+    loose = against.loose(index);
   const found: AnyFinding[] = [];
-  const report = (
-    kind: AnyFinding["kind"],
-    rings: Ring[],
-    by: Pick<AnyFinding, "block" | "operation" | "isMeant" | "rear" | "below"> & { readonly limit?: LimitHit } = step,
-  ) => {
-    if (rings.length > 0)
-      found.push({
-        kind,
-        step: index,
-        block: by.block,
-        operation: by.operation,
-        place: placeIn(largest(rings)),
-        area: areaOf(rings),
-        rings,
-        moves: 1,
-        ...(by.isMeant && { isMeant: true }),
-        ...(by.below !== undefined && { below: by.below }),
-        ...(by.rear !== undefined && { rear: by.rear }),
-        ...(kind === "spindleStopped" && step.spindleFault && { idle: step.spindleFault }),
-        ...(by.limit && {
-          limit: { tool: step.tool.T, column: by.limit.column, value: by.limit.value, limit: by.limit.limit },
-        }),
-        ...(kind === "holeMissing" && step.hole && { hole: { tool: step.tool.T, ...step.hole } }),
-      });
-  };
+  const report = (kind: AnyFinding["kind"], rings: readonly Ring[], by?: Cause) =>
+    found.push(...findingOf(kind, rings, index, step, by));
   const now = cut.present();
-  const inHole = ({ from, move: { to } }: Step, { radius }: NeededHole) => {
-    const [low, high] = [Math.min(from.z, to.z), Math.max(from.z, to.z)];
-    return withoutSlivers(inBox(cut.stock(), { left: low, right: high, low: 0, high: radius }));
-  };
   // The quick check joins many pieces at once, so its hits are confirmed in the stock itself.
   const sure = (area: Ring[]) => (area.length === 0 ? area : withoutSlivers(intersection(cut.stock(), area)));
-  const touches = ringsMeeting(sweep, now.meets).length > 0;
+  const touches = piecesMeeting(sweep, now.meets).length > 0;
   const met =
     step.positionedBy === undefined
       ? []
@@ -112,11 +126,9 @@ export function check(index: number, sweep: Sweep, cut: Cutting, against: CheckC
   report("holderContact", sure(holderHits(step, outlines, now)));
   const limit = limitHit(step, sweep, outlines.insert, now);
   if (limit) report("toolLimit", limit.rings, { ...step, limit });
-  if (hold && !against.isClamped)
-    report(step.move.kind === "rapid" ? "rapidBehindBlank" : "feedBehindBlank", sweptBehindBlank(sweep, hold.rear), {
-      ...step,
-      rear: hold.rear.z,
-    });
+  const behind = hold && !against.isClamped ? sweptBehindBlank(sweep, hold.rear) : [];
+  if (hold && behind.length > 0)
+    report(step.move.kind === "rapid" ? "rapidBehindBlank" : "feedBehindBlank", behind, { ...step, rear: hold.rear.z });
   if (
     loose &&
     step.move.kind !== "rapid" &&
@@ -126,6 +138,6 @@ export function check(index: number, sweep: Sweep, cut: Cutting, against: CheckC
     report("cutOnLoosePiece", withoutSlivers(intersection(loose.rings, sweep.rings)));
   if (step.move.kind === "rapid") return found;
   if (touches && step.spindleFault) report("spindleStopped", sure(withoutSlivers(inStock([sweep], now))));
-  if (touches && step.hole) report("holeMissing", sure(inHole(step, step.hole)));
+  if (touches && step.hole) report("holeMissing", sure(inHole(step, step.hole, cut)));
   return found;
 }

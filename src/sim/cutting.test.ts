@@ -16,6 +16,8 @@ const mm = (least: number, most: number) => fc.integer({ min: least * 1000, max:
 const tool: Tool = { T: 11, NAME: "BUTTON-3", TYPE: "BUTTON", TO: 2, RS: length(1.5) };
 const blank: Ring = [at(-50, 0), at(0, 0), at(0, 30), at(-50, 30)];
 const { insert } = outlinesOf()(tool);
+/** With a level edge at its tip. */
+const blade: Tool = { T: 10, NAME: "OD-RECESS-2", TYPE: "RECESS", TO: 8, RS: length(0.1), CUTWIDTH: length(2) };
 const stepsThrough = (points: readonly (readonly [number, number])[]): Step[] =>
   points.slice(1).map(([z, r], i): Step => {
     const move: Move = {
@@ -44,6 +46,23 @@ test("a stock recomputed again and again is the blank less all sweeps, to roundi
       const { base, gone } = cut.present();
       for (const stock of [cut.stock(), difference(base, gone)])
         expect(areaOf(difference(once, stock)) + areaOf(difference(stock, once))).toBeLessThan(0.02);
+    }),
+    { numRuns: 60 },
+  );
+});
+
+test("ways that run level, steep and back over themselves take what their moves take one by one", () => {
+  const edge = outlinesOf()(blade).insert;
+  const spots = fc.array(fc.tuple(mm(-45, 15), fc.constantFrom(4, 4.5, 7.25)), { minLength: 3, maxLength: 16 });
+  fc.assert(
+    fc.property(spots, (points) => {
+      const cut = cutting([blank]);
+      let stock: readonly Ring[] = [blank];
+      for (const s of stepsThrough(points)) {
+        cut.add(sweptBy(edge, s));
+        stock = difference(stock, sweepOf(edge, s));
+      }
+      expect(areaOf(cut.stock())).toBeCloseTo(areaOf(stock), 1);
     }),
     { numRuns: 60 },
   );

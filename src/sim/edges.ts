@@ -104,8 +104,8 @@ export function sidesOf(area: readonly Ring[]): Edges {
 
   return {
     meets(piece) {
-      const { ring, box } = piece;
-      if (count === 0 || ring.length < 3 || !(box.right > left && box.left < right)) return false;
+      const { box } = piece;
+      if (count === 0 || !(box.right > left && box.left < right)) return false;
       question += 1;
       const last = columnOf(box.right);
       let beside = true;
@@ -121,6 +121,8 @@ export function sidesOf(area: readonly Ring[]): Edges {
       }
       // There is no area above all edges or below all of them.
       if (beside) return false;
+      const { ring } = piece;
+      if (ring.length < 3) return false;
       const [p, q, s] = [
         ring[0] as Pt,
         ring[Math.floor(ring.length / 3)] as Pt,

@@ -8,7 +8,7 @@ import { inStock } from "./contact.ts";
 import { merged, type Present } from "./cutting.ts";
 import type { Outlines } from "./outlines.ts";
 import { convexPieceOf } from "./piece.ts";
-import { hullAlong, notBehind, rightOf, sweptBy, foldedAtAxis, waypoints } from "./sweep.ts";
+import { foldedAtAxis, hullAlong, notBehind, piecesAlong, rightOf, sweptBy, waypoints } from "./sweep.ts";
 
 /** Chord error of arcs in the holder check, mm. */
 const HOLDER_CHORD = 0.01;
@@ -36,14 +36,13 @@ export function mayTouch(step: Step, { holder, insert }: Outlines, now: Present)
   const meets = (rings: readonly Ring[]) =>
     rings.flatMap(foldedAtAxis).some((ring) => ring.length > 2 && now.meets(convexPieceOf(ring)));
   const points = waypoints(step, 1, HOLDER_CHORD);
-  if (!points.every((p) => Number.isFinite(p.z) && Number.isFinite(p.r))) return false;
   return holder.some((part) => {
     if (points.length > 2 && !meets([rectangle(part, points)])) return false;
     return points.slice(1).some((to, i) => {
       const from = points[i] as Pt;
-      const covered = hullAlong(part, from, to);
-      if (!meets([covered])) return false;
+      if (!piecesAlong(part, [from, to]).some(now.meets)) return false;
       if (insert.length < 3) return true;
+      const covered = hullAlong(part, from, to);
       const track = hullAlong(insert, from, to);
       if (meets(track.map((p, k) => rightOf(covered, p, track[(k + 1) % track.length] as Pt)))) return true;
       return meets(notBehind(part, insert, from, to).map((ahead) => hullAlong(ahead, from, to)));

@@ -8,7 +8,7 @@ const MOST_POINTS = 1_500_000;
 /** Moves from one checkpoint to the next, and convex pieces that trigger an earlier one: long arcs have many. */
 const [CHECKPOINT_STEPS, CHECKPOINT_PIECES] = [50, 400];
 /** From this move on checkpoints lie farther apart, in proportion to the moves before them. */
-const FEW_STEPS = 20_000;
+const FEW_STEPS = 10_000;
 
 /**
  * Whether the stock is recomputed before a step; `marked`: the step where it was last, `pieces`: convex pieces since

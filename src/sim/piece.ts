@@ -14,20 +14,24 @@ export interface ConvexPiece {
   readonly sides: readonly number[];
 }
 
+/** Adds the side from one corner to the next, moved by (z, r), unless it is rounding. */
+export function pushSide(sides: number[], p: Pt, q: Pt, z = 0, r = 0): void {
+  const dz = q.z - p.z;
+  const dr = q.r - p.r;
+  const size = Math.sqrt(dz * dz + dr * dr);
+  if (size <= GRID) return;
+  const nz = dr / size;
+  const nr = -dz / size;
+  sides.push(nz, nr, nz * (p.z + z) + nr * (p.r + r) - GLANCE);
+}
+
 /** Prepares a convex ring. */
 export function convexPieceOf(ring: Ring): ConvexPiece {
   // A typed array of this size costs more than all its numbers: a long run makes millions of pieces.
   const sides: number[] = [];
   let p = ring[ring.length - 1] as Pt;
   for (const q of ring) {
-    const dz = q.z - p.z;
-    const dr = q.r - p.r;
-    const size = Math.sqrt(dz * dz + dr * dr);
-    if (size > GRID) {
-      const nz = dr / size;
-      const nr = -dz / size;
-      sides.push(nz, nr, nz * p.z + nr * p.r - GLANCE);
-    }
+    pushSide(sides, p, q);
     p = q;
   }
   return { ring, box: boxOf(ring), sides };

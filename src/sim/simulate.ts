@@ -4,12 +4,12 @@ import { areaOf } from "../kernel/area/area.ts";
 import { packed } from "../kernel/area/clip.ts";
 import type { Ring } from "../kernel/geometry/point.ts";
 import type { Step } from "../kernel/time/step.ts";
-import { check, MOST_CONTACTS } from "./check.ts";
+import { check, MOST_CONTACTS, type CheckContext } from "./check.ts";
 import { clampContacts } from "./clamp-contacts.ts";
 import { collector } from "./collect.ts";
 import { inStock } from "./contact.ts";
 import { cutsAtRear, unheldAt } from "./behind-blank.ts";
-import { cutting, ringsMeeting, type Cutting } from "./cutting.ts";
+import { cutting, piecesMeeting, type Cutting } from "./cutting.ts";
 import { thicknessOf } from "./extent.ts";
 import { cutEnds, holding, loosePieces, onLoosePieces, partedOffPieces, type Parted } from "./work-holding.ts";
 import { isCheckpointDue, marksOf } from "./marks.ts";
@@ -110,8 +110,10 @@ interface Measuring {
   readonly thickness: KnownShapes["thickness"];
   readonly residual: typeof residualOf;
   readonly thickerThan: number | null;
+  /** Whether a later run may resume, so that states in between are kept. */
+  readonly isResumed: boolean;
 }
-const COMPUTED: Measuring = { thickness: thicknessOf, residual: residualOf, thickerThan: null };
+const COMPUTED: Measuring = { thickness: thicknessOf, residual: residualOf, thickerThan: null, isResumed: false };
 
 /** Cached measurements. Reused plans are the same objects, as tools are. */
 const cachedIn = (answers: AnswerCache): Measuring => ({
@@ -123,6 +125,7 @@ const cachedIn = (answers: AnswerCache): Measuring => ({
     );
   },
   thickerThan: null,
+  isResumed: true,
 });
 
 /**
@@ -130,7 +133,7 @@ const cachedIn = (answers: AnswerCache): Measuring => ({
  * to a thickness, mm.
  */
 export const simulateCuts = (input: SimulationInput, thickerThan: number): Simulation =>
-  runSimulation(input, null, { thickness: () => 0, residual: () => [], thickerThan }).simulation;
+  runSimulation(input, null, { ...COMPUTED, thickness: () => 0, residual: () => [], thickerThan }).simulation;
 
 /** Called again and again in a long run, with the share of its steps that are done, 0 to 1. */
 export type AtShare = (share: number) => void;
@@ -207,21 +210,11 @@ function runSimulation(
   const { thickness, residual, thickerThan } = measures;
   const outlines = outlinesOf();
   const setups = setupsOf(operations, (stock, of) => residual(stock, of, { outlines, thickness }));
-  const always = { steps, operations, outlines, isClamped: hasClamping(input) };
   const look: Look = (step, index) => {
     const shapes = outlines(step.tool);
     const sweep = sweptBy(shapes.insert, step);
     const touching = shapes.checked === shapes.insert ? sweep : sweptBy(shapes.checked, step);
-    return {
-      sweep,
-      check: (cut) =>
-        check(index, touching, cut, {
-          ...always,
-          finished: setups.finished(),
-          hold: held.hold(),
-          loose: held.loose(index),
-        }),
-    };
+    return { sweep, check: (cut) => check(index, touching, cut, against) };
   };
   const resume = former && resumePoint(former, input, setups.atFirst, outlines);
   const from = resume?.from;
@@ -231,6 +224,19 @@ function runSimulation(
     former && from ? former.parted.filter(({ step }) => step < from.step) : [],
     input.held,
   );
+  const against: CheckContext = {
+    steps,
+    operations,
+    outlines,
+    isClamped: hasClamping(input),
+    get finished() {
+      return setups.finished();
+    },
+    get hold() {
+      return held.hold();
+    },
+    loose: held.loose,
+  };
   const damage =
     former && resume ? damageBefore(resume, former, input, look) : new Map<number, readonly AnyFinding[]>();
   const isContact = (found: readonly AnyFinding[]) => found.some((f) => CONTACTS.has(f.kind));
@@ -240,7 +246,7 @@ function runSimulation(
   const marks = marksOf(former && from ? former.marks.slice(0, from.marks) : [{ step: 0, stock: packed(blank) }]);
   const measure = measuring(operations, blank, from?.measure ?? null, thickerThan);
   const snapshots = former && from ? former.snapshots.filter(({ step }) => step <= from.step) : [];
-  const isKept = snapshotSteps(input);
+  const isKept = measures.isResumed ? snapshotSteps(input) : () => false;
   let byRapids = from?.byRapids ?? 0;
   let uncheckedFrom: Proof["uncheckedFrom"] = null;
   const at = walk(from?.cut.copy() ?? cutting(blank), from?.marked ?? 0);
@@ -303,7 +309,7 @@ function runSimulation(
     } else uncheckedFrom ??= { step: i, block: step.block };
     measure.add(step, i, sweep, outlines(step.tool), cut);
     if (step.move.kind === "rapid" && !uncheckedFrom) byRapids += areaOf(inStock([sweep], cut.present()));
-    isWhole &&= ringsMeeting(sweep, cut.present().meets).length === 0;
+    isWhole &&= piecesMeeting(sweep, cut.present().meets).length === 0;
     cut.add(sweep);
   }
   if (steps.length > (from?.step ?? 0)) note(steps.length, null);

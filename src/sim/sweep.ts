@@ -6,7 +6,9 @@ import { stampsOf, type ThreadMove } from "../kernel/time/thread-turns.ts";
 import { pathOf } from "../kernel/time/time.ts";
 import { CHORD, GRID } from "../kernel/tolerance.ts";
 import { radius } from "../kernel/units.ts";
-import { piecesOf, type ConvexPiece } from "./piece.ts";
+import { boxOf } from "../kernel/area/box.ts";
+import type { Box } from "../kernel/geometry/segments.ts";
+import { piecesOf, pushSide, type ConvexPiece } from "./piece.ts";
 import { trackAlong } from "./track.ts";
 
 const { flattened, pointOn } = part;
@@ -43,6 +45,53 @@ export function hullAlong(outline: Ring, from: Pt, to: Pt): Ring {
     forward = next;
   }
   return hull;
+}
+
+/**
+ * The hull of a convex outline along a straight path as a piece: most hulls are only asked for their box and sides, and
+ * long runs make millions of them.
+ */
+class Hull implements ConvexPiece {
+  readonly box: Box;
+  private corners: Ring | null = null;
+  private beside: number[] | null = null;
+  constructor(
+    private readonly outline: Ring,
+    private readonly from: Pt,
+    private readonly to: Pt,
+  ) {
+    const { left, right, low, high } = boxOf(outline);
+    this.box = {
+      left: left + Math.min(from.z, to.z),
+      right: right + Math.max(from.z, to.z),
+      low: low + Math.min(from.r, to.r),
+      high: high + Math.max(from.r, to.r),
+    };
+  }
+  get ring(): Ring {
+    return (this.corners ??= hullAlong(this.outline, this.from, this.to));
+  }
+  get sides(): readonly number[] {
+    return (this.beside ??= sidesAlong(this.outline, this.from, this.to));
+  }
+}
+
+/** The sides of such a hull, without its corners. */
+function sidesAlong(outline: Ring, from: Pt, to: Pt): number[] {
+  const [dz, dr] = [to.z - from.z, to.r - from.r];
+  const sides: number[] = [];
+  const looksForward = (p: Pt, q: Pt) => dz * (q.r - p.r) - dr * (q.z - p.z) > 0;
+  let p = outline[outline.length - 1] as Pt,
+    was = looksForward(outline[outline.length - 2] as Pt, p);
+  for (const q of outline) {
+    const forward = looksForward(p, q);
+    const [begin, end] = was ? [to, from] : [from, to];
+    if (forward !== was) pushSide(sides, begin, end, p.z, p.r);
+    const place = forward ? to : from;
+    pushSide(sides, p, q, place.z, place.r);
+    [p, was] = [q, forward];
+  }
+  return sides;
 }
 
 /** Longer than any tool, mm. */
@@ -113,6 +162,29 @@ function alongPoints(outline: Ring, points: readonly Pt[], across: (ring: Ring) 
   return points.slice(1).flatMap((to, i) => across(hullAlong(outline, points[i] as Pt, to)));
 }
 
+/** The pieces of an outline along points: one for each chord, or two where it crosses the axis. */
+export function piecesAlong(
+  outline: Ring,
+  points: readonly Pt[],
+  across: (ring: Ring) => Ring[] = foldedAtAxis,
+): readonly ConvexPiece[] {
+  if (outline.length < 3 || !points.every(finite)) return [];
+  const pieces: ConvexPiece[] = [];
+  for (let i = 1; i < points.length; i += 1) {
+    const hull = new Hull(outline, points[i - 1] as Pt, points[i] as Pt);
+    if (hull.box.low > -GRID) pieces.push(hull);
+    else pieces.push(...piecesOf(across(hull.ring)));
+  }
+  return pieces;
+}
+
+/** The way of a sweep: an outline along points. */
+export interface Way {
+  readonly outline: Ring;
+  readonly points: readonly Pt[];
+  readonly across: (ring: Ring) => Ring[];
+}
+
 /**
  * A swept area: convex pieces for contact queries, and rings (by the non-zero rule) with fewer points of the same area
  * for cutting.
@@ -120,11 +192,39 @@ function alongPoints(outline: Ring, points: readonly Pt[], across: (ring: Ring) 
 export interface Sweep {
   readonly pieces: readonly ConvexPiece[];
   readonly rings: readonly Ring[];
+  /** Absent where the area is more than one outline along one way. */
+  readonly way?: Way;
 }
 
-function sweptAlong(outline: Ring, points: readonly Pt[], across: (ring: Ring) => Ring[] = foldedAtAxis): Sweep {
-  const hulls = alongPoints(outline, points, across);
-  return { pieces: piecesOf(hulls), rings: hulls.length < 3 ? hulls : across(trackAlong(outline, points)) };
+/** A sweep along a way, whose rings are made where somebody asks for them. */
+class SweptWay implements Sweep {
+  readonly pieces: readonly ConvexPiece[];
+  private made: readonly Ring[] | null = null;
+  constructor(readonly way: Way) {
+    this.pieces = piecesAlong(way.outline, way.points, way.across);
+  }
+  get rings(): readonly Ring[] {
+    return (this.made ??= this.pieces.length < 3 ? this.pieces.map(({ ring }) => ring) : ringsAlong(this.way));
+  }
+}
+
+const sweptAlong = (outline: Ring, points: readonly Pt[], across: (ring: Ring) => Ring[] = foldedAtAxis): Sweep =>
+  new SweptWay({ outline, points, across });
+
+/** The rings of a way. */
+export const ringsAlong = ({ outline, points, across }: Way): readonly Ring[] => across(trackAlong(outline, points));
+
+/** No chord along Z: the polygon engine loses areas of a way that covers its own level edges. */
+const isSloped = ({ points }: Way): boolean =>
+  points.every((p, i) => i === 0 || Math.abs(p.r - (points[i - 1] as Pt).r) > GRID);
+
+/** Both ways as one, where the second goes on from the end of the first; else null. */
+export function wayOn(first: Way, second: Way): Way | null {
+  const [end, begin] = [first.points.at(-1), second.points[0]];
+  const goesOn = first.outline === second.outline && end?.z === begin?.z && end?.r === begin?.r;
+  return goesOn && isSloped(first) && isSloped(second)
+    ? { ...first, points: [...first.points, ...second.points.slice(1)] }
+    : null;
 }
 
 /** The sweep of a thread move in the half plane: the outline's own shape, once per revolution. */

@@ -157,6 +157,7 @@ export function holding(
     hold: () => hold,
     blank: () => now,
     loose(step) {
+      if (parted.length === since) return null;
       const fallen = parted.slice(since).filter((each) => each.step <= step);
       if (fallen.length === 0) return null;
       if (known?.count !== fallen.length) {

@@ -33,10 +33,11 @@ const purpose = { phase: "position", run: "rough", step: 0 } as const;
 /** A segment as a move; a feed of null is rapid. */
 export function moveOf(machine: Machine, s: Segment, feed: FeedNumber | null): Move {
   if (feed === null) return { kind: "rapid", to: s.to, ...purpose };
-  const feeding = { feed, feedUnit: machine.feedUnit, ...purpose };
+  const { feedUnit } = machine;
+  // Written out: what is spread into an object lies outside of it, and a long path has a move for each block.
   return s.kind === "line"
-    ? { kind: "feed", to: s.to, ...feeding }
-    : { kind: "arc", to: s.to, centre: s.centre, turn: s.turn, ...feeding };
+    ? { kind: "feed", to: s.to, feed, feedUnit, phase: "position", run: "rough", step: 0 }
+    : { kind: "arc", to: s.to, centre: s.centre, turn: s.turn, feed, feedUnit, ...purpose };
 }
 
 /** Runs the element pending for a corner; called before anything that does not belong to the contour. */

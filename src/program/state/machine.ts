@@ -21,7 +21,7 @@ import type { MachineClock } from "./machine-clock.ts";
 import { Log } from "./log.ts";
 import { intentOf, cutIntentAt } from "./intended-cuts.ts";
 import { NOT_PLACED, type Milling, type Modal, type ToolPosition } from "./modal.ts";
-import { pointIn } from "./path.ts";
+import { pointIn, type Position } from "./path.ts";
 import type { Guide } from "./plane-chain.ts";
 import { fileKey } from "./program-files.ts";
 import type { RunInput } from "./run-input.ts";
@@ -44,6 +44,7 @@ export class Machine {
   readonly millGuide: Guide;
 
   private readonly draft: Mutable<RunState>;
+  private stood: { readonly at: Position; readonly tip: Pt | null } | null = null;
 
   constructor(
     readonly input: RunInput,
@@ -246,9 +247,11 @@ export class Machine {
     return this.now.perRevolution ? "mm/rev" : "mm/min";
   }
 
-  /** The tip, when both coordinates are known. */
+  /** The tip, when both coordinates are known: one point at one position, so that moves share their ends. */
   get tip(): Pt | null {
-    return pointIn("lathe", this.place.at);
+    const { at } = this.place;
+    if (this.stood?.at !== at) this.stood = { at, tip: pointIn("lathe", at) };
+    return this.stood.tip;
   }
 
   /** Ends the run at a block, because the program exceeds a limit: the rest is unverified. */

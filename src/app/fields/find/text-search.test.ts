@@ -37,3 +37,8 @@ test("the next one goes around the end, the previous one around the start", () =
   expect([0, 5, 6, 21].map((offset) => nextMatch(matches, offset, true))).toEqual([2, 2, 0, 2]);
   expect(nextMatch([], 3)).toBe(-1);
 });
+
+test("a text that is longer than any line is nowhere, however many words it has", () => {
+  const words = "L X+1 ".repeat(10_000);
+  expect(matchesIn(words, words)).toEqual([]);
+});

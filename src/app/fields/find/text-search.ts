@@ -1,3 +1,5 @@
+import { LONGEST_LINE } from "../../../nc/longest-line.ts";
+
 /** A place where a searched text occurs. */
 export interface Match {
   readonly from: number;
@@ -12,10 +14,10 @@ const BLOCK_NUMBER = /^[^\S\r\n]*(?:\/[^\S\r\n]*)?N?\d+(?![\d.,])/i;
 
 /**
  * Searches in upper and lower case alike. A blank finds any number of blanks, since `L  X+5` and `L X+5` are the same
- * block. Null for an empty search.
+ * block. Null for an empty search, and for one that no line has room for: a pattern has a longest length too.
  */
 function patternOf(sought: string): RegExp | null {
-  return sought.trim() === ""
+  return sought.trim() === "" || sought.length > LONGEST_LINE
     ? null
     : new RegExp(
         sought
