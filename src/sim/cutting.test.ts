@@ -68,6 +68,21 @@ test("ways that run level, steep and back over themselves take what their moves 
   );
 });
 
+test("a stock is the same to the bit where the outlines come from another run, as after an edit", () => {
+  const other = outlinesOf()(tool).insert;
+  fc.assert(
+    fc.property(ways, (points) => {
+      const [one, two] = [cutting([blank]), cutting([blank])];
+      stepsThrough(points).forEach((s, i) => {
+        one.add(sweptBy(insert, s));
+        two.add(sweptBy(i % 2 ? insert : other, s));
+      });
+      expect(two.stock()).toEqual(one.stock());
+    }),
+    { numRuns: 20 },
+  );
+});
+
 test("queries in between do not change the stock by a bit, nor earlier results", () => {
   fc.assert(
     fc.property(ways, (points) => {

@@ -218,10 +218,17 @@ export const ringsAlong = ({ outline, points, across }: Way): readonly Ring[] =>
 const isSloped = ({ points }: Way): boolean =>
   points.every((p, i) => i === 0 || Math.abs(p.r - (points[i - 1] as Pt).r) > GRID);
 
+const isSame = (p: Pt | undefined, q: Pt | undefined): boolean => p?.z === q?.z && p?.r === q?.r;
+/** A run that goes on from a kept state has outlines of its own. */
+const isSameOutline = (a: Ring, b: Ring): boolean =>
+  a === b || (a.length === b.length && a.every((p, i) => isSame(p, b[i])));
+
 /** Both ways as one, where the second goes on from the end of the first; else null. */
 export function wayOn(first: Way, second: Way): Way | null {
-  const [end, begin] = [first.points.at(-1), second.points[0]];
-  const goesOn = first.outline === second.outline && end?.z === begin?.z && end?.r === begin?.r;
+  const goesOn =
+    first.across === second.across &&
+    isSame(first.points.at(-1), second.points[0]) &&
+    isSameOutline(first.outline, second.outline);
   return goesOn && isSloped(first) && isSloped(second)
     ? { ...first, points: [...first.points, ...second.points.slice(1)] }
     : null;
