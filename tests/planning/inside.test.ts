@@ -79,6 +79,8 @@ describe("a drill goes as deep as its own shape lets it", () => {
     ["stepped", "DRILL-D16", 0.25, -50 - 4.807 - 2],
     // As wide as the bore, without a tolerance: it makes the bore with its conical bottom.
     ["relieved", "DRILL-D20", 0.25, -46.009],
+    // Smaller than the bore: it makes the bottom on the axis all the same, which no bar reaches.
+    ["relieved", "DRILL-D16", 0.25, -46.009],
     // Too wide.
     ["nut", "DRILL-D12", 0.25, null],
   ] as const)("of a %s: %s", (name, drill, allowance, depth) => {

@@ -217,7 +217,8 @@ export function brokenByPart(request: PlanRequest, plan = planOf(request)): read
   );
   const open = actionsIn(end, s).filter((a) => {
     const tried = s.tries.of(a, end);
-    return tried.works && nodeBehind(end, tried, s).left < end.left - LEAST_REGION;
+    const { left, threads } = nodeBehind(end, tried, s);
+    return tried.works && (left < end.left - LEAST_REGION || threads.size > end.threads.size);
   });
   const again = planOf(request);
   const kept = planOf(request, { keep: keysOf(plan) });

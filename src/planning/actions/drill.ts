@@ -60,8 +60,10 @@ export function deepestPoint(
   // A drill that makes one of the cylinders, or the hole before a reamer, leaves nothing for boring.
   const isReamed = reamers.some((reamer) => drillsBefore(reamer, tool) && reamedBy(reamer, part));
   const makes = isReamed || inside.segments.some((segment, i) => fits(r, segment, inside.marks[i] ?? NO_MARK));
-  const wide = r + (makes ? -SAME : allowance);
+  const wall = r + (makes ? -SAME : allowance);
   inside.segments.forEach((segment) => {
+    // No bar gets to the axis: its point makes a bottom.
+    const wide = segment.to.r < SAME ? r - SAME : wall;
     const corners = geometry.flattened(segment, CHORD);
     corners.forEach((p, k) => {
       const before = corners[k - 1];

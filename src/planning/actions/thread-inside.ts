@@ -20,7 +20,16 @@ import { barsOf, heldBar, jobInside, startFor, startLimit } from "./bars.ts";
 import type { BoreWay } from "./bore-turning.ts";
 import { actionOf, fitsOf, fitted, notDone } from "./candidates.ts";
 import { drillsOf, onAxis } from "./on-axis.ts";
-import { alongCrest, fillOf, RUN_OUT, taperCycles, threadId, threadsOf, type ThreadPlace } from "./thread.ts";
+import {
+  alongCrest,
+  fillOf,
+  RUN_OUT,
+  taperCycles,
+  threadEnd,
+  threadId,
+  threadsOf,
+  type ThreadPlace,
+} from "./thread.ts";
 
 /** Most bars that are proposed for a thread. */
 const MOST_TOOLS = 2;
@@ -93,20 +102,19 @@ function turned(open: OpenThread, stock: readonly Ring[], request: PlanRequest):
   const corner = (z: number) => ({ diameter: diameter(rounded(across)), z: axial(rounded(z)) });
   const [before, next] = [inside.segments[place.first - 1], inside.segments[place.last + 1]];
   const runOut = RUN_OUT * named.pitch;
-  // It begins in front of a chamfer, and goes on behind the rear end of a through bore, where it runs out.
+  // It begins in front of a chamfer.
   const isChamfered = before && before.from.r >= box.low && before.from.z - box.right < runOut;
-  const [begin, end] = [isChamfered ? before.from.z : box.right, next ? box.left : box.left - named.pitch];
+  const begin = isChamfered ? before.from.z : box.right;
   const wanted: ShapeRequest = {
     site: "inside",
     shape: "thread",
     from: corner(begin),
-    to: corner(end),
+    to: corner(box.left),
     angle: 0,
     pitch: named.pitch,
     contour: null,
     allowance: 0,
   };
-  const isRelieved = next && next.to.r > box.low + SAME;
   const front = frontOf(stock);
   const clear = clearRadius(stock, box.left, front);
   const z = begin + Math.max(LEAST_RUN_UP, RUN_UP * named.pitch);
@@ -120,11 +128,16 @@ function turned(open: OpenThread, stock: readonly Ring[], request: PlanRequest):
         if (!fill || r === null) return null;
         const lifts = Math.min(LIFT, roundedDown(clear - startLimit(tool, clear)));
         if (lifts < LEAST_LIFT) return null;
-        const made = withValue(jobInside(cycle, wanted, stock, { z, r }), "Q460", lifts);
+        const root = isTaper ? box.high + fill.cut.depth : radiusOf(fill.cut.root);
+        // It goes on behind the rear end of a through bore, where it runs out.
+        const { end, rise } = next
+          ? threadEnd(named, place, { chain: inside, site: "inside", root, tool })
+          : { end: box.left - named.pitch, rise: runOut };
+        const made = withValue(jobInside(cycle, { ...wanted, to: corner(end) }, stock, { z, r }), "Q460", lifts);
         const line = isTaper ? alongCrest(cycle, segments, [begin, end], fill.cut.depth) : null;
         const values = { ...fill.values, ...line, ...(line && { Q466: rounded(named.pitch) }) };
         const filled = Object.entries(values).reduce((job, [q, value]) => withValue(job, q, value), made);
-        const job = withValue(filled, "Q474", isRelieved ? 0 : rounded(runOut));
+        const job = withValue(filled, "Q474", rounded(rise));
         const cut = {
           operation: "both",
           work: "thread",
@@ -136,7 +149,6 @@ function turned(open: OpenThread, stock: readonly Ring[], request: PlanRequest):
           bar: heldBar(tool, front - box.left),
         } as const;
         const fit = fitted({ cycle, job, cut }, tool, request);
-        const root = isTaper ? box.high + fill.cut.depth : radiusOf(fill.cut.root);
         const room = { front: z, rear: end - runOut, high: root + ROOT, low: box.low - ROOT };
         return fit && { ...fit, room };
       };

@@ -4,7 +4,7 @@ import { firstValues } from "../../cycles/first-values.ts";
 import { catalogue } from "../../cycles/index.ts";
 import { useOf } from "../../cycles/use.ts";
 import { cutLength, noseRadius } from "../../kernel/cutter/insert.ts";
-import { USUAL_TOOTH } from "../../kernel/plan/tool.ts";
+import { USUAL_TOOTH, type Tool } from "../../kernel/plan/tool.ts";
 import type { Aim, NamedThread } from "../../kernel/thread/named-thread.ts";
 import { readThread } from "../../kernel/thread/threads.ts";
 import { boxOf } from "../../kernel/area/box.ts";
@@ -25,6 +25,15 @@ export interface ThreadPlace {
   readonly first: number;
   readonly last: number;
   readonly designation: string;
+}
+
+/** Where a thread is cut, and with what. */
+interface ThreadSide {
+  readonly chain: Chain;
+  readonly site: "outside" | "inside";
+  /** Radius of its root, mm. */
+  readonly root: number;
+  readonly tool: Tool;
 }
 
 /** The threads of a chain, from the front to the rear. */
@@ -128,14 +137,7 @@ function threadings(
         const fill = fillOf(named, cycle, across, noseRadius(tool));
         if (!fill) return [];
         const root = named.taper > 0 ? box.low - fill.cut.depth : radiusOf(fill.cut.root);
-        const relief = reliefFrom(chain, place, root);
-        const deep = relief ?? box.left;
-        // In a short relief, or without one, the tooth stops in front of the shoulder, and rises on the way to that place.
-        const shoulder = shoulderBehind(chain, place);
-        const tooth = Math.min(cutLength(tool) ?? USUAL_TOOTH, (shoulder?.r ?? root) - root);
-        const half = Math.tan(radians(named.angle) / 2) * tooth + noseRadius(tool);
-        const end = shoulder ? Math.max(deep, shoulder.z + named.pitch + half) : deep;
-        const rise = relief !== null ? Math.max(0, end > deep ? box.left - end : 0) : RUN_OUT * named.pitch;
+        const { end, rise } = threadEnd(named, place, { chain, site: "outside", root, tool });
         const begun = jobFor(cycle, { ...wanted, to: corner(end) }, stock);
         const line = alongCrest(cycle, segments, [front, end]);
         const values = { ...fill.values, ...line, Q474: rounded(rise), ...(line && { Q466: rounded(named.pitch) }) };
@@ -160,21 +162,33 @@ function threadings(
   );
 }
 
-/** The shoulder behind a thread: the end of the first element that rises over its crest. */
-function shoulderBehind({ segments }: Chain, { last }: ThreadPlace): { readonly z: number; readonly r: number } | null {
-  const high = segments[last]?.to.r ?? 0;
-  const over = segments.slice(last + 1).find(({ to }) => to.r > high + SAME);
-  return over ? { z: over.to.z, r: over.to.r } : null;
-}
-
-/** Z from which on the relief behind a thread is as deep as its root; null where it is not, or there is none. */
-function reliefFrom({ segments }: Chain, { last }: ThreadPlace, root: number): number | null {
-  if (last === segments.length - 1) return segments[last]?.to.z ?? null;
-  for (const s of segments.slice(last + 1)) {
-    if (s.to.r > s.from.r + SAME) return null;
-    if (s.to.r <= root + ROOT) return s.to.z;
-  }
-  return null;
+/**
+ * Z where the passes of a thread end, mm, and the length of its run-out. They go on to where its relief is as deep as its
+ * root: in front of that the drawing has material. In a short relief, or without one, the tooth stops in front of the
+ * shoulder, and rises on the way to that place.
+ */
+export function threadEnd(
+  { angle, pitch }: NamedThread,
+  { first, last }: ThreadPlace,
+  { chain: { segments }, site, root, tool }: ThreadSide,
+): { readonly end: number; readonly rise: number } {
+  const high = (r: number) => (site === "outside" ? r : -r);
+  const crest = Math.max(...segments.slice(first, last + 1).flatMap(({ from, to }) => [high(from.r), high(to.r)]));
+  const left = segments[last]?.to.z ?? 0;
+  const behind = segments.slice(last + 1);
+  const shoulder = behind.find(({ to }) => high(to.r) > crest + SAME)?.to;
+  const [rising, deepest] = [
+    behind.findIndex((s) => high(s.to.r) > high(s.from.r) + SAME),
+    behind.findIndex(({ to }) => high(to.r) <= high(root) + ROOT),
+  ];
+  const isRelieved = deepest >= 0 && (rising < 0 || deepest < rising);
+  const relief = behind.length === 0 ? left : isRelieved ? (behind[deepest]?.to.z ?? null) : null;
+  const deep = relief ?? left;
+  const tooth = Math.min(cutLength(tool) ?? USUAL_TOOTH, shoulder ? high(shoulder.r) - high(root) : 0);
+  const half = Math.tan(radians(angle) / 2) * tooth + noseRadius(tool);
+  const end = shoulder ? Math.max(deep, shoulder.z + pitch + half) : deep;
+  const rise = relief !== null ? Math.max(0, end > deep ? left - end : 0) : RUN_OUT * pitch;
+  return { end, rise };
 }
 
 /** The values of a thread whose crest is nearest to the cylinder of the drawing. */
