@@ -73,7 +73,8 @@ export function leftBy(
 }
 
 /** Greatest oversize that a finishing cut takes with the ground of an undercut, mm. */
-export const thickestOf = ({ rules }: Pick<PlanRequest, "rules">): number => perSide(diameter(rules.allowance.diameter)) + THICKEST;
+export const thickestOf = ({ rules }: Pick<PlanRequest, "rules">): number =>
+  perSide(diameter(rules.allowance.diameter)) + THICKEST;
 
 /** What every try begins with. */
 const EMPTY = parse(emptyProgram("PLAN", null));
