@@ -21,20 +21,21 @@ const LOOKS_AHEAD = 4;
 /** Blocks after a change that are reread at first; doubled until old and new boundaries meet. */
 const REREAD_BEHIND = 16;
 
-function startsOf(blocks: readonly Block[]): number[] {
-  let offset = 0;
-  const starts = blocks.map((b) => {
-    const start = offset;
-    offset += b.raw.length;
-    return start;
-  });
-  starts.push(offset);
-  return starts;
+/** Adds the starts of the blocks behind those that have one, the first of them at `offset`, and the end. */
+function addStarts(starts: number[], blocks: readonly Block[], offset: number): void {
+  let at = offset;
+  for (let i = starts.length; i < blocks.length; i += 1) {
+    starts.push(at);
+    at += blocks[i]?.raw.length ?? 0;
+  }
+  starts.push(at);
 }
 
 export function readingOf(text: string): Reading {
   const program = parse(text);
-  return { program, starts: startsOf(program.blocks) };
+  const starts: number[] = [];
+  addStarts(starts, program.blocks, 0);
+  return { program, starts };
 }
 
 /** Index of the block at an offset; the last block at the end of the text, -1 in an empty text. */
@@ -134,6 +135,8 @@ export function incrementalParser(): (text: string) => Program {
 }
 
 function spliced(old: Reading, first: number, end: number, fresh: readonly Block[]): Reading {
-  const blocks = [...old.program.blocks.slice(0, first), ...fresh, ...old.program.blocks.slice(end)];
-  return { program: { blocks }, starts: startsOf(blocks) };
+  const blocks = old.program.blocks.slice(0, first).concat(fresh, old.program.blocks.slice(end));
+  const starts = old.starts.slice(0, first);
+  addStarts(starts, blocks, old.starts[first] ?? 0);
+  return { program: { blocks }, starts };
 }

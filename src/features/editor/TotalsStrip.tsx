@@ -1,4 +1,4 @@
-import { useEffect } from "react";
+import { useEffect, useMemo } from "react";
 import type { Step } from "../../kernel/time/step.ts";
 import { blockNumbers, type Program } from "../../nc/program.ts";
 import { isOff, operationsOf } from "../../program/edits/operations.ts";
@@ -58,8 +58,8 @@ export function TotalsStrip() {
   const program = useSession((s) => s.reading.program),
     run = shown?.run;
   // Milling moves have neither tool nor operation: those of the text are counted.
-  const tools = run && (run.plane.length > 0 ? toolCalls(program) : toolChangesOf(run));
-  const operations = run && operationCount(program, run);
+  const tools = useMemo(() => run && (run.plane.length > 0 ? toolCalls(program) : toolChangesOf(run)), [program, run]);
+  const operations = useMemo(() => run && operationCount(program, run), [program, run]);
   // Another block opens another dialog, which may show the same prompt.
   useEffect(
     () =>

@@ -1,5 +1,6 @@
 import { cycleByNumber } from "../../cycles/index.ts";
 import { klartext } from "../../nc/blocks/klartext.ts";
+import { perObject } from "../../nc/per-object.ts";
 import type { Block, Program } from "../../nc/program.ts";
 import type { Statement } from "../../nc/statement.ts";
 import type { Label, Parameter } from "../../nc/words.ts";
@@ -230,7 +231,7 @@ function tieFor({
 }
 
 /** Splits a program into operations, one per cycle: from the tool call or structure item to the retraction. */
-export function operationsOf({ blocks }: Program): Operations {
+export const operationsOf = perObject(({ blocks }: Program): Operations => {
   const end = endOfMain(blocks);
   const tools: number[] = [];
   const at = (i: number): Statement => blocks[i]?.statement ?? { kind: "empty" };
@@ -277,7 +278,7 @@ export function operationsOf({ blocks }: Program): Operations {
     return { ...whole, opening: cuts.opening, closing: cuts.closing, units: own.map((_, k) => first + k) };
   });
   return { from: starts[0] ?? end, to: end, sections, units };
-}
+});
 
 /** All blocks of an operation, including opening and closing blocks that it shares with no other. */
 export function wholeOf({ sections, units }: Operations, unit: number): BlockRange {

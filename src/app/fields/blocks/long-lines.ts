@@ -20,14 +20,16 @@ class HiddenRest extends WidgetType {
   }
 }
 
-/** What is not shown of the lines between two places. */
+/** What is not shown of the lines that two places are on, and of those between. */
 function hiddenBetween(doc: Text, from: number, to: number): Range<Decoration>[] {
   const made: Range<Decoration>[] = [];
-  for (let at = from; at <= to;) {
-    const line = doc.lineAt(at);
+  const first = doc.lineAt(from);
+  let begin = first.from;
+  for (const line of doc.iterLines(first.number, doc.lineAt(to).number + 1)) {
+    const end = begin + line.length;
     if (line.length > LONGEST_LINE)
-      made.push(Decoration.replace({ widget: new HiddenRest(line.length - SHOWN) }).range(line.from + SHOWN, line.to));
-    at = line.to + 1;
+      made.push(Decoration.replace({ widget: new HiddenRest(line.length - SHOWN) }).range(begin + SHOWN, end));
+    begin = end + 1;
   }
   return made;
 }

@@ -173,7 +173,7 @@ function onChange(update: TextUpdate): void {
     // The number belongs to the typing before it, in one step of undo.
     if (changes.length > 0) return view?.get().dispatch({ changes: [...changes], userEvent: "input.type.compose" });
   }
-  const more = update.state.field(readingField) !== update.startState.field(readingField);
+  const more = update.docChanged || (isRead(update.state) && !isRead(update.startState));
   if (!more && !update.selectionSet) return;
   if (typed && !byDialog) panels.start(() => show(true), TYPING.panels);
   else show(!byDialog);
@@ -210,7 +210,7 @@ function cacheShownText(program: ProgramWork, work: string): Text {
   return text;
 }
 
-/** Reads a long text piece by piece, so that the page stays responsive. */
+/** Reads a long text piece by piece, so that the page stays responsive; its lists are made once all of it is read. */
 function readToEnd(): void {
   reading.stop();
   if (!open || isRead(open.state)) return;
