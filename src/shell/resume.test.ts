@@ -49,7 +49,6 @@ vi.mock("../app/records/device.ts", () => ({
 vi.mock("../app/place/place.ts", () => ({ showElsewhere: page.tell("elsewhere") }));
 vi.mock("../app/base/notices.ts", () => ({ notice: page.tell("notice") }));
 vi.mock("../app/records/keep.ts", () => ({
-  claimWithRetries: (work: string) => Promise.resolve(!page.given.taken?.includes(work)),
   keepState: page.tell("keep"),
   settleJournals: page.tell("journals"),
   showFound: page.tell("list"),
@@ -65,6 +64,7 @@ vi.mock("../app/records/opening.ts", () => ({
 }));
 vi.mock("../app/records/save-file.ts", () => ({ readSave: (raw: unknown) => raw }));
 vi.mock("../app/records/tab.ts", () => ({
+  claimWithRetries: (work: string) => Promise.resolve(!page.given.taken?.includes(work)),
   takePending: () => page.given.pending ?? [],
   rememberedWork: () => page.given.remembered ?? null,
   rememberWork: page.tell("remember"),

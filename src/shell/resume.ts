@@ -2,18 +2,11 @@ import { openFirstWork } from "../app/document/store.ts";
 import { findWorks, readWork, type WorkSummary } from "../app/records/device.ts";
 import { showElsewhere } from "../app/place/place.ts";
 import { notice } from "../app/base/notices.ts";
-import {
-  claimWithRetries,
-  keepState,
-  noteWritten,
-  settleJournals,
-  showFound,
-  useSavedWorks,
-} from "../app/records/keep.ts";
+import { keepState, noteWritten, settleJournals, showFound, useSavedWorks } from "../app/records/keep.ts";
 import { isSilent } from "../app/base/database.ts";
 import { diedOpen, noteOpening } from "../app/records/opening.ts";
 import { readSave } from "../app/records/save-file.ts";
-import { takePending, rememberedWork, rememberWork } from "../app/records/tab.ts";
+import { claimWithRetries, takePending, rememberedWork, rememberWork } from "../app/records/tab.ts";
 
 /** Saves what the previous page could not save in time. */
 async function writeUnsaved(): Promise<void> {

@@ -218,13 +218,14 @@ export async function keepWork(work: string, job: Work, savedAt = time()): Promi
   }
 }
 
-/** Deletes a work, at the operator's request only. */
-export async function forgetWork(work: string): Promise<void> {
+/** Deletes a work, at the operator's request only; false if the device did not. */
+export async function forgetWork(work: string): Promise<boolean> {
   try {
     await works.del(work);
     own.delete(work);
     await noteHead(work, null);
+    return true;
   } catch {
-    return;
+    return false;
   }
 }

@@ -10,6 +10,8 @@ export const device = {
   slow: null as Promise<void> | null,
   setAside: 0,
   newer: 0,
+  /** Most calls that waited for an answer at once. */
+  atOnce: 0,
   taken: new Set<string>(),
 };
 
@@ -28,7 +30,7 @@ export const findWorks = (): Promise<FoundWorks> =>
   });
 
 export async function keepWork(work: string, job: Job, savedAt = device.works.size): Promise<string> {
-  await device.slow;
+  await (device.slow ?? asked());
   if (!device.refuses) device.works.set(work, { savedAt, job });
   return device.refuses ?? "kept";
 }
@@ -43,7 +45,20 @@ const summaryOf = (work: string, { savedAt, job }: { savedAt: number; job: Job }
   cycle: job.cycle,
   size: 7,
 });
-export const forgetWork = (work: string): Promise<boolean> => Promise.resolve(device.works.delete(work));
+export async function forgetWork(work: string): Promise<boolean> {
+  await asked();
+  if (!device.refuses) device.works.delete(work);
+  return !device.refuses;
+}
+
+let waiting = 0;
+/** Answers later, and notes how many wait for an answer. */
+async function asked(): Promise<void> {
+  waiting += 1;
+  device.atOnce = Math.max(device.atOnce, waiting);
+  await Promise.resolve();
+  waiting -= 1;
+}
 
 /** The locks of the browser, with the works that other tabs hold. */
 export const locks = {
@@ -63,7 +78,7 @@ export const someJob = exampleJob(cycle);
 export function emptyDevice(): void {
   device.works.clear();
   device.taken.clear();
-  Object.assign(device, { refuses: null, slow: null, setAside: 0, newer: 0 });
+  Object.assign(device, { refuses: null, slow: null, setAside: 0, newer: 0, atOnce: 0 });
   sessionStorage.clear();
   localStorage.clear();
   Object.defineProperty(navigator, "locks", { value: locks, configurable: true });

@@ -9,6 +9,7 @@ import { openFirstWork, flushEdits, open, openContent, useEditor } from "../docu
 import type { Work } from "../document/work.ts";
 import {
   findWorks,
+  forgetWork,
   keepWork,
   lookUpWork,
   readWork,
@@ -37,6 +38,7 @@ import {
   answerRequests,
   requestWork,
   claimNew,
+  claimWithRetries,
   claimWork,
   onLost,
   ownedWorks,
@@ -75,12 +77,24 @@ export function noteWritten(work: string, stored: Stored): void {
 const unsaved = new Map<string, Work>();
 export const unsavedWorks = (): readonly Work[] => [...unsaved.values()];
 export const unsavedNames = (): readonly string[] => [...unsaved.keys()];
-/** Drops what is not saved of a work that is deleted. */
-export function forgetUnsaved(work: string): void {
+/**
+ * Deletes a work with what is not saved of it. False if the device still has it: then nothing of it is lost. What only
+ * this page has is gone in any case.
+ */
+export async function dropWork(work: string): Promise<boolean> {
+  const [held, waiting, known] = [unsaved.get(work), pending.get(work), written.has(work)];
+  // Nothing writes it again meanwhile.
   unsaved.delete(work);
   pending.delete(work);
+  if (!(await forgetWork(work)) && known) {
+    if (held) unsaved.set(work, held);
+    if (waiting) pending.set(work, waiting);
+    return false;
+  }
+  written.delete(work);
   forgetJournal(work);
   forgetMark(work);
+  return true;
 }
 
 /** A later date than any before: the journal tells states apart by it. */
@@ -261,18 +275,6 @@ export function startAutosave(): () => void {
     document.removeEventListener("visibilitychange", rest);
     void writePending();
   };
-}
-
-/** Attempts to claim a work, and the pause between them, ms: a tab that closes or reloads releases it late. */
-const ASKING = { times: 5, rest: 60 };
-
-/** Claims a work for this tab, with retries. */
-export async function claimWithRetries(work: string): Promise<boolean> {
-  for (let attempt = 0; attempt < ASKING.times; attempt++) {
-    if (attempt > 0) await new Promise((done) => setTimeout(done, ASKING.rest));
-    if (await claimWork(work)) return true;
-  }
-  return false;
 }
 
 /**

@@ -147,6 +147,18 @@ export async function claimWork(work: string, steal = false): Promise<boolean> {
   });
 }
 
+/** Attempts to claim a work, and the pause between them, ms: a tab that closes or reloads releases it late. */
+const ASKING = { times: 5, rest: 60 };
+
+/** Claims a work for this tab, with retries. */
+export async function claimWithRetries(work: string): Promise<boolean> {
+  for (let attempt = 0; attempt < ASKING.times; attempt++) {
+    if (attempt > 0) await new Promise((done) => setTimeout(done, ASKING.rest));
+    if (await claimWork(work)) return true;
+  }
+  return false;
+}
+
 /** Claims a new work, which no other tab can have. */
 export function claimNew(work: string): void {
   void claimWork(work);

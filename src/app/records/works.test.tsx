@@ -155,6 +155,30 @@ test("works are deleted only on request, and undo restores them unchanged", asyn
   expect(useEditor.getState().job).toMatchObject({ name: "N0" });
 });
 
+test("many works are deleted and restored one after the other", async () => {
+  for (let i = 0; i < 40; i += 1) device.works.set(`w${i}`, { savedAt: i, job: { ...job, name: `N${i}` } });
+  const { gone } = await removeWorks([...device.works.keys()]);
+  expect([gone.length, device.works.size, device.atOnce]).toEqual([40, 0, 1]);
+  undo("works");
+  await eventually(() => expect(device.works.size).toBe(40));
+  expect(device.atOnce).toBe(1);
+});
+
+test("a work that the device does not delete stays, with what is not saved of it", async () => {
+  const stop = startAutosave();
+  void startWork(job);
+  const { work } = useEditor.getState();
+  await eventually(() => expect(device.works.has(work ?? "")).toBe(true));
+  device.refuses = "refused";
+  takePlace("tool", "4");
+  expect(await removeWorks([work ?? "", "none"])).toEqual({ gone: [], leftOut: 0, refused: 1 });
+  await eventually(() => expect(unsavedWorks()).toMatchObject([{ tool: 4 }]));
+  device.refuses = null;
+  expect(await removeWorks([work ?? ""])).toMatchObject({ gone: [{ job: { tool: 4 } }], refused: 0 });
+  expect([device.works.size, unsavedWorks()]).toEqual([0, []]);
+  stop();
+});
+
 test("a work is renamed in place, and duplicated under a free name", async () => {
   const file = (name: string) => ({ name, text: "M30", encoding: "utf-8" as const });
   device.works.set("a", { savedAt: 7, job: { ...file("A.h"), files: [file("SUB.H")] } });

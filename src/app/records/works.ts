@@ -4,8 +4,8 @@ import { time } from "../base/clock.ts";
 import { WORKS } from "../document/documents.ts";
 import { recordStep } from "../document/steps.ts";
 import { isProgram, textsOf, type Work } from "../document/work.ts";
-import { forgetWork, isTaken, keepWork, readWork } from "./device.ts";
-import { forgetUnsaved, keepState, newestState, refreshWorks } from "./keep.ts";
+import { isTaken, keepWork, readWork } from "./device.ts";
+import { dropWork, keepState, newestState, refreshWorks } from "./keep.ts";
 import { claimWork, owns, releaseWork, announceChange } from "./tab.ts";
 
 /** Owner of the undo steps that change the list of works. */
@@ -60,56 +60,58 @@ async function storedNow(work: string): Promise<StoredWork | null> {
   return job && { work, job, savedAt: (await readWork(work))?.savedAt ?? time() };
 }
 
+/** One after the other: a storage that is asked ten thousand things at once does not answer in time. */
+async function inTurn<T>(all: readonly T[], change: (each: T) => Promise<unknown>): Promise<void> {
+  for (const each of all) await change(each);
+}
+
 /** Works that are on the device at times: they are restored as they were when they were last removed. */
 function comingAndGoing(works: readonly StoredWork[]) {
   const states = new Map(works.map((each) => [each.work, each]));
   return {
     /** Removes those that are not open in another tab. */
     remove: () =>
-      Promise.all(
-        [...states.keys()].map((work) =>
-          withWork(work, async () => {
-            const now = await storedNow(work);
-            if (now) states.set(work, now);
-            forgetUnsaved(work);
-            await forgetWork(work);
-          }),
-        ),
+      inTurn([...states.keys()], (work) =>
+        withWork(work, async () => {
+          const now = await storedNow(work);
+          if (now) states.set(work, now);
+          await dropWork(work);
+        }),
       ),
     /** Restores them, beside what has their names by now. If that fails they stay in memory, with a notice. */
     restore: () =>
-      Promise.all(
-        [...states.values()].map(async ({ work: own, job, savedAt }) => {
-          const work = (await isTaken(own)) ? randomId() : own;
-          if ((await keepWork(work, job, savedAt)) !== "kept") await keepState(work, job);
-        }),
-      ),
+      inTurn([...states.values()], async ({ work: own, job, savedAt }) => {
+        const work = (await isTaken(own)) ? randomId() : own;
+        if ((await keepWork(work, job, savedAt)) !== "kept") await keepState(work, job);
+      }),
   };
 }
 
+/** What became of works that were to be deleted: those gone, and how many are open in other tabs, or still stored. */
+export interface Removed {
+  readonly gone: readonly StoredWork[];
+  readonly leftOut: number;
+  readonly refused: number;
+}
+
 /** Deletes works as one step of undo, except those open in other tabs. */
-export async function removeWorks(
-  works: readonly string[],
-): Promise<{ readonly gone: readonly StoredWork[]; readonly leftOut: number }> {
+export async function removeWorks(works: readonly string[]): Promise<Removed> {
   const gone: StoredWork[] = [];
-  const done = await Promise.all(
-    works.map((work) =>
-      withWork(work, async () => {
-        const one = await storedNow(work);
-        if (!one) return;
-        gone.push(one);
-        forgetUnsaved(work);
-        await forgetWork(work);
-      }),
-    ),
-  );
-  const leftOut = done.filter((free) => !free).length;
+  let [leftOut, refused] = [0, 0];
+  await inTurn(works, async (work) => {
+    const free = await withWork(work, async () => {
+      const one = await storedNow(work);
+      if (one ? !(await dropWork(work)) : await isTaken(work)) refused += 1;
+      else if (one) gone.push(one);
+    });
+    if (!free) leftOut += 1;
+  });
   await refreshAfter(Promise.resolve());
   if (gone.length > 0) {
     const { remove, restore } = comingAndGoing(gone);
     noteStep([listed(gone), []], restore, remove);
   }
-  return { gone, leftOut };
+  return { gone, leftOut, refused };
 }
 
 /** Result of changing one work. */

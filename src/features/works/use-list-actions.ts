@@ -13,6 +13,9 @@ import type { RowAction } from "./WorkRow.tsx";
 const said = (sentence: string, changed = false): TableMessage => ({ sentences: [sentence], failed: false, changed });
 const failed = (sentence: string): TableMessage => ({ sentences: [sentence], failed: true, changed: false });
 
+/** So many works take a while to be deleted. */
+const MANY = 100;
+
 /** The actions of the list of works: on one row, and on all selected ones. `focus` focuses the row of a work. */
 export function useListActions(t: DeviceTexts["works"], isElsewhere: string, focus: (work: string) => void) {
   const [last, setLast] = useState<{ readonly said: TableMessage; readonly step: HistoryStep | undefined } | null>(
@@ -41,11 +44,13 @@ export function useListActions(t: DeviceTexts["works"], isElsewhere: string, foc
 
   const remove = useCallback(
     async (works: readonly string[], nextRow: string | null) => {
-      const { gone, leftOut } = await removeWorks(works);
+      if (works.length >= MANY) say(said(t.removing(works.length)));
+      const { gone, leftOut, refused } = await removeWorks(works);
       select((before) => new Set([...before].filter((work) => !works.includes(work))));
       const sentences = [
         ...(gone.length > 0 ? [t.removed(gone.length, gone[0]?.job.name ?? "")] : []),
         ...(leftOut > 0 ? [t.leftOut(leftOut)] : []),
+        ...(refused > 0 ? [t.notRemoved(refused)] : []),
       ];
       say({ sentences, failed: gone.length === 0, changed: gone.length > 0 });
       if (nextRow !== null) focus(nextRow);

@@ -24,6 +24,9 @@ export const device = {
     removeSelected: "Löschen",
     saveSelected: "Sichern",
     removed: (n, name) => (n === 1 ? `${name} wurde gelöscht.` : `${n} Programme wurden gelöscht.`),
+    removing: (n) => `${n} Programme werden gelöscht …`,
+    notRemoved: (n) =>
+      n === 1 ? "Das Gerät hat 1 Programm nicht gelöscht." : `Das Gerät hat ${n} Programme nicht gelöscht.`,
     renamed: (name) => `In ${name} umbenannt.`,
     duplicated: (name) => `${name} wurde erstellt.`,
     saved: (n) =>

@@ -25,6 +25,9 @@ export const device = {
     removeSelected: "Delete",
     saveSelected: "Back up",
     removed: (n: number, name: string) => (n === 1 ? `${name} was deleted.` : `${n} programs were deleted.`),
+    removing: (n: number) => `Deleting ${n} programs …`,
+    notRemoved: (n: number) =>
+      n === 1 ? "The device did not delete 1 program." : `The device did not delete ${n} programs.`,
     renamed: (name: string) => `Renamed to ${name}.`,
     duplicated: (name: string) => `${name} was created.`,
     saved: (n: number) =>

@@ -25,6 +25,9 @@ export const device = typeset<DeviceTexts>({
     removeSelected: "Supprimer",
     saveSelected: "Sauvegarder",
     removed: (n, name) => (n === 1 ? `${name} a été supprimé.` : `${n} programmes ont été supprimés.`),
+    removing: (n) => `Suppression de ${n} programmes …`,
+    notRemoved: (n) =>
+      n === 1 ? "L’appareil n’a pas supprimé 1 programme." : `L’appareil n’a pas supprimé ${n} programmes.`,
     renamed: (name) => `Renommé en ${name}.`,
     duplicated: (name) => `${name} a été créé.`,
     saved: (n) =>

@@ -24,6 +24,8 @@ export const device = {
     removeSelected: "删除",
     saveSelected: "备份",
     removed: (n, name) => (n === 1 ? `已删除 ${name}。` : `已删除 ${n} 个程序。`),
+    removing: (n) => `正在删除 ${n} 个程序…`,
+    notRemoved: (n) => `设备未删除 ${n} 个程序。`,
     renamed: (name) => `已重命名为 ${name}。`,
     duplicated: (name) => `已建立 ${name}。`,
     saved: (n) => `${n} 个程序已备份到下载文件夹。`,
