@@ -1,5 +1,6 @@
 import { insert } from "../src/i18n/en/insert.ts";
 import { readFileSync } from "node:fs";
+import { TABLET } from "./pages/devices.ts";
 import { dragFinger } from "./pages/finger.ts";
 import { expectFits, expectInView } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
@@ -7,7 +8,7 @@ import { pictureAt, settledBox } from "./pages/picture.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 import { answers } from "./pages/values.ts";
 
-test.use({ hasTouch: true });
+test.use(TABLET);
 
 /** Smallest target for a gloved finger, px. */
 const TARGET = 48;
