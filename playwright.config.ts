@@ -55,26 +55,18 @@ export default defineConfig({
     stdout: "ignore",
     stderr: "pipe",
   },
+  // Each project starts all workers and browsers again. The one with few long journeys comes first: at the end, one of
+  // them would keep one core waiting.
   projects: [
-    {
-      name: "desktop",
-      testIgnore: [/touch\.spec\.ts/, FIRST_VISITS],
-      use: { ...desktop },
-    },
     {
       name: "first visit",
       testMatch: FIRST_VISITS,
       use: { ...desktop, reuseContext: false },
     },
     {
-      name: "tablet",
-      testMatch: /\/(touch|screens)\.spec\.ts/,
-      use: { ...devices["Desktop Chrome"], viewport: { width: 1024, height: 768 }, hasTouch: true },
-    },
-    {
-      name: "phone",
-      testMatch: /screens\.spec\.ts/,
-      use: { ...devices["Desktop Chrome"], viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true },
+      name: "desktop",
+      testIgnore: FIRST_VISITS,
+      use: { ...desktop },
     },
   ],
 });

@@ -1,7 +1,7 @@
 import { readFile } from "node:fs/promises";
 import { betterWays as ways } from "../src/i18n/en/better-ways.ts";
 import { compare as words } from "../src/i18n/en/compare.ts";
-import { expectFineInBothThemes } from "./pages/layout-checks.ts";
+import { expectFineAtSizes, expectFineInBothThemes } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -39,10 +39,11 @@ test("a changed infeed is listed with its effect, by keyboard, and leads to its 
   await expect(rows.first()).toBeFocused();
   await page.keyboard.press("ArrowDown");
   await expect(rows.nth(1)).toBeFocused();
-  for (const width of [1280, 768, 390]) {
-    await page.setViewportSize({ width, height: 844 });
-    await expectFineInBothThemes(page, `the comparison at ${width}`);
-  }
+  await expectFineAtSizes(page, "the comparison", [
+    [1280, 844],
+    [768, 844],
+    [390, 844],
+  ]);
   await dialog.getByRole("button", { name: words.copy, exact: true }).click();
   const copied = () => page.evaluate(() => navigator.clipboard.readText());
   await expect.poll(copied).toContain("Q463 Max. infeed 4 → 3");

@@ -2,7 +2,7 @@ import { readFile } from "node:fs/promises";
 import type { Locator, Page } from "@playwright/test";
 import { device as t } from "../src/i18n/en/device.ts";
 import { guide } from "../src/i18n/en/guide.ts";
-import { expectAccessible, expectFineInBothThemes } from "./pages/layout-checks.ts";
+import { expectAccessible, expectFineAtSizes } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -62,14 +62,11 @@ test("all works by keyboard: searched, renamed, duplicated, deleted and restored
   await page.keyboard.press("Delete");
   await expect(rows).toHaveCount(2);
   await expect(rows.getByRole("button", { name: /^Open/ }).and(page.locator(":focus"))).toHaveCount(1);
-  for (const [width, height] of [
+  await expectFineAtSizes(page, "all works", [
     [1280, 800],
     [768, 1024],
     [390, 844],
-  ] as const) {
-    await page.setViewportSize({ width, height });
-    await expectFineInBothThemes(page, `all works at ${width}`);
-  }
+  ]);
   await page.reload();
   await expect(rows).toHaveCount(2);
   await button(page, t.works.open("WELLE 9")).press("Enter");

@@ -1,5 +1,5 @@
 import { files as words } from "../src/i18n/en/files.ts";
-import { expectFineInBothThemes } from "./pages/layout-checks.ts";
+import { expectFineAtSizes } from "./pages/layout-checks.ts";
 import { provedIn } from "./pages/effect.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
@@ -188,10 +188,10 @@ test("from a folder with several programs, open one with the programs it calls, 
   await expect(question.getByRole("listitem")).toHaveCount(2);
   await expect(question.getByRole("button", { name: words.choose.open("MAIN.h") })).toContainText(words.choose.with(2));
   await expect(question).toContainText(words.choose.skipped(1));
-  for (const width of [1280, 390]) {
-    await page.setViewportSize({ width, height: 844 });
-    await expectFineInBothThemes(page, `the question which program at ${width}`);
-  }
+  await expectFineAtSizes(page, "the question which program", [
+    [1280, 844],
+    [390, 844],
+  ]);
   await page.setViewportSize({ width: 1280, height: 800 });
   await question.getByRole("button", { name: words.choose.open("MAIN.h") }).click();
   await expect(editor.total(t.editor.operations)).toHaveText("1");

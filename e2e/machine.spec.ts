@@ -1,6 +1,6 @@
 import { readFile } from "node:fs/promises";
 import { machineTexts as t } from "../src/i18n/en/machine.ts";
-import { expectAccessible, expectFineInBothThemes } from "./pages/layout-checks.ts";
+import { expectFineAtSizes } from "./pages/layout-checks.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -24,14 +24,10 @@ test("machine data: a preset, an invalid value, export and import, and their eff
   await section.getByText(t.values, { exact: true }).click();
   const most = section.getByRole("textbox", { name: t.fields.most, exact: true });
   await expect(most).toHaveValue("1600");
-  await expectAccessible(page);
-  for (const [width, height] of [
+  await expectFineAtSizes(page, "machine", [
     [1280, 800],
     [390, 664],
-  ] as const) {
-    await page.setViewportSize({ width, height });
-    await expectFineInBothThemes(page, `machine ${width}`);
-  }
+  ]);
   await page.setViewportSize({ width: 1280, height: 800 });
 
   await most.fill("5");

@@ -1,4 +1,4 @@
-import { expectAccessibleAndFits, expectFineInBothThemes } from "./pages/layout-checks.ts";
+import { expectAccessibleAndFits, expectFineAtSizes } from "./pages/layout-checks.ts";
 import { settledBox } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
@@ -16,19 +16,13 @@ const SIZES = [
 test("the start page is right at every size, on the first visit and with stored works", async ({ page }) => {
   const turnwise = await Turnwise.open(page, { heldClock: true });
   const { t, start } = turnwise;
-  const atEverySize = async (visit: string) => {
-    for (const [width, height] of SIZES) {
-      await page.setViewportSize({ width, height });
-      await expectFineInBothThemes(page, `${visit} at ${width} by ${height}`);
-    }
-  };
   await expect(page.getByRole("img", { name: t.start.hero.name(10) })).toBeVisible();
-  await atEverySize("the first visit");
+  await expectFineAtSizes(page, "the first visit", SIZES);
   await start.beginWithExample(812);
   await turnwise.effect.proved();
   await page.getByRole("link", { name: t.page.home }).click();
   await expect(page.getByRole("region", { name: t.page.start.kept })).toBeVisible();
-  await atEverySize("the start with work");
+  await expectFineAtSizes(page, "the start with work", SIZES);
 });
 
 test("the lathe on the start page plays, pauses, and stands still with reduced motion", async ({ page }) => {

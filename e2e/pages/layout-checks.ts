@@ -1,6 +1,6 @@
 import type { Locator, Page } from "@playwright/test";
 import { axeViolations, COLOUR_RULES } from "./axe.ts";
-import { expect, test } from "./test.ts";
+import { expect } from "./test.ts";
 
 /** Horizontal overflow of the page, px. */
 const horizontalOverflow = (page: Page): Promise<number> =>
@@ -40,15 +40,29 @@ export async function expectAccessibleAndFits(page: Page): Promise<void> {
 }
 
 /**
- * The same in light and dark, for one of several screens of a test. Soft: the failure names the screen, and the test
- * continues. Leaves the page light. The dark colours, which do not depend on the size, are looked at in one.
+ * The same for one of several screens of a test. Soft: the failure names the screen, and the test continues.
  */
-export async function expectFineInBothThemes(page: Page, screen: string): Promise<void> {
-  if (test.info().project.name === "desktop") {
-    await page.emulateMedia({ colorScheme: "dark" });
-    expect.soft(await axeViolations(page, { only: COLOUR_RULES }), `colours of ${screen} in the dark`).toEqual([]);
-    await page.emulateMedia({ colorScheme: "light" });
-  }
+export async function expectFine(page: Page, screen: string): Promise<void> {
   expect.soft(await axeViolations(page), `axe on ${screen}`).toEqual([]);
   await expectFits(page, screen);
+}
+
+/** The same in light and dark. Leaves the page light. */
+export async function expectFineInBothThemes(page: Page, screen: string): Promise<void> {
+  await page.emulateMedia({ colorScheme: "dark" });
+  expect.soft(await axeViolations(page, { only: COLOUR_RULES }), `colours of ${screen} in the dark`).toEqual([]);
+  await page.emulateMedia({ colorScheme: "light" });
+  await expectFine(page, screen);
+}
+
+/** The same in windows of several sizes, px. Dark colours do not depend on the size: they are checked in the first. */
+export async function expectFineAtSizes(
+  page: Page,
+  screen: string,
+  sizes: readonly (readonly [width: number, height: number])[],
+): Promise<void> {
+  for (const [i, [width, height]] of sizes.entries()) {
+    await page.setViewportSize({ width, height });
+    await (i === 0 ? expectFineInBothThemes : expectFine)(page, `${screen} at ${width} by ${height}`);
+  }
 }

@@ -1,0 +1,53 @@
+import { TABLET } from "./pages/devices.ts";
+import { expectInView } from "./pages/layout-checks.ts";
+import { settledBox } from "./pages/picture.ts";
+import { expect, test } from "./pages/test.ts";
+import { Turnwise } from "./pages/turnwise.ts";
+import { answers } from "./pages/values.ts";
+
+/* A file of its own: files run in the order of their names, and the longest journey must not be one of the last. */
+
+test.use(TABLET);
+
+/** A phone with the bars of its browser, a small one, one in landscape, a notebook at 400 % zoom, and an upright tablet. */
+const SMALL = ["390x664", "360x640", "844x390", "320x256", "768x1024"] as const;
+
+/** How far an element is lower than its content, px. */
+const hiddenHeight = (element: Element): number => element.scrollHeight - element.clientHeight;
+
+test("in a small window, field, value and ENT stay in view through the whole of a cycle, and the picture comes back", async ({
+  page,
+}) => {
+  const { dialog, start, lathe, t } = await Turnwise.open(page);
+  const values = answers(812, { Q493: "48.5", Q494: "-42" });
+  await start.beginEmpty(812);
+  for (const [i, screen] of SMALL.entries()) {
+    const [width = 0, height = 0] = screen.split("x").map(Number);
+    await page.setViewportSize({ width, height });
+    // The first time the values are missing; after that they are there.
+    if (i > 0) await dialog.active.getByRole("button", { name: t.dialog.done.first, exact: true }).tap();
+    await dialog.key("enterLong").waitFor();
+    for (let entries = 0; (await dialog.keypad.count()) > 0; entries += 1) {
+      expect(entries).toBeLessThan(30);
+      const asked = (await dialog.question.textContent()) ?? "";
+      const q = Object.keys(values).find((each) => dialog.promptOf(812, each) === asked);
+      const field = (await dialog.value.count()) > 0 ? dialog.value : dialog.choice(0);
+      for (const each of [dialog.question, field, dialog.key("enterLong")])
+        await expectInView(each, `"${asked}" at ${screen}`);
+      for (const each of await dialog.choices.locator("label").all())
+        expect(await each.evaluate(hiddenHeight), `a choice of "${asked}" at ${screen}`).toBeLessThanOrEqual(0);
+      if (i === 0 && q !== undefined) await page.keyboard.type(values[q] ?? "");
+      await dialog.key("enterLong").tap();
+      await expect(dialog.question).not.toHaveText(asked);
+    }
+    await expect(dialog.question).toHaveText(t.dialog.done.title);
+    expect(await page.locator("html").evaluate(hiddenHeight), `the page itself scrolls at ${screen}`).toBe(0);
+  }
+  await page.setViewportSize({ width: 390, height: 664 });
+  const stage = lathe.view.getByRole("group", { name: t.lathe.title });
+  const strip = await settledBox(stage);
+  await page.touchscreen.tap(strip.x + strip.width / 2, strip.y + strip.height / 2);
+  await expect.poll(async () => (await stage.boundingBox())?.height).toBeGreaterThan(2 * strip.height);
+  await page.keyboard.press("Escape");
+  await expect(dialog.question).toBeVisible();
+});
