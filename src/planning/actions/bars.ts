@@ -100,6 +100,8 @@ function cutsInto({ moves }: Plan, tool: Tool, { rings }: Pick<OpenRegion, "ring
 
 /** Steps of Z at which a bore and the edges of a body are measured, mm. */
 const [STEP, EDGE] = [0.1, 0.25];
+/** Steps of an edge along the axis: no neck of a bore is shorter, mm. */
+const NECK = 1;
 /** The error of that, mm: a body may seem to touch by so much, and surely stays clear with so much room. */
 const NEARLY = 0.1;
 
@@ -110,17 +112,16 @@ function wallsOf(stock: readonly Ring[], front: number): (step: number) => numbe
     (known[step] ??= step < 0 ? Infinity : clearRadius(stock, front - (step + 1) * STEP, front - step * STEP));
 }
 
-/** Points on the edges of a body, its corners among them: a shoulder of the bore may stand out between two corners. */
-const pointsOn = (ring: Ring): readonly Pt[] =>
-  ring.flatMap((to, i) => {
-    const from = ring.at(i - 1) ?? to;
-    const [along, across] = [to.z - from.z, to.r - from.r];
-    const count = Math.max(1, Math.ceil(Math.abs(along) / EDGE));
-    return Array.from({ length: count }, (_, k) => at(to.z - (k / count) * along, to.r - (k / count) * across));
-  });
-
-/** Points of outlines, those ahead of the tip first. */
-const pointsOf = (rings: readonly Ring[]) => rings.flatMap(pointsOn).toSorted((a, b) => a.z - b.z);
+/** Points on edges of outlines, at most some mm apart along them, and the corners between. */
+const pointsOn = (rings: readonly Ring[], apart: (rise: number) => number): readonly Pt[] =>
+  rings.flatMap((ring) =>
+    ring.flatMap((to, i) => {
+      const from = ring.at(i - 1) ?? to;
+      const [along, across] = [to.z - from.z, to.r - from.r];
+      const count = Math.max(1, Math.ceil(Math.abs(along) / apart(Math.abs(across))));
+      return Array.from({ length: count }, (_, k) => at(to.z - (k / count) * along, to.r - (k / count) * across));
+    }),
+  );
 
 /** The part of an insert that is farthest from the axis: a blade widens the bore along its whole width. */
 function edgeOf(insert: Ring) {
@@ -129,25 +130,27 @@ function edgeOf(insert: Ring) {
 }
 
 /**
- * The holder of a bar, and the same with its insert, which the cycle checks itself where it has a path: its back, which may
- * meet the wall on the other side of the axis. `needs`: the least radius of a bore by its row.
+ * The holder of a bar: `beside` its tip it may meet a neck of the bore anywhere along its edges, the highest point first.
+ * What may meet the wall `across` the axis has passed all that is in front of it, so that corners and sloping edges are
+ * enough: those of the holder, and with the insert, which the cycle checks itself where it has a path. `needs`: the least
+ * radius of a bore by its row.
  */
 const bodyOf = perObject((tool: Tool) => {
   const { insert, holder } = outlinesOf()(tool);
-  const beside = pointsOf(holder);
-  const [{ left, low, high }, back] = [boxAround([beside]), boxAround([insert]).low];
+  const beside = pointsOn(holder, (rise) => (rise < SAME ? NECK : EDGE)).toSorted((a, b) => b.r - a.r);
   const row = {
     beside,
-    up: high,
-    ahead: Math.min(0, left),
+    up: beside[0]?.r ?? -Infinity,
+    ahead: Math.min(0, boxAround([beside]).left),
     edge: edgeOf(insert),
     tool,
     needs: radiusOf(tool.DMIN ?? diameter(0)),
   };
-  return {
-    holder: { ...row, across: beside, down: -low },
-    all: { ...row, across: pointsOf([insert, ...holder]), down: -Math.min(low, back) },
+  const withAcross = (rings: readonly Ring[]) => {
+    const across = pointsOn(rings, (rise) => (rise < SAME ? Infinity : EDGE)).filter(({ r }) => r < 0);
+    return { ...row, across, down: -boxAround([across]).low };
   };
+  return { holder: withAcross(holder), all: withAcross([insert, ...holder]) };
 });
 
 /** A bore: the Z of its front, and its radius in each step from there. */
@@ -186,18 +189,15 @@ function blockedAt(
   };
   // A step holds the narrowest place up to its rear end.
   const until = room < 0 ? STEP : 0;
-  /** Whether points of the body meet the wall beside the tip (1), or that on the other side of the axis (-1). */
-  const meets = (z: number, r: number, points: readonly Pt[], side: 1 | -1) => {
-    for (const point of points) {
-      if (z + point.z >= front) return false;
-      if (side * (r + point.r) > boreAt(stepOf(z + point.z)) - room) return true;
+  const isMet = (z: number, r: number, least: number) => {
+    if (narrowAt(stepOf(z + needsBoreBehind(tool, r) + until)) < needs - SAME) return true;
+    if (r + least < down && across.some((p) => r + narrowAt(stepOf(z + p.z)) - room < -p.r)) return true;
+    for (const p of beside) {
+      if (r + p.r <= least) return false;
+      if (z + p.z < front && r + p.r > boreAt(stepOf(z + p.z)) - room) return true;
     }
     return false;
   };
-  const isMet = (z: number, r: number) =>
-    narrowAt(stepOf(z + needsBoreBehind(tool, r) + until)) < needs - SAME ||
-    meets(z, r, beside, 1) ||
-    meets(z, r, across, -1);
   let before = moves[0]?.to ?? at(front, 0);
   for (const { kind, to } of moves) {
     const from = before;
@@ -215,7 +215,7 @@ function blockedAt(
       // Mostly the whole body is clear of the narrowest place.
       const narrowest = narrowAt(stepOf(z + ahead));
       const least = narrowest - room;
-      if ((narrowest < needs || r + least < down || r + up > least) && isMet(z, r)) return z;
+      if ((narrowest < needs || r + least < down || r + up > least) && isMet(z, r, least)) return z;
     }
   }
   return null;
