@@ -5,6 +5,7 @@ import { newRow } from "../../program/job/job.ts";
 import { applyAction } from "../apply-action.ts";
 import { newPart } from "../part/finished-part.ts";
 import { finishInside } from "./finish-inside.ts";
+import { roughInside } from "./rough-inside.ts";
 
 /** Radii of a bore along Z, and of the hole that was drilled into it. */
 const BORES = [
@@ -52,4 +53,18 @@ test.each(BORES)("bars finish $name", ({ bore, hole, rear: [rear = 0, front = 0]
   const deepest = Math.min(...works.map(({ place }) => place.rear));
   expect(deepest).toBeGreaterThan(rear);
   expect(deepest).toBeLessThan(front);
+});
+
+test("bars rough a bore behind a neck that their shank is clear of", () => {
+  const blank = { outside: "60", bore: "0", length: "60", allowance: "0" };
+  const bore = rows({ 0: 12.5, [-7.2]: 12.5, [-10.8]: 16.5, [-18]: 16.5 });
+  const part = { ...newPart("NECK"), outside: rows({ 0: 26.5, [-18]: 26.5 }), inside: bore, blank };
+  const request = requestOf(part);
+  if (!request) throw new Error("no part");
+  const stock = [[at(0, 12.5), at(0, 30), at(-60, 30), at(-60, 12.45), at(-8.3, 12.45), at(-8.3, 12.5)].toReversed()];
+  const state = { stock, done: [], threads: new Set<string>() };
+  const actions = roughInside.actions(state, request);
+  expect(actions.length).toBeGreaterThan(0);
+  for (const action of actions)
+    expect([action.key, applyAction(action, state, request).faults]).toEqual([action.key, []]);
 });

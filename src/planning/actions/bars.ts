@@ -3,7 +3,7 @@ import type { ShapeRequest } from "../../cycles/shape-request.ts";
 import { boxAround } from "../../kernel/area/box.ts";
 import { isInside } from "../../kernel/area/clip.ts";
 import { holderOutlines } from "../../kernel/cutter/holder.ts";
-import { noseRadius, tipDirection, tipOffset } from "../../kernel/cutter/insert.ts";
+import { cuttingWidth, isBar, noseRadius, tipDirection, tipOffset } from "../../kernel/cutter/insert.ts";
 import { at, part as geometry, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 import type { Move } from "../../kernel/plan/move.ts";
 import type { Plan } from "../../kernel/plan/plan.ts";
@@ -24,7 +24,7 @@ import type { Action, ActionKind, PlanRequest } from "../types.ts";
 import { barDiameter } from "../values/cutting-values.ts";
 import { leastDepth } from "../values/turning-values.ts";
 import { clearRadius } from "./bore.ts";
-import { BESIDE, contourUpTo, freeInside, type BoreWay } from "./bore-turning.ts";
+import { BESIDE, contourUpTo, freeInside, withinRear, type BoreWay } from "./bore-turning.ts";
 import { actionOf, fitsOf, fitted, toolsOf, type Better } from "./candidates.ts";
 import type { CutRequest } from "./values-of-job.ts";
 
@@ -100,6 +100,8 @@ function cutsInto({ moves }: Plan, tool: Tool, { rings }: Pick<OpenRegion, "ring
 
 /** Steps of Z at which a bore and the edges of a body are measured, mm. */
 const [STEP, EDGE] = [0.1, 0.25];
+/** Steps of an edge along the axis: no neck of a bore is shorter, mm. */
+const NECK = 1;
 /** The error of that, mm: a body may seem to touch by so much, and surely stays clear with so much room. */
 const NEARLY = 0.1;
 
@@ -110,30 +112,45 @@ function wallsOf(stock: readonly Ring[], front: number): (step: number) => numbe
     (known[step] ??= step < 0 ? Infinity : clearRadius(stock, front - (step + 1) * STEP, front - step * STEP));
 }
 
-/** Corners of a body, and points of its sloping edges: a shoulder of the bore may stand out between two corners. */
-const pointsOn = (ring: Ring): readonly Pt[] =>
-  ring.flatMap((to, i) => {
-    const from = ring.at(i - 1) ?? to;
-    const [along, across] = [to.z - from.z, to.r - from.r];
-    const count = Math.abs(across) < SAME ? 1 : Math.max(1, Math.ceil(Math.abs(along) / EDGE));
-    return Array.from({ length: count }, (_, k) => at(to.z - (k / count) * along, to.r - (k / count) * across));
-  });
+/** Points on edges of outlines, at most some mm apart along them, and the corners between. */
+const pointsOn = (rings: readonly Ring[], apart: (rise: number) => number): readonly Pt[] =>
+  rings.flatMap((ring) =>
+    ring.flatMap((to, i) => {
+      const from = ring.at(i - 1) ?? to;
+      const [along, across] = [to.z - from.z, to.r - from.r];
+      const count = Math.max(1, Math.ceil(Math.abs(along) / apart(Math.abs(across))));
+      return Array.from({ length: count }, (_, k) => at(to.z - (k / count) * along, to.r - (k / count) * across));
+    }),
+  );
 
-/** What of some outlines may meet the wall beside the tip, and what the wall on the other side of the axis. */
-function sidesOf(rings: readonly Ring[]) {
-  const points = rings.flatMap(pointsOn);
-  const [across, beside] = [points.filter(({ r }) => r < 0), points.filter(({ r }) => r > SAME)];
-  return { across, beside, down: -boxAround([across]).low, up: boxAround([beside]).high };
+/** The part of an insert that is farthest from the axis: a blade widens the bore along its whole width. */
+function edgeOf(insert: Ring) {
+  const flat = insert.filter(({ r }) => r > -SAME).map(({ z }) => z);
+  return { ahead: Math.min(0, ...flat), behind: Math.max(0, ...flat) };
 }
 
 /**
- * The holder of a bar, and the same with its insert, which the cycle checks itself where it has a path. `needs`: the least
+ * The holder of a bar: `beside` its tip it may meet a neck of the bore anywhere along its edges, the highest point first.
+ * What may meet the wall `across` the axis has passed all that is in front of it, so that corners and sloping edges are
+ * enough: those of the holder, and with the insert, which the cycle checks itself where it has a path. `needs`: the least
  * radius of a bore by its row.
  */
 const bodyOf = perObject((tool: Tool) => {
   const { insert, holder } = outlinesOf()(tool);
-  const row = { tool, needs: radiusOf(tool.DMIN ?? diameter(0)) };
-  return { holder: { ...sidesOf(holder), ...row }, all: { ...sidesOf([insert, ...holder]), ...row } };
+  const beside = pointsOn(holder, (rise) => (rise < SAME ? NECK : EDGE)).toSorted((a, b) => b.r - a.r);
+  const row = {
+    beside,
+    up: beside[0]?.r ?? -Infinity,
+    ahead: Math.min(0, boxAround([beside]).left),
+    edge: edgeOf(insert),
+    tool,
+    needs: radiusOf(tool.DMIN ?? diameter(0)),
+  };
+  const withAcross = (rings: readonly Ring[]) => {
+    const across = pointsOn(rings, (rise) => (rise < SAME ? Infinity : EDGE)).filter(({ r }) => r < 0);
+    return { ...row, across, down: -boxAround([across]).low };
+  };
+  return { holder: withAcross(holder), all: withAcross([insert, ...holder]) };
 });
 
 /** A bore: the Z of its front, and its radius in each step from there. */
@@ -148,7 +165,7 @@ interface Bore {
  */
 function blockedAt(
   moves: readonly Pick<Move, "kind" | "to">[],
-  { across, beside, down, up, tool, needs }: ReturnType<typeof bodyOf>["holder"],
+  { across, beside, down, up, ahead, edge, tool, needs }: ReturnType<typeof bodyOf>["holder"],
   { front, wallAt }: Bore,
   room: number,
 ): number | null {
@@ -171,29 +188,34 @@ function blockedAt(
     }
   };
   // A step holds the narrowest place up to its rear end.
-  const ahead = room < 0 ? STEP : 0;
-  const isMet = (z: number, r: number) =>
-    narrowAt(stepOf(z + needsBoreBehind(tool, r) + ahead)) < needs - SAME ||
-    across.some((corner) => r + narrowAt(stepOf(z + corner.z)) - room < -corner.r) ||
-    beside.some((corner) => r + corner.r > narrowAt(stepOf(z + corner.z)) - room);
+  const until = room < 0 ? STEP : 0;
+  const isMet = (z: number, r: number, least: number) => {
+    if (narrowAt(stepOf(z + needsBoreBehind(tool, r) + until)) < needs - SAME) return true;
+    if (r + least < down && across.some((p) => r + narrowAt(stepOf(z + p.z)) - room < -p.r)) return true;
+    for (const p of beside) {
+      if (r + p.r <= least) return false;
+      if (z + p.z < front && r + p.r > boreAt(stepOf(z + p.z)) - room) return true;
+    }
+    return false;
+  };
   let before = moves[0]?.to ?? at(front, 0);
   for (const { kind, to } of moves) {
     const from = before;
     before = to;
     if (kind === "rapid") continue;
     const count = Math.max(1, Math.ceil(Math.abs(to.z - from.z) / STEP));
-    let last = stepOf(from.z);
+    let last = stepOf(from.z + edge.behind);
     for (let i = 0; i <= count; i += 1) {
       const [z, r] = [from.z + (i / count) * (to.z - from.z), from.r + (i / count) * (to.r - from.r)];
-      const step = stepOf(z);
+      const [first, end] = [stepOf(z + edge.behind), stepOf(z + edge.ahead)];
       // No step between is left out by rounding.
-      for (let k = Math.min(last + 1, step); k <= Math.max(last - 1, step); k += 1) widen(k, r);
-      last = step;
+      for (let k = Math.min(last + 1, first); k <= Math.max(last - 1, end); k += 1) widen(k, r);
+      last = first;
       if (z >= front) continue;
       // Mostly the whole body is clear of the narrowest place.
-      const narrowest = narrowAt(step);
+      const narrowest = narrowAt(stepOf(z + ahead));
       const least = narrowest - room;
-      if ((narrowest < needs || r + least < down || r + up > least) && isMet(z, r)) return z;
+      if ((narrowest < needs || r + least < down || r + up > least) && isMet(z, r, least)) return z;
     }
   }
   return null;
@@ -274,11 +296,12 @@ export function barActions(
     const low = isCut ? Math.max(way.low, clearRadius(stock, until, front) - BESIDE) : way.low;
     const r = startFor(tool, { ...way, low, clear: foundBy(tool, low) });
     if (r === null) return null;
+    const width = isBar(tool) && cut.operation !== "rough" ? cuttingWidth(tool) : 0;
     const jobOf = (shape: ShapeRequest): SetJob => {
-      const made = isCut
-        ? freeInside(contourUpTo(shape.contour ?? [], until, stock, request.part, cut.operation))
-        : shape;
-      const own = jobInside(cycle, made, stock, { z: way.z, r });
+      const whole = shape.contour ?? [];
+      const ended = isCut ? contourUpTo(whole, until, stock, request.part, cut.operation) : whole;
+      const made = withinRear(ended, width, request.part);
+      const own = jobInside(cycle, made === whole ? shape : freeInside(made), stock, { z: way.z, r });
       return plunges === undefined || !cycle.params[PLUNGING] ? own : withValue(own, PLUNGING, plunges ? 1 : 0);
     };
     const asked = { ...cut, stock, smallest, largest, bar: heldBar(tool, front - box.left) };

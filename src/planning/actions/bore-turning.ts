@@ -1,6 +1,6 @@
 import type { ShapeRequest } from "../../cycles/shape-request.ts";
 import { boxAround } from "../../kernel/area/box.ts";
-import { part as geometry, type Ring, type Segment } from "../../kernel/geometry/point.ts";
+import { part as geometry, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import { readThread } from "../../kernel/thread/threads.ts";
 import { CHORD, SAME } from "../../kernel/tolerance.ts";
 import { boxAroundContour } from "../../program/job/requested-shape.ts";
@@ -113,12 +113,12 @@ function coneFront(
 /**
  * Off the wall where a cut ends in front of stock that is left: there the nose radius would stand in it, and take some of
  * what lies behind its contour. At 45°, only where the part gets no narrower behind; across where the cone that a drill
- * has left begins.
+ * has left begins. Where the part gets wider behind the wall goes on first, or the nose radius would leave its end.
  */
 function runOut(
   contour: readonly Segment[],
   stock: readonly Ring[],
-  inside: readonly Segment[],
+  part: PlannedPart,
   cone: number,
 ): readonly Segment[] {
   const last = contour.at(-1)?.to;
@@ -126,15 +126,21 @@ function runOut(
   const hole = clearRadius(stock, last.z - BESIDE, last.z);
   if (hole >= last.r) return [];
   const height = last.r - hole + BESIDE;
-  const end = last.z - height;
-  if (solidFrom(stock, hole - BESIDE) > end) {
+  if (solidFrom(stock, hole - BESIDE) > last.z - height) {
     if (last.z > cone + SAME) return [];
     const free = clearRadius(stock, last.z - ON_CONE, last.z);
     return free < last.r ? [geometry.line(last, geometry.point(last.z, free - ON_CONE))] : [];
   }
-  const points = geometry.flattenedChain(inside, CHORD);
-  if (points.some(({ z, r }) => z > end && z < last.z && r < last.r - (last.z - z) - SAME)) return [];
-  return [geometry.line(last, geometry.point(end, last.r - height))];
+  const points = geometry.flattenedChain(part.inside.segments, CHORD);
+  const wayFrom = ({ z, r }: Pt): readonly Segment[] => {
+    const end = geometry.point(z - height, r - height);
+    const isNarrower = points.some((p) => p.z > end.z && p.z < last.z && p.r < r - Math.max(0, z - p.z) - SAME);
+    return isNarrower ? [] : [geometry.line(geometry.point(z, r), end)];
+  };
+  const wall = clearRadius(part.rings, last.z - BEYOND, last.z - ON_CONE);
+  const beyond = geometry.point(last.z - BEYOND, last.r);
+  const farther = wall < Infinity && wall > last.r + SAME ? wayFrom(beyond) : [];
+  return farther.length > 0 ? [geometry.line(last, beyond), ...farther] : wayFrom(last);
 }
 
 /** A contour inside that is cut only up to a Z, finishing with the way off the wall there. */
@@ -142,18 +148,54 @@ export function contourUpTo(
   contour: readonly Segment[],
   z: number,
   stock: readonly Ring[],
-  { inside }: PlannedPart,
+  part: PlannedPart,
   operation: CutRequest["operation"],
 ): readonly Segment[] {
   const cut = upToZ(contour, z);
-  return operation === "rough" ? cut : [...cut, ...runOut(cut, stock, inside.segments, z)];
+  return operation === "rough" ? cut : [...cut, ...runOut(cut, stock, part, z)];
 }
 
-/** What lies in front of a section that begins with a taper: a path in along its own line would come out of the wall. */
-function leadInto([first]: readonly Segment[], { inside: { segments } }: PlannedPart): readonly Segment[] {
-  const before = first && segments[segments.indexOf(first) - 1];
-  const narrows = first && first.to.r < first.from.r - SAME && first.to.z < first.from.z - SAME;
-  return before && narrows && before.to.z < before.from.z - SAME ? [before] : [];
+/**
+ * A contour inside for a blade of a width: a finishing pass goes on until the whole blade is past the end. Behind the part
+ * the whole program counts what lies behind its contours as the part, so that the contour ends earlier by the width.
+ */
+export function withinRear(
+  contour: readonly Segment[],
+  width: number,
+  { inside: { segments } }: PlannedPart,
+): readonly Segment[] {
+  const [end, rear] = [contour.at(-1)?.to, segments.at(-1)?.to];
+  if (width === 0 || !end || !rear || end.z > rear.z - SAME) return contour;
+  const before = contour.findLastIndex(({ from }) => Math.abs(from.r - end.r) > SAME);
+  const front = contour[before + 1]?.from.z ?? rear.z;
+  return upToZ(contour, Math.min(end.z + width, front));
+}
+
+/** A section with what passes beside a region need in front of it: from a Z on, and the wall of the bore there. */
+interface Beside {
+  readonly segments: readonly Segment[];
+  readonly from: number;
+  readonly wall: number;
+}
+
+/**
+ * A section as it is cut in a bore whose wall stands already: from its region on. With the line before a taper, since a
+ * path in along its own line would come out of the wall. Behind a neck with a piece of the neck: passes at the wider
+ * radius would begin in it.
+ */
+function besideOf(section: readonly Segment[], right: number, { inside: { segments }, rings }: PlannedPart): Beside {
+  const [first] = section;
+  const before = first ? segments.slice(0, Math.max(0, segments.indexOf(first))) : [];
+  const last = before.at(-1);
+  const begin = first?.from ?? geometry.point(right, 0);
+  const end = first?.to ?? begin;
+  const isNeck = clearRadius(rings, begin.z, Math.max(begin.z, right) + AHEAD) < Math.max(begin.r, end.r) - SAME;
+  const isTaper = end.r < begin.r - SAME && end.z < begin.z - SAME;
+  const isLine = last !== undefined && last.to.z < last.from.z - SAME;
+  const along = [...(isNeck ? before : isTaper && isLine ? [last] : []), ...section];
+  const wall = fromZ(along, right + BESIDE);
+  const from = isNeck ? right + AHEAD : right;
+  return { segments: isNeck ? fromZ(along, from) : wall, from, wall: wall[0]?.from.r ?? Infinity };
 }
 
 /** A section of the contour, and the way to it. */
@@ -183,10 +225,10 @@ export function sectionInBore(
   const clear = clearRadius(stock, isBehind ? box.right + BESIDE : Math.min(box.right, front) - BESIDE, front);
   const atFront = (z: number) => (z < front - AHEAD ? z + AHEAD : front + AHEAD);
   // In a bore whose wall stands already the passes begin beside the region, behind a neck where the contour leaves it.
-  const beside = fromZ([...leadInto(whole, part), ...whole], box.right + BESIDE);
-  const isWall = (beside[0]?.from.r ?? Infinity) - oversize < clear + BESIDE;
+  const beside = besideOf(whole, box.right, part);
+  const isWall = beside.wall - oversize < clear + BESIDE;
   const isDeep = isBehind && (isWall || begin.z < front - AHEAD);
-  const z = atFront(isDeep && !isWall ? Math.max(begin.z, box.right) : box.right);
+  const z = atFront(!isDeep ? box.right : isWall ? beside.from : Math.max(begin.z, box.right));
   // The cone that a drill has left is taken by passes of its own, from its front.
   // Through a bore it goes as far as the contour does.
   const left = bottom === -Infinity ? Math.min(box.left, whole.at(-1)?.to.z ?? box.left) : box.left;
@@ -195,17 +237,17 @@ export function sectionInBore(
   const drilled = coneFront(stock, narrow, clear);
   const endsInCone = box.left < drilled && drilled < box.right - AHEAD;
   const cone = isDeep && !endsInCone ? -Infinity : drilled;
-  const along = clearRadius(stock, Math.max(left, cone), front);
+  const least = clearRadius(stock, Math.max(left, cone), front);
   // Behind the part it goes no farther than the bore does.
   const end = part.inside.segments.at(-1)?.to.z ?? 0;
-  const open = solidFrom(stock, along - BESIDE);
+  const open = solidFrom(stock, least - BESIDE);
   const rear = open <= end + SAME ? Math.max(cone, Math.min(end, open)) : cone;
   // Roughing takes a cone behind the part with it: whatever it left there a finishing edge would meet, and the whole
   // program counts it as the part of the contours outside.
   const limit = oversize > 0 && rear === cone && cone < end ? -Infinity : rear;
-  const cut = upToZ(isDeep && isWall ? beside : whole, limit);
-  const segments = oversize > 0 ? cut : [...cut, ...runOut(cut, stock, part.inside.segments, cone)];
-  const low = Math.min(along, isDeep && !endsInCone ? box.low : Infinity) - BESIDE;
+  const cut = upToZ(isDeep && isWall ? beside.segments : whole, limit);
+  const segments = oversize > 0 ? cut : [...cut, ...runOut(cut, stock, part, cone)];
+  const low = Math.min(least, isDeep && !endsInCone ? box.low : Infinity) - BESIDE;
   return segments.length > 0 ? { segments, marks, way: { z, clear, low }, isDeep } : null;
 }
 
