@@ -107,7 +107,7 @@ export function tipEnvelopeOver(
   };
   const low = first.from.u - FAR;
   const high = last.to.u + FAR;
-  const bottom = extent(insertIn(tool, frame)).minV;
+  const bottom = extent(shape).minV;
   const level = first.from.v + keep.v + round - bottom;
   if (s.front === "free" && !turned.front) bound(low, start.u, level, "edge");
   for (const f of s.floors) bound(low, high, f.v - bottom, f.on);
@@ -128,8 +128,16 @@ export function tipEnvelopeOver(
   return { envelope, start, end, pathStart: free ?? start.u, partEnvelope };
 }
 
+/** Inserts by tool, in each frame: a plan asks for its insert in every step. */
+const inserts = new WeakMap<Tool, (Convex | undefined)[]>();
+
 /** The insert in strategy space, relative to the tip. */
-export const insertIn = (tool: Tool, frame: Frame): Convex => inFrame(insertShape(tool), frame);
+export function insertIn(tool: Tool, frame: Frame): Convex {
+  const known = inserts.get(tool) ?? [];
+  inserts.set(tool, known);
+  const { transverse, signU, signV } = frame;
+  return (known[(transverse ? 4 : 0) + (signU > 0 ? 2 : 0) + (signV > 0 ? 1 : 0)] ??= inFrame(insertShape(tool), frame));
+}
 
 /**
  * Reach of the insert ahead of the tip in the cutting direction, up to a height above its lowest point, mm: the part
