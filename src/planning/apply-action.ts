@@ -88,7 +88,8 @@ export function runAction(
 ) {
   const made = runOn(stock, withAction(EMPTY, action, request), request.shop);
   const input = { ...made, clamping: request.clamping, held: request.blank };
-  return { made, simulation: isMeasured ? simulate(input) : simulateCuts(input, thickestOf(request)) };
+  const most = FINISHING.has(action.kind) ? thickestOf(request) : Infinity;
+  return { made, simulation: isMeasured ? simulate(input) : simulateCuts(input, most) };
 }
 
 /**
