@@ -66,7 +66,7 @@ export function tipEnvelopeOver(
 ): TipEnvelope {
   const round = keep.round ?? 0;
   const shape = insertIn(tool, frame);
-  const kept = (k: Convex) => grownRound(grown(k, keep.u, keep.v), round);
+  const kept = (k: Convex) => grownRound(grownBy(k, keep), round);
   const insert = kept(shape);
   const turned = aroundAxis(contour, frame);
   const [first, last] = turned.ends;
@@ -128,6 +128,17 @@ export function tipEnvelopeOver(
   return { envelope, start, end, pathStart: free ?? start.u, partEnvelope };
 }
 
+/** The last oversize of each insert, with the grown shape: one oversize is asked for again and again. */
+const oversizes = new WeakMap<Convex, { readonly keep: Flat; readonly shape: Convex }>();
+
+function grownBy(insert: Convex, { u, v }: Flat): Convex {
+  const known = oversizes.get(insert);
+  if (known?.keep.u === u && known.keep.v === v) return known.shape;
+  const shape = grown(insert, u, v);
+  if (shape !== insert) oversizes.set(insert, { keep: { u, v }, shape });
+  return shape;
+}
+
 /** Inserts by tool, in each frame: a plan asks for its insert in every step. */
 const inserts = new WeakMap<Tool, (Convex | undefined)[]>();
 
@@ -136,7 +147,10 @@ export function insertIn(tool: Tool, frame: Frame): Convex {
   const known = inserts.get(tool) ?? [];
   inserts.set(tool, known);
   const { transverse, signU, signV } = frame;
-  return (known[(transverse ? 4 : 0) + (signU > 0 ? 2 : 0) + (signV > 0 ? 1 : 0)] ??= inFrame(insertShape(tool), frame));
+  return (known[(transverse ? 4 : 0) + (signU > 0 ? 2 : 0) + (signV > 0 ? 1 : 0)] ??= inFrame(
+    insertShape(tool),
+    frame,
+  ));
 }
 
 /**

@@ -93,7 +93,9 @@ const bridgedChains = perObject((_: Chain) => perText<Chain>());
 
 /** The chain of a work over some of its pockets, the same object for each stock. */
 export function bridgedIn({ chain }: OutsideWork, pockets: readonly Pocket[], isAcross: boolean): Chain {
-  const places = pockets.toSorted(fromTheFront).map(({ axis, first, last, level }) => [axis, first, last, level].join(" "));
+  const places = pockets
+    .toSorted(fromTheFront)
+    .map(({ axis, first, last, level }) => [axis, first, last, level].join(" "));
   const bridged = bridgedChains(chain)(places.join(), () => bridgedOver(chain, pockets));
   return isAcross ? bridged : withoutFront(bridged);
 }
