@@ -4,6 +4,7 @@ import { SLIVER } from "../kernel/tolerance.ts";
 import { at, type Ring } from "../kernel/geometry/point.ts";
 import { diameter, perSide } from "../kernel/units.ts";
 import { parse } from "../nc/parse.ts";
+import { perObject } from "../nc/per-object.ts";
 import type { Program } from "../nc/program.ts";
 import { withHandOperation, withOperation, type OperationPlace } from "../program/edits/added-operation.ts";
 import { emptyProgram } from "../program/job/empty-program.ts";
@@ -12,7 +13,14 @@ import { runOn } from "../program/run/run.ts";
 import { verdictOf, type VerdictReason } from "../report/verdict.ts";
 import { simulate, simulateCuts } from "../sim/simulate.ts";
 import type { Simulation } from "../sim/simulation.ts";
-import { FINISHING, type Action, type PlanRequest, type PlanState, type TriedAction } from "./types.ts";
+import {
+  FINISHING,
+  type Action,
+  type PlannedPart,
+  type PlanRequest,
+  type PlanState,
+  type TriedAction,
+} from "./types.ts";
 
 /** Less is no cut, mm² of the half plane. */
 const LEAST_CUT = 0.05;
@@ -76,6 +84,9 @@ export function leftBy(
 export const thickestOf = ({ rules }: Pick<PlanRequest, "rules">): number =>
   perSide(diameter(rules.allowance.diameter)) + THICKEST;
 
+/** What of the finished part is in a stock. */
+const ownIn = perObject(({ rings }: PlannedPart) => perObject((stock: readonly Ring[]) => intersection(stock, rings)));
+
 /** What every try begins with. */
 const EMPTY = parse(emptyProgram("PLAN", null));
 
@@ -88,7 +99,8 @@ export function runAction(
 ) {
   const made = runOn(stock, withAction(EMPTY, action, request), request.shop);
   const input = { ...made, clamping: request.clamping, held: request.blank };
-  return { made, simulation: isMeasured ? simulate(input) : simulateCuts(input, thickestOf(request)) };
+  const most = FINISHING.has(action.kind) ? thickestOf(request) : Infinity;
+  return { made, simulation: isMeasured ? simulate(input) : simulateCuts(input, most) };
 }
 
 /**
@@ -109,7 +121,7 @@ export function applyAction(
   const faults = verdictOf(made, simulation).reasons.filter(
     ({ kind }) => !NO_FAULT.has(kind) && !(isArea && kind === "nothingCut"),
   );
-  const own = intersection(stock, part.rings);
+  const own = ownIn(part)(stock);
   const left = leftBy(simulation, [action], own);
   const { cut, operations } = simulation.proof;
   const isThick = FINISHING.has(action.kind) && operations.some(({ thickest }) => (thickest?.depth ?? 0) > most);

@@ -1,6 +1,6 @@
 import { boxOf } from "../kernel/area/box.ts";
-import { difference, isInside, offset, opened } from "../kernel/area/clip.ts";
-import { part, type Pt, type Ring, type Segment } from "../kernel/geometry/point.ts";
+import { difference, insideOf, offset, opened } from "../kernel/area/clip.ts";
+import { part, type Ring, type Segment } from "../kernel/geometry/point.ts";
 import type { Box } from "../kernel/geometry/segments.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
 import { regionsOf } from "../sim/region.ts";
@@ -33,8 +33,7 @@ const STEP = 0.5;
 
 /** Elements of a chain that border a region: the indices of the first and the last one; null where none does. */
 export function borderOf({ segments }: Chain, { rings }: OpenRegion): readonly [first: number, last: number] | null {
-  const near = offset(rings, 2 * SLIVER);
-  const isNear = (p: Pt) => near.filter((ring) => isInside(ring, p)).length % 2 === 1;
+  const isNear = insideOf(offset(rings, 2 * SLIVER));
   const borders = (s: Segment) => {
     const count = Math.ceil(part.lengthOf(s) / STEP);
     return Array.from({ length: count }, (_, i) => part.pointOn(s, (i + 0.5) / count)).some(isNear);

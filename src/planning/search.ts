@@ -23,6 +23,20 @@ interface Candidate {
   readonly base: number;
 }
 
+/** A candidate that could work, with what is known of it and the least cost of a plan through it, s. */
+interface Ranked {
+  readonly candidate: Candidate;
+  readonly known: Expected | null;
+  readonly value: number;
+}
+
+/** What is still to be done in a state: all of it, and without corners. */
+interface Waiting {
+  readonly all: readonly Action[];
+  readonly large: readonly Action[];
+}
+const NONE: Waiting = { all: [], large: [] };
+
 /** An action without a known path may be this many times as quick as the quickest so far. */
 const QUICKER = 2;
 
@@ -30,6 +44,8 @@ const QUICKER = 2;
 class Level {
   readonly candidates: readonly Candidate[];
   private readonly ofNode = new Map<PlanNode, readonly Action[]>();
+  /** The order after a number of tries: only a try changes it. */
+  private order: { readonly tries: number; readonly ranked: readonly Ranked[] } | null = null;
 
   constructor(
     nodes: readonly PlanNode[],
@@ -53,16 +69,31 @@ class Level {
     return this.s.tries.expectedOf(action, node);
   }
 
+  /** The candidates that could work, the best first. */
+  ranked(): readonly Ranked[] {
+    const { count } = this.s.tries;
+    if (this.order?.tries === count) return this.order.ranked;
+    const waiting = new Map([...this.ofNode.keys()].map((node) => [node, this.waitingIn(node)]));
+    const ranked = this.candidates
+      .flatMap((candidate): Ranked[] => {
+        const known = this.expected(candidate);
+        if (known ? !known.works : this.isIdle(candidate)) return [];
+        return [{ candidate, known, value: this.value(candidate, known, waiting.get(candidate.node) ?? NONE) }];
+      })
+      .sort((a, b) => a.value - b.value);
+    this.order = { tries: count, ranked };
+    return ranked;
+  }
+
   /**
    * The least that a plan through a candidate costs as far as is known, s: nothing takes material faster than the
    * quickest cut so far, others wait, and what a finishing cut leaves has to be taken by the next better one.
    */
-  value(candidate: Candidate): number {
+  private value(candidate: Candidate, known: Expected | null, { all, large }: Waiting): number {
     const { node, action, base } = candidate;
     const { tries, trade } = this.s;
-    const known = this.expected(candidate);
-    const waiting = (this.ofNode.get(node) ?? []).filter((a) => this.isWaiting(a, node, action));
-    const early = base + trade.before(action, waiting);
+    // A part that is off is in no chuck, even for corners.
+    const early = base + trade.before(action, action.kind === "partOff" ? all : large);
     if (!known) {
       const bound = tries.boundOf(action, node);
       const seconds = Math.max(bound.seconds, tries.leastFor(bound.volume) / QUICKER);
@@ -80,15 +111,15 @@ class Level {
     return this.s.tries.leastFor(left - skin) + this.s.tries.leastFor(skin, true);
   }
 
-  /** Whether an action is still to be done before a next one; a part that is off is in no chuck, even for corners. */
-  private isWaiting(action: Action, node: PlanNode, next: Action): boolean {
-    const known = this.s.tries.expectedOf(action, node);
-    const cut = known ? known.cut : this.s.tries.boundOf(action, node).area;
-    return (!known || known.works) && (next.kind === "partOff" || !isCorner({ cut }));
+  private waitingIn(node: PlanNode): Waiting {
+    const { tries } = this.s;
+    const all = (this.ofNode.get(node) ?? []).filter((action) => tries.expectedOf(action, node)?.works !== false);
+    const cutOf = (action: Action) => tries.expectedOf(action, node)?.cut ?? tries.boundOf(action, node).area;
+    return { all, large: all.filter((action) => !isCorner({ cut: cutOf(action) })) };
   }
 
   /** Whether a candidate that was not tried surely takes nothing. */
-  isIdle({ action, node }: Candidate): boolean {
+  private isIdle({ action, node }: Candidate): boolean {
     return this.s.tries.boundOf(action, node).area < LEAST_REGION;
   }
 
@@ -138,22 +169,12 @@ class Level {
   }
 }
 
-/** The candidates that could work, the best first. */
-const rankedIn = (level: Level) =>
-  level.candidates
-    .flatMap((candidate) => {
-      const known = level.expected(candidate);
-      if (known ? !known.works : level.isIdle(candidate)) return [];
-      return [{ candidate, known, value: level.value(candidate) }];
-    })
-    .sort((a, b) => a.value - b.value);
-
 /**
  * The first of the candidates that has to be tried to know the best ones: it could be one itself, or could be what a
  * finishing cut leaves to do. Null where all are known.
  */
 function untried(level: Level, width: number): Candidate | null {
-  const all = rankedIn(level);
+  const all = level.ranked();
   for (const { candidate, known } of all.slice(0, width)) {
     if (!known) return candidate;
     if (ROUGHING.has(candidate.action.kind)) continue;
@@ -178,7 +199,7 @@ function* nextLevel(level: Level, width: number, s: Searching): Generator<PlanNo
   const reached = new Map<string, PlanNode>();
   const seen = new Set<Candidate>();
   while (reached.size < width && s.tries.count < s.most) {
-    const next = rankedIn(level).find(({ candidate }) => !seen.has(candidate));
+    const next = level.ranked().find(({ candidate }) => !seen.has(candidate));
     if (!next) break;
     const { candidate, known } = next;
     if (known) {

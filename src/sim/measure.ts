@@ -99,8 +99,8 @@ const UNMEASURED = (): Sums => ({
 });
 
 /**
- * Starts measuring a run, or resumes where an earlier run was the same up to a step. `thickerThan`: roughing passes and
- * limits are not measured, and finishing cuts only where they are thicker than this, mm.
+ * Starts measuring a run, or resumes where an earlier run was the same up to a step. `thickerThan`: measured is only
+ * whether a thread cuts, and how thick finishing cuts are that are thicker than this, mm.
  */
 export function measuring(
   operations: readonly SimulatedOperation[],
@@ -128,7 +128,8 @@ export function measuring(
     if (!done || !operation) return;
     const sum = sumsOf(done.operation);
     const passes = done.phase === "rough" && done.pass !== undefined;
-    if (thickerThan !== null && passes) return;
+    const isKnown = done.phase === "thread" ? sum.cut >= REAL_AREA : passes || thickerThan === Infinity;
+    if (thickerThan !== null && isKnown) return;
     const taken = inStock(done.sweeps, done.before);
     const area = areaOf(taken);
     sum.cut += area;
@@ -136,7 +137,7 @@ export function measuring(
     const threads = done.phase === "thread" && done.pass !== undefined && done.pass <= operation.plan.passes;
     if ((passes || threads) && done.pass !== undefined)
       sum.passes.set(done.pass, (sum.passes.get(done.pass) ?? 0) + area);
-    if (area < REAL_AREA) return;
+    if (area < REAL_AREA || (thickerThan !== null && done.phase === "thread")) return;
     if (thickerThan === null)
       for (const limit of operation.plan.limits ?? []) sum.crossed = crossing(sum.crossed, limit, taken, done);
     const place = { step: done.step, ...(done.pass !== undefined && { pass: done.pass }) };
@@ -165,10 +166,10 @@ export function measuring(
       if (operation === null || step.move.kind === "rapid" || !belongs(step, operation)) close();
       if (operation === null) return;
       const sum = sumsOf(operation);
-      if (operations[operation]?.firstStep === index && standsIn(outlines.checked, step.from, cut))
-        sum.startInMaterial = step.from;
+      const isFirst = thickerThan === null && operations[operation]?.firstStep === index;
+      if (isFirst && standsIn(outlines.checked, step.from, cut)) sum.startInMaterial = step.from;
       if (step.move.kind === "rapid") return;
-      if (sum.crest === undefined && step.move.phase === "thread")
+      if (thickerThan === null && sum.crest === undefined && step.move.phase === "thread")
         sum.crest = crestMissing((operations[operation] as SimulatedOperation).plan, cut.stock());
       run ??= {
         operation,

@@ -129,8 +129,8 @@ const cachedIn = (answers: AnswerCache): Measuring => ({
 });
 
 /**
- * The same for many tries: without measuring what the operations leave, what roughing passes take, and finishing cuts up
- * to a thickness, mm.
+ * The same for many tries: of the operations is measured only whether threads cut, and finishing cuts thicker than a
+ * length, mm.
  */
 export const simulateCuts = (input: SimulationInput, thickerThan: number): Simulation =>
   runSimulation(input, null, { ...COMPUTED, thickness: () => 0, residual: () => [], thickerThan }).simulation;

@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import { areaOf, areaOfRing } from "./area.ts";
-import { difference, intersection, offset, opened, packed, union, unpacked } from "./clip.ts";
+import { difference, insideOf, intersection, offset, opened, packed, union, unpacked } from "./clip.ts";
 import type { Ring } from "../geometry/point.ts";
 import { axial, radius } from "../units.ts";
 
@@ -35,6 +35,13 @@ describe("known faults of other ports", () => {
     expect(stock).toHaveLength(1);
     expect(stock[0]!.length).toBeLessThan(12);
   });
+});
+
+test("a point in a hole, on an edge or beside an area is not inside it, one in an island of a hole is", () => {
+  const isInside = insideOf([box(0, 0, 9, 9), [...box(1, 1, 8, 8)].reverse(), box(3, 3, 6, 6)]);
+  const at = (z: number, r: number) => isInside({ z: axial(z), r: radius(r) });
+  expect([at(0.5, 4), at(4, 4)]).toEqual([true, true]);
+  expect([at(2, 4), at(10, 4), at(0, 4)]).toEqual([false, false, false]);
 });
 
 test("holes run the other way and count negative", () => {

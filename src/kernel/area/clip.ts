@@ -111,6 +111,17 @@ export const isInside = (ring: Ring, p: Pt): boolean => {
   );
 };
 
+/** The same for many points in an area with holes, which is read once. */
+export function insideOf(area: readonly Ring[]): (p: Pt) => boolean {
+  const outlines = paths(area);
+  return (p) => {
+    const at = { x: toGrid(p.z), y: toGrid(p.r) };
+    let isIn = false;
+    for (const path of outlines) if (pointInPolygon(at, path) === PointInPolygonResult.IsInside) isIn = !isIn;
+    return isIn;
+  };
+}
+
 /** Simplified outlines: removed corners were no farther than `within` mm from the straight line that replaces them. */
 export const simplified = (area: readonly Ring[], within: number): Ring[] =>
   rings(simplifyPaths(paths(area), within * UNITS, true));

@@ -147,11 +147,28 @@ export function support(k: Convex, n: Flat): { at: Flat; feature: Feature } {
   return found;
 }
 
+/** Extent of a shape along the axes. */
+interface Extent {
+  readonly minU: number;
+  readonly maxU: number;
+  readonly minV: number;
+  readonly maxV: number;
+}
+
+/** Extents of shapes: each is asked for several times in a plan. */
+const extents = new WeakMap<Convex, Extent>();
+
 /** Extent of the shape along an axis. */
-export const extent = (k: Convex) => ({
-  minU: -reach(k, { u: -1, v: 0 }),
-  maxU: reach(k, { u: 1, v: 0 }),
-  minV: -reach(k, { u: 0, v: -1 }),
-  maxV: reach(k, { u: 0, v: 1 }),
-});
+export function extent(k: Convex): Extent {
+  const known = extents.get(k);
+  if (known) return known;
+  const made = {
+    minU: -reach(k, { u: -1, v: 0 }),
+    maxU: reach(k, { u: 1, v: 0 }),
+    minV: -reach(k, { u: 0, v: -1 }),
+    maxV: reach(k, { u: 0, v: 1 }),
+  };
+  extents.set(k, made);
+  return made;
+}
 const reach = (k: Convex, n: Flat) => dot(support(k, n).at, n);

@@ -20,8 +20,7 @@ export interface Bound {
  */
 export function reachOver(bounds: readonly Bound[], insert: Convex): Envelope {
   const chain = bounds.flatMap(closedArc);
-  const edges = mirroredLowerHull(insert);
-  const k: Hull = { edges, vertices: vertices(edges) };
+  const k = hullOf(insert);
   const pieces: EnvelopePiece[] = [];
   const add = (p: EnvelopePiece | null) => {
     if (p) pieces.push(p);
@@ -89,6 +88,18 @@ interface Vertex {
   readonly from: number;
   readonly to: number;
   readonly feature: Feature;
+}
+
+/** Hulls of inserts without an oversize: they are the same for each contour. */
+const hulls = new WeakMap<Convex, Hull>();
+
+function hullOf(insert: Convex): Hull {
+  const known = hulls.get(insert);
+  if (known) return known;
+  const edges = mirroredLowerHull(insert);
+  const made = { edges, vertices: vertices(edges) };
+  hulls.set(insert, made);
+  return made;
 }
 
 /** Vertices of the hull with their cone of normals, and their feature. */

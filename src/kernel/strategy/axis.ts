@@ -127,6 +127,7 @@ export const axisFloor = ({ transverse, signV }: Frame): number => (!transverse 
  * drawn beyond the axis is followed.
  */
 export function beyondAxis(tool: Tool, contour: readonly FlatSegment[], frame: Frame): number {
-  const least = Math.min(...contour.flatMap(({ from, to }) => [radiusOf(frame, from), radiusOf(frame, to)]));
+  let least = Infinity;
+  for (const { from, to } of contour) least = Math.min(least, radiusOf(frame, from), radiusOf(frame, to));
   return least < SAME ? Math.max(0, -least) + noseReach(tool) : 0;
 }

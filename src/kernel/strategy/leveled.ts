@@ -115,13 +115,16 @@ export function planLeveled(l: Leveled, setting: PlanContext): Plan {
     contour: l.contour,
     part: partUnder(flat, l.frame, site.inFront),
     maxInfeed: length(l.infeed),
-    area: areaOver(flat, l.frame, frontOf(l, site, called.u), Math.max(called.v, site.outer)),
     openSide: toPart(l.frame, { u: 0, v: 1 }),
     oversize: l.oversize,
   };
+  const withoutPath = (issues: readonly Issue[]): Plan => {
+    const top = Math.max(called.v, site.outer);
+    return { ...sketch, area: areaOver(flat, l.frame, frontOf(l, site, called.u), top), issues };
+  };
   const issues: Issue[] = [];
   const refused = [unfitIssue(tool, l.frame, TURNING), wrongStart(l, site, setting)].filter((i) => i !== null);
-  if (refused.length > 0) return { ...sketch, issues: refused };
+  if (refused.length > 0) return withoutPath(refused);
   if (flanksUnknown(tool)) issues.push(issue("flanksNotChecked", "info", {}, "tool"));
   if (isBar(tool) && tool.TYPE === "RECESS")
     issues.push(issue("toolCannotCutSideways", "warning", { type: tool.TYPE }, "tool"));
@@ -135,7 +138,7 @@ export function planLeveled(l: Leveled, setting: PlanContext): Plan {
     ...roomOf(l.frame, beyondAxis(tool, flat, l.frame)),
     ...(l.frame.transverse && l.frame.signU > 0 && { nearest: called.u }),
   };
-  if (insidePart(drawn, called)) return { ...sketch, issues: [...issues, startInPart(workingStart(l, site))] };
+  if (insidePart(drawn, called)) return withoutPath([...issues, startInPart(workingStart(l, site))]);
   const top = Math.max(start.v, site.outer);
   // Beyond the axis there is no material: there the area is open.
   const wall = top + extent(insert).minV > last.to.v + SAME && toPart(l.frame, last.to).r > SAME ? top + FAR : null;
@@ -145,7 +148,8 @@ export function planLeveled(l: Leveled, setting: PlanContext): Plan {
     site.lowest > axisFloor(l.frame) + SAME ? [...over.floors, { v: floor, on: "edge" as const }] : over.floors;
   const kept = tipEnvelopeOver(bounds, tool, l.frame, keep, { ...over, wall, floors });
   // The contour with oversize is needed only where a cut follows it, or where roughing has run before.
-  const grown = l.operation > 1 || l.smoothing === 1 ? tipEnvelopeOver(bounds, tool, l.frame, keep, over) : drawn;
+  const isNeeded = (keep.u !== 0 || keep.v !== 0) && (l.operation > 1 || l.smoothing === 1);
+  const grown = isNeeded ? tipEnvelopeOver(bounds, tool, l.frame, keep, over) : drawn;
   const stands = envelopeAtCall(
     {
       stock: tracedStock(setting),
@@ -191,7 +195,7 @@ export function planLeveled(l: Leveled, setting: PlanContext): Plan {
     const depth =
       upper - Math.max(floor - extent(insert).minV, deepestLevel(l, site, setting, kept.envelope, from, to));
     const divided = divide(depth, limitedInfeed(l.infeed, tool, depth, issues), issues);
-    if (!divided) return { ...sketch, issues };
+    if (!divided) return withoutPath(issues);
     division = divided;
     if (division.passes === 0) issues.push(issue("nothingToCut", "warning", {}, "startU"));
     roughByLevels(cutter, {

@@ -66,7 +66,7 @@ export function tipEnvelopeOver(
 ): TipEnvelope {
   const round = keep.round ?? 0;
   const shape = insertIn(tool, frame);
-  const kept = (k: Convex) => grownRound(grown(k, keep.u, keep.v), round);
+  const kept = (k: Convex) => grownRound(grownBy(k, keep), round);
   const insert = kept(shape);
   const turned = aroundAxis(contour, frame);
   const [first, last] = turned.ends;
@@ -107,7 +107,7 @@ export function tipEnvelopeOver(
   };
   const low = first.from.u - FAR;
   const high = last.to.u + FAR;
-  const bottom = extent(insertIn(tool, frame)).minV;
+  const bottom = extent(shape).minV;
   const level = first.from.v + keep.v + round - bottom;
   if (s.front === "free" && !turned.front) bound(low, start.u, level, "edge");
   for (const f of s.floors) bound(low, high, f.v - bottom, f.on);
@@ -128,8 +128,30 @@ export function tipEnvelopeOver(
   return { envelope, start, end, pathStart: free ?? start.u, partEnvelope };
 }
 
+/** The last oversize of each insert, with the grown shape: one oversize is asked for again and again. */
+const oversizes = new WeakMap<Convex, { readonly keep: Flat; readonly shape: Convex }>();
+
+function grownBy(insert: Convex, { u, v }: Flat): Convex {
+  const known = oversizes.get(insert);
+  if (known?.keep.u === u && known.keep.v === v) return known.shape;
+  const shape = grown(insert, u, v);
+  if (shape !== insert) oversizes.set(insert, { keep: { u, v }, shape });
+  return shape;
+}
+
+/** Inserts by tool, in each frame: a plan asks for its insert in every step. */
+const inserts = new WeakMap<Tool, (Convex | undefined)[]>();
+
 /** The insert in strategy space, relative to the tip. */
-export const insertIn = (tool: Tool, frame: Frame): Convex => inFrame(insertShape(tool), frame);
+export function insertIn(tool: Tool, frame: Frame): Convex {
+  const known = inserts.get(tool) ?? [];
+  inserts.set(tool, known);
+  const { transverse, signU, signV } = frame;
+  return (known[(transverse ? 4 : 0) + (signU > 0 ? 2 : 0) + (signV > 0 ? 1 : 0)] ??= inFrame(
+    insertShape(tool),
+    frame,
+  ));
+}
 
 /**
  * Reach of the insert ahead of the tip in the cutting direction, up to a height above its lowest point, mm: the part

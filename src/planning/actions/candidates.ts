@@ -77,6 +77,9 @@ function fittedJob(
 /** Order of tools of equal reach: the usual type for the work first. */
 export type Better = (a: Tool, b: Tool) => number;
 
+/** The strongest nose first. */
+const byNose = (a: Tool, b: Tool): number => noseRadius(b) - noseRadius(a) || a.T - b.T;
+
 /** Tools that reach most first; among equals the usual type, then the strongest nose. */
 export function ranked<T extends ToolFit>(fits: readonly T[], better: Better): readonly T[] {
   return fits.toSorted(
@@ -84,9 +87,24 @@ export function ranked<T extends ToolFit>(fits: readonly T[], better: Better): r
       Number(b.makesContour) - Number(a.makesContour) ||
       better(a.tool, b.tool) ||
       Math.round(a.unreached - b.unreached) ||
-      noseRadius(b.tool) - noseRadius(a.tool) ||
-      a.tool.T - b.tool.T,
+      byNose(a.tool, b.tool),
   );
+}
+
+/** The best fits of tools, at most `most`: no further tool is asked once so many make the whole contour. */
+function bestFits<T extends ToolFit>(
+  tools: readonly Tool[],
+  most: number,
+  fit: (tool: Tool) => T | null,
+  better: Better,
+): readonly T[] {
+  const fits: T[] = [];
+  for (const tool of tools.toSorted((a, b) => better(a, b) || byNose(a, b))) {
+    const made = fit(tool);
+    if (made) fits.push(made);
+    if (made?.makesContour && fits.filter(({ makesContour }) => makesContour).length >= most) break;
+  }
+  return ranked(fits, better).slice(0, most);
 }
 
 /** What `make` makes of the first fits that it makes something of, at most `most`. */
@@ -140,10 +158,12 @@ export function fitsOf<T extends ToolFit>(
   better: Better = () => 0,
 ): readonly T[] {
   const isUsual = ({ T }: Tool) => usualTools.includes(T);
-  const own = ranked(
-    tools.filter((tool) => !isUsual(tool)).flatMap((tool) => fit(tool) ?? []),
+  const own = bestFits(
+    tools.filter((tool) => !isUsual(tool)),
+    most,
+    fit,
     better,
-  ).slice(0, most);
+  );
   if (own[0]?.makesContour) return own;
   const usual: T[] = [];
   for (const tool of tools.filter(isUsual)) {

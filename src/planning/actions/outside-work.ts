@@ -1,9 +1,10 @@
 import { boxAround, boxOf, inBox } from "../../kernel/area/box.ts";
-import { difference, intersection, isInside, offset, opened } from "../../kernel/area/clip.ts";
+import { difference, intersection, insideOf, offset, opened } from "../../kernel/area/clip.ts";
 import { at, part, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import type { Box } from "../../kernel/geometry/segments.ts";
 import { CHORD, SAME, SLIVER } from "../../kernel/tolerance.ts";
 import { perSide, diameter } from "../../kernel/units.ts";
+import { hasRoomFor } from "../../sim/extent.ts";
 import { regionsOf } from "../../sim/region.ts";
 import { LEAST_REGION, type OpenRegion } from "../open-regions.ts";
 import { perObject, perText, type PerText } from "../../nc/per-object.ts";
@@ -197,6 +198,10 @@ function workIn(stock: readonly Ring[], request: PlanRequest, reached: PerText<R
   };
 }
 
+/** Whether some of an area is thicker than a width, mm. */
+const isThicker = (area: readonly Ring[], width: number): boolean =>
+  hasRoomFor(area, width) && offset(area, -width / 2).length > 0;
+
 /** What is roughed; the edge at the front, too, where finishing would take more with it than it can. */
 function roughOf(
   left: readonly Ring[],
@@ -206,9 +211,7 @@ function roughOf(
   const beyond = (area: readonly Ring[]) =>
     piecesOf(difference(left, area), THIN, chain, [over + SLIVER, IN_CORNER], request);
   const rough = beyond(grown);
-  return rough.length === 0 && opened(left, thickestOf(request) + SLIVER).length > 0
-    ? beyond(offset(solid, over))
-    : rough;
+  return rough.length === 0 && isThicker(left, thickestOf(request) + SLIVER) ? beyond(offset(solid, over)) : rough;
 }
 
 /** Pieces of roughing as they are in front of a chain: most are the same objects in many stocks. */
@@ -219,7 +222,7 @@ const inFront = perObject((chain: Chain) =>
 /** Whether more than remains of a piece stands over all of the chain in front of it: else it lies in a valley. */
 function standsOver({ rings, box, borders: [first] }: Piece, { segments }: Chain): boolean {
   const front = Math.max(0, ...segments.slice(0, first).map(({ to }) => to.r));
-  return front < box.high && opened(inBox(rings, { ...box, low: front }), THIN).length > 0;
+  return front < box.high && isThicker(inBox(rings, { ...box, low: front }), THIN);
 }
 
 /** The innermost pocket that a piece lies in; null for none. */
@@ -286,8 +289,7 @@ function sectionAt(
   { rings, box }: OpenRegion,
   [near, corner]: readonly [number, number],
 ): Pick<Piece, "section" | "opensAhead" | "borders" | "span"> | null {
-  const wide = offset(rings, near + 2 * SLIVER);
-  const isNear = (p: Pt) => wide.filter((ring) => isInside(ring, p)).length % 2 === 1;
+  const isNear = insideOf(offset(rings, near + 2 * SLIVER));
   const borders = (s: Segment) => {
     if (!meets(part.boxOf(s), box, near + 2 * SLIVER)) return false;
     const count = Math.ceil(part.lengthOf(s) / STEP);

@@ -115,6 +115,9 @@ function below(s: Segment, axis: Pocket["axis"], level: number, keep: "from" | "
   return crossing ? { ...s, [other]: crossing } : s;
 }
 
+/** Order of pockets from the front to the rear, the outer ones first. */
+export const fromTheFront = (a: Pocket, b: Pocket): number => a.first - b.first || b.last - a.last;
+
 /** A way over pockets that overlap, from the mouth of the first to that of the last. */
 interface Bridge extends Pick<Pocket, "first" | "last"> {
   readonly points: readonly Pt[];
@@ -127,7 +130,7 @@ interface Bridge extends Pick<Pocket, "first" | "last"> {
 function bridgesOver({ segments }: Chain, pockets: readonly Pocket[]): readonly Bridge[] {
   const bridges: Bridge[] = [];
   let before: Pocket | null = null;
-  for (const pocket of pockets.toSorted((a, b) => a.first - b.first || b.last - a.last)) {
+  for (const pocket of pockets.toSorted(fromTheFront)) {
     const { first, last, segments: own } = pocket;
     const [from, to] = [own[0]?.from, own.at(-1)?.to];
     const bridge = bridges.at(-1);

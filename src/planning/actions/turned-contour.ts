@@ -18,7 +18,7 @@ import { contourJob, planOf } from "./contour-job.ts";
 import { perObject, perText } from "../../nc/per-object.ts";
 import type { OutsideWork, Piece } from "./outside-work.ts";
 import { withoutFront } from "./front.ts";
-import { bridgedOver, isValley, type Pocket } from "./pockets.ts";
+import { bridgedOver, fromTheFront, isValley, type Pocket } from "./pockets.ts";
 import { OPERATION, workOf, type CutRequest } from "./values-of-job.ts";
 
 /** Turning cycles for a section of the contour that are not excluded. `allowance`: of stock along the contour, mm. */
@@ -78,9 +78,12 @@ function reaches({ reach }: Plan, tool: Tool, hollow: Pocket): boolean {
   return reached > LEAST_REACHED * areaUnder(hollow, hollow.segments);
 }
 
+/** Whether a pocket is no work of a turning tool, whatever its reach: a groove is left to blades. */
+const isForBlades = (pocket: Pocket): boolean => pocket.axis === "r" && !isValley(pocket);
+
 /** Whether a tool is sent into a pocket. */
 const suits = (plan: Plan, tool: Tool, pocket: Pocket): boolean =>
-  pocket.axis === "z" ? reaches(plan, tool, pocket) : isValley(pocket) && missed(plan, pocket) <= MOST_MISSED;
+  pocket.axis === "z" ? reaches(plan, tool, pocket) : !isForBlades(pocket) && missed(plan, pocket) <= MOST_MISSED;
 
 /** The pockets that a tool is not sent into: it would not reach most of them. */
 const unsuited = (plan: Plan, tool: Tool, pockets: readonly Pocket[]): readonly Pocket[] =>
@@ -90,7 +93,9 @@ const bridgedChains = perObject((_: Chain) => perText<Chain>());
 
 /** The chain of a work over some of its pockets, the same object for each stock. */
 export function bridgedIn({ chain }: OutsideWork, pockets: readonly Pocket[], isAcross: boolean): Chain {
-  const places = pockets.map(({ axis, first, last, level }) => [axis, first, last, level].join(" "));
+  const places = pockets
+    .toSorted(fromTheFront)
+    .map(({ axis, first, last, level }) => [axis, first, last, level].join(" "));
   const bridged = bridgedChains(chain)(places.join(), () => bridgedOver(chain, pockets));
   return isAcross ? bridged : withoutFront(bridged);
 }
@@ -130,9 +135,9 @@ function turnedChain(work: OutsideWork, cycle: Cycle, tool: Tool, request: PlanR
   const own = pockets.filter(({ axis }) => (axis === "z") === isAcross);
   const done = own.filter(({ first, last }) => !pieces.some(({ borders: [a, b] }) => a < last && b > first));
   const closed = [...pockets.filter((pocket) => !own.includes(pocket)), ...done];
-  const plain = bridgedIn(work, closed, isAcross);
   const open = own.filter((pocket) => !done.includes(pocket));
-  if (open.length === 0) return plain;
+  if (open.every(isForBlades)) return bridgedIn(work, [...closed, ...open], isAcross);
+  const plain = bridgedIn(work, closed, isAcross);
   const reach = reachAlong(cycle, plain, tool, request);
   const skipped = reach ? unsuited(reach.plan, tool, open) : open;
   return skipped.length === 0 ? plain : bridgedIn(work, [...closed, ...skipped], isAcross);
