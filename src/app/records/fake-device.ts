@@ -10,7 +10,8 @@ export const device = {
   slow: null as Promise<void> | null,
   setAside: 0,
   newer: 0,
-  /** Most calls that waited for an answer at once. */
+  /** Calls that wait for an answer, and most of them at once. */
+  waiting: 0,
   atOnce: 0,
   taken: new Set<string>(),
 };
@@ -51,13 +52,12 @@ export async function forgetWork(work: string): Promise<boolean> {
   return !device.refuses;
 }
 
-let waiting = 0;
 /** Answers later, and notes how many wait for an answer. */
 async function asked(): Promise<void> {
-  waiting += 1;
-  device.atOnce = Math.max(device.atOnce, waiting);
+  device.waiting += 1;
+  device.atOnce = Math.max(device.atOnce, device.waiting);
   await Promise.resolve();
-  waiting -= 1;
+  device.waiting -= 1;
 }
 
 /** The locks of the browser, with the works that other tabs hold. */
