@@ -123,10 +123,14 @@ export class Monkey {
   /** The start page with nothing open above it. */
   private async home(): Promise<void> {
     const { page } = this;
-    for (let i = 0; i < 4 && (await page.locator("dialog[open], [role=menu]").count()) > 0; i += 1)
-      await page.keyboard.press("Escape");
     await page.goto("./#/");
     await page.locator("main.start-page").waitFor();
+    // A dialog that was asked for last may still be fetched.
+    await page.waitForLoadState("networkidle");
+    for (let i = 0; i < 4 && (await page.locator("dialog[open], [role=menu]").count()) > 0; i += 1) {
+      await page.keyboard.press("Escape");
+      await settle(page, false);
+    }
     await settle(page, false);
   }
 

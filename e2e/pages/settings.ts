@@ -24,7 +24,9 @@ export class SettingsPage {
     await this.dialog.getByRole("combobox", { name: this.context.t.page.screenLanguage, exact: true }).selectOption({
       label: SCREEN_LANGUAGES[language].name,
     });
-    await this.context.page.getByRole("button", { name: words(language, "workplace").page.close, exact: true }).click();
+    const { settings, close } = words(language, "workplace").page;
+    const dialog = this.context.page.getByRole("dialog", { name: settings, exact: true });
+    await dialog.getByRole("button", { name: close, exact: true }).click();
   }
 
   /** Makes all letters large, or the default size, with the dialog open. */
