@@ -1,5 +1,4 @@
-import { PHONE } from "./pages/devices.ts";
-import { expectFine, expectFineInBothThemes } from "./pages/layout-checks.ts";
+import { onDevices } from "./pages/devices.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -37,32 +36,25 @@ const KEPT = JSON.stringify({
 const PROGRAM =
   "BEGIN PGM A MM\nCYCL DEF 317 BAR PULLER ~\nQ1711=+200 ;PULL LENGTH ~\nQ1712=+1 ;GRIP\nCYCL CALL\nEND PGM A MM\n";
 
-for (const [name, device] of [
-  ["desktop", {}],
-  ["phone", PHONE],
-] as const)
-  test.describe(name, () => {
-    test.use(device);
-    const expectFineHere = name === "desktop" ? expectFineInBothThemes : expectFine;
-
-    test("own cycles: the list, a description with errors and the dialog of a block pass axe, and fit", async ({
-      page,
-    }) => {
-      await page.addInitScript((kept) => localStorage.setItem("turnwise/own-cycles", kept), KEPT);
-      const { dialog, editor, own, settings, t } = await Turnwise.open(page);
-      await settings.open();
-      await page.getByRole("dialog").getByRole("button", { name: t.page.own.title, exact: true }).click();
-      await own.row(812, "A VERY LONG NAME").click();
-      await expect(page.getByText(t.own.problems.noParameter("R1"))).toBeVisible();
-      await expectFineHere(page, "a description with errors");
-      await page.goto("./#/");
-      await editor.openFile("A.H", Buffer.from(PROGRAM));
-      await editor.line("Q1711").click();
-      await editor.show("block");
-      await expect(dialog.messages).toContainText("200");
-      await expectFineHere(page, "the dialog of a block");
-      await dialog.open("Q1712");
-      await expect(page.getByText(t.editor.ownUnproved)).toBeVisible();
-      await expectFineHere(page, "a choice of a block");
-    });
+onDevices(["desktop", "phone"], (expectFineHere) => {
+  test("own cycles: the list, a description with errors and the dialog of a block pass axe, and fit", async ({
+    page,
+  }) => {
+    await page.addInitScript((kept) => localStorage.setItem("turnwise/own-cycles", kept), KEPT);
+    const { dialog, editor, own, settings, t } = await Turnwise.open(page);
+    await settings.open();
+    await page.getByRole("dialog").getByRole("button", { name: t.page.own.title, exact: true }).click();
+    await own.row(812, "A VERY LONG NAME").click();
+    await expect(page.getByText(t.own.problems.noParameter("R1"))).toBeVisible();
+    await expectFineHere(page, "a description with errors");
+    await page.goto("./#/");
+    await editor.openFile("A.H", Buffer.from(PROGRAM));
+    await editor.line("Q1711").click();
+    await editor.show("block");
+    await expect(dialog.messages).toContainText("200");
+    await expectFineHere(page, "the dialog of a block");
+    await dialog.open("Q1712");
+    await expect(page.getByText(t.editor.ownUnproved)).toBeVisible();
+    await expectFineHere(page, "a choice of a block");
   });
+});

@@ -1,44 +1,36 @@
-import { PHONE } from "./pages/devices.ts";
-import { expectFine, expectFineInBothThemes } from "./pages/layout-checks.ts";
+import { onDevices } from "./pages/devices.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-for (const [name, device] of [
-  ["desktop", {}],
-  ["phone", PHONE],
-] as const)
-  test.describe(name, () => {
-    test.use(device);
-    const expectFineHere = name === "desktop" ? expectFineInBothThemes : expectFine;
-
-    test("the states of the tool table pass axe, and fit", async ({ page }) => {
-      const { tools } = await Turnwise.open(page);
-      await tools.open();
-      await expectFineHere(page, "the table");
-      await tools.cell("RS").fill("x");
-      await tools.cell("P-ANGLE").fill("99");
-      await expectFineHere(page, "a tool that is wrong");
-      await tools.choose({ name: "list.csv", content: "Nr;Art;Radius\n1;Spezial;0,8\n" });
-      await expect(tools.sheet).toContainText("Spezial");
-      await expectFineHere(page, "the columns of a sheet");
-      await page.keyboard.press("Escape");
-      await expect(tools.sheet).toHaveCount(0);
-      await tools.add.click();
-      await expectFineHere(page, "a new tool");
-      await tools.show("milling");
-      await tools.add.click();
-      await tools.cell("R").fill("8");
-      await expectFineHere(page, "milling tools");
+onDevices(["desktop", "phone"], (expectFineHere) => {
+  test("the states of the tool table pass axe, and fit", async ({ page }) => {
+    const { tools } = await Turnwise.open(page);
+    await tools.open();
+    await expectFineHere(page, "the table");
+    await tools.cell("RS").fill("x");
+    await tools.cell("P-ANGLE").fill("99");
+    await expectFineHere(page, "a tool that is wrong");
+    await tools.choose({ name: "list.csv", content: "Nr;Art;Radius\n1;Spezial;0,8\n" });
+    await expect(tools.sheet).toContainText("Spezial");
+    await expectFineHere(page, "the columns of a sheet");
+    await page.keyboard.press("Escape");
+    await expect(tools.sheet).toHaveCount(0);
+    await tools.add.click();
+    await expectFineHere(page, "a new tool");
+    await tools.show("milling");
+    await tools.add.click();
+    await tools.cell("R").fill("8");
+    await expectFineHere(page, "milling tools");
+    await tools.remove.click();
+    await expect(tools.table).toHaveCount(0);
+    await tools.show("turning");
+    await expect(tools.rowButton(1)).toBeVisible();
+    for (let left = (await tools.table.getByRole("row").count()) - 2; left > 0; left -= 1) {
       await tools.remove.click();
-      await expect(tools.table).toHaveCount(0);
-      await tools.show("turning");
-      await expect(tools.rowButton(1)).toBeVisible();
-      for (let left = (await tools.table.getByRole("row").count()) - 2; left > 0; left -= 1) {
-        await tools.remove.click();
-        await expect(tools.table.getByRole("row")).toHaveCount(left + 1);
-      }
-      await tools.remove.click();
-      await expect(tools.table).toHaveCount(0);
-      await expectFineHere(page, "the empty table");
-    });
+      await expect(tools.table.getByRole("row")).toHaveCount(left + 1);
+    }
+    await tools.remove.click();
+    await expect(tools.table).toHaveCount(0);
+    await expectFineHere(page, "the empty table");
   });
+});
