@@ -47,9 +47,9 @@ describe("a bore that is wider behind a neck", () => {
     inside: chainOf(wide),
     rings: [[...wide, at(-30, 20), at(0, 20)].toReversed()],
   };
-  const sectionOf = (inner: readonly Pt[], thick = 0) => {
+  const sectionOf = (inner: readonly Pt[], thick = 0, oversize = 0) => {
     const [region] = insideRegions([[at(0, 20), at(-60, 20), at(-60, 9), ...inner]], ring, thick);
-    return region && sectionInBore([[at(0, 20), at(-60, 20), at(-60, 9), ...inner]], ring, region);
+    return region && sectionInBore([[at(0, 20), at(-60, 20), at(-60, 9), ...inner]], ring, region, { oversize });
   };
   const words = (section: ReturnType<typeof sectionOf>) =>
     section?.segments.map(({ to: { z, r } }) => `${z.toFixed(1)}/${r.toFixed(1)}`).join(" ");
@@ -72,6 +72,16 @@ describe("a bore that is wider behind a neck", () => {
     expect(section?.segments[0]?.from).toMatchObject({ z: -6, r: 10 });
     expect(section?.way.z).toBeCloseTo(-4, 2);
     expect(words(section)).toContain("-8.0/10.0 -8.0/13.0 -30.0/13.0 -31.0/13.0");
+  });
+
+  test.each([
+    ["neck", 10],
+    ["roughed neck", 9.75],
+  ])("begins in the %s too where the place behind it is wide already", (_, clear) => {
+    const section = sectionOf([at(-15, 9), at(-15, 12.75), at(-8, 12.75), at(-8, clear), at(0, clear)], 2.5, 0.25);
+    expect(section?.segments[0]?.from).toMatchObject({ z: -6, r: 10 });
+    expect(section?.way).toMatchObject({ z: expect.closeTo(-4, 2), clear });
+    expect(words(section)).toContain("-8.0/10.0 -8.0/13.0 -30.0/13.0");
   });
 
   test.each([

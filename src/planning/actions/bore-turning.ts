@@ -171,19 +171,24 @@ export function withinRear(
   return upToZ(contour, Math.min(end.z + width, front));
 }
 
-/** A section with what passes beside a region need in front of it: from a Z on, and the wall of the bore there. */
+/** A section with what passes beside a region need in front of it: from a Z on, and whether the wall stands there. */
 interface Beside {
   readonly segments: readonly Segment[];
   readonly from: number;
-  readonly wall: number;
+  readonly isWall: boolean;
 }
 
 /**
- * A section as it is cut in a bore whose wall stands already: from its region on. With the line before a taper, since a
- * path in along its own line would come out of the wall. Behind a neck with a piece of the neck: passes at the wider
- * radius would begin in it.
+ * A section as it is cut in a bore whose wall stands already, not wider than a radius: from its region on. With the line
+ * before a taper, since a path in along its own line would come out of the wall. Behind a neck with a piece of the neck,
+ * however far in front of the region that ends: passes at the wider radius would begin in it.
  */
-function besideOf(section: readonly Segment[], right: number, { inside: { segments }, rings }: PlannedPart): Beside {
+function besideOf(
+  section: readonly Segment[],
+  right: number,
+  widest: number,
+  { inside: { segments }, rings }: PlannedPart,
+): Beside {
   const [first] = section;
   const before = first ? segments.slice(0, Math.max(0, segments.indexOf(first))) : [];
   const last = before.at(-1);
@@ -193,9 +198,12 @@ function besideOf(section: readonly Segment[], right: number, { inside: { segmen
   const isTaper = end.r < begin.r - SAME && end.z < begin.z - SAME;
   const isLine = last !== undefined && last.to.z < last.from.z - SAME;
   const along = [...(isNeck ? before : isTaper && isLine ? [last] : []), ...section];
-  const wall = fromZ(along, right + BESIDE);
-  const from = isNeck ? right + AHEAD : right;
-  return { segments: isNeck ? fromZ(along, from) : wall, from, wall: wall[0]?.from.r ?? Infinity };
+  const beside = right + BESIDE;
+  const wall = fromZ(along, beside);
+  if (!isNeck) return { segments: wall, from: right, isWall: (wall[0]?.from.r ?? Infinity) < widest };
+  const neck = geometry.flattenedChain(upToZ(along, beside), CHORD).findLast(({ r }) => r < widest);
+  const from = (neck && neck.z > beside + SAME ? neck.z : right) + AHEAD;
+  return { segments: fromZ(along, from), from, isWall: neck !== undefined };
 }
 
 /** A section of the contour, and the way to it. */
@@ -225,8 +233,8 @@ export function sectionInBore(
   const clear = clearRadius(stock, isBehind ? box.right + BESIDE : Math.min(box.right, front) - BESIDE, front);
   const atFront = (z: number) => (z < front - AHEAD ? z + AHEAD : front + AHEAD);
   // In a bore whose wall stands already the passes begin beside the region, behind a neck where the contour leaves it.
-  const beside = besideOf(whole, box.right, part);
-  const isWall = beside.wall - oversize < clear + BESIDE;
+  const beside = besideOf(whole, box.right, clear + BESIDE + oversize, part);
+  const { isWall } = beside;
   const isDeep = isBehind && (isWall || begin.z < front - AHEAD);
   const z = atFront(!isDeep ? box.right : isWall ? beside.from : Math.max(begin.z, box.right));
   // The cone that a drill has left is taken by passes of its own, from its front.
