@@ -4,7 +4,7 @@ import { expect, it } from "vitest";
 import { LONGEST_LINE } from "../../../nc/longest-line.ts";
 import { longLines } from "./long-lines.ts";
 
-const long = (letter: string) => letter.repeat(LONGEST_LINE + 1);
+const long = (letter: string) => `${letter.repeat(LONGEST_LINE)}!`;
 const hidden = (state: EditorState) => {
   const found: string[] = [];
   for (const set of state.facet(EditorView.decorations))
@@ -13,7 +13,7 @@ const hidden = (state: EditorState) => {
   return found;
 };
 const stateOf = (doc: string) => EditorState.create({ doc, extensions: [longLines] });
-const restOf = (letter: string) => letter.repeat(LONGEST_LINE + 1 - 200);
+const restOf = (letter: string) => `${letter.repeat(LONGEST_LINE - 200)}!`;
 
 it("hides the rest of each line that is too long, and of no other", () => {
   const text = ["short", long("a"), "x".repeat(LONGEST_LINE), "", long("b")].join("\n");
