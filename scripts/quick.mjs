@@ -17,7 +17,6 @@ const changed = [
 const files =
   changed.length > 0 ? changed : git("show", "--name-only", "--diff-filter=d", "--format=", "HEAD").filter(isCode);
 
-const cache = join(root, "node_modules", ".cache", "turnwise");
 const bin = (...path) => join(root, "node_modules", ...path);
 /** Tests that run at most: those of a file of the kernel are nearly all. One with a document takes as long as three. */
 const MOST_TESTS = 8;
@@ -66,16 +65,7 @@ function nearest(from) {
 const tests = files.length > 0 ? nearest(files) : [];
 const work = [
   ["types", bin("typescript-native", "bin", "tsc"), "-b"],
-  files.length > 0 && [
-    "lint",
-    bin("eslint", "bin", "eslint.js"),
-    "--max-warnings",
-    "0",
-    "--cache",
-    "--cache-location",
-    join(cache, "eslint"),
-    ...files,
-  ],
+  files.length > 0 && ["lint", bin("oxlint", "bin", "oxlint"), ...files],
   tests.length > 0 && ["tests", bin("vitest", "vitest.mjs"), "run", "--passWithNoTests", ...tests],
 ].filter(Boolean);
 

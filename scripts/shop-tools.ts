@@ -18,7 +18,8 @@ import { readList } from "../src/program/tools/tool-list.ts";
 
 /** Tools of a shop's file, and a line for each thing that is doubtful about them; or why the file cannot be used. */
 export type ReadShopTools =
-  { readonly tools: ShopTools; readonly notes: readonly string[] } | { readonly problem: string };
+  | { readonly tools: ShopTools; readonly notes: readonly string[] }
+  | { readonly problem: string };
 
 /** The formats of other systems, for the help. */
 export const toolFormatNames = Object.values(toolForeign.formats).join(", ");

@@ -10,7 +10,7 @@ import { join } from "node:path";
 import { ensureBrowser } from "./browser.mjs";
 import { ensurePackages, root } from "./packages.mjs";
 
-/** Files formatted by Prettier, as in `npm run format`. */
+/** Formatted files, as in `npm run format`. */
 const SOURCES = "**/*.{ts,tsx,mjs,js}";
 const results = join(root, "node_modules", ".cache", "turnwise");
 const bin = (...path) => join(root, "node_modules", ...path);
@@ -44,10 +44,10 @@ const unit = [
  */
 const stages = [
   [
-    { name: "lint", args: [bin("eslint", "bin", "eslint.js"), "--max-warnings", "0", "."] },
     { name: "types", args: [bin("typescript-native", "bin", "tsc"), "-b"] },
     { name: "build", args: [bin("vite", "bin", "vite.js"), "build", "--logLevel", "warn"] },
-    { name: "format", args: [bin("prettier", "bin", "prettier.cjs"), "--check", "--log-level", "warn", SOURCES] },
+    { name: "lint", args: [bin("oxlint", "bin", "oxlint"), "."] },
+    { name: "format", args: [bin("oxfmt", "bin", "oxfmt"), "--list-different", SOURCES] },
     { name: "a Chromium is here", args: [join(root, "scripts", "browser.mjs")] },
   ],
   [{ name: "unit tests, goldens and laws", count: unitCount, args: unit }],

@@ -323,7 +323,6 @@ test("no exported name means two things in one layer, room or feature", () => {
 describe("packages", () => {
   /** Packages that are used by name or by another package, and never imported. */
   const unimported = new Set([
-    "@prettier/plugin-oxc",
     "@types/node",
     "@types/react",
     "@types/react-dom",
@@ -331,8 +330,8 @@ describe("packages", () => {
     "@testing-library/dom",
     "axe-core",
     "jsdom",
-    "prettier",
-    "typescript",
+    "oxfmt",
+    "oxlint",
     "typescript-native",
   ]);
   const read = (path: string) => readFileSync(projectPath(path), "utf8");
@@ -345,7 +344,7 @@ describe("packages", () => {
       .filter((name) => /\.(?:tsx?|css|mjs)$/.test(name))
       .map((name) => `${folder}/${name}`),
   );
-  const text = [...files, "vite.config.ts", "eslint.config.js", "playwright.config.ts"].map(read).join("\n");
+  const text = [...files, "vite.config.ts", "playwright.config.ts"].map(read).join("\n");
   test.each(
     Object.keys({ ...manifest.dependencies, ...manifest.devDependencies }).filter((name) => !unimported.has(name)),
   )("%s is used", (name) =>

@@ -1,7 +1,7 @@
 import { growthOf } from "./pattern-growth.mjs";
 
 /** Every pattern is read in linear time, as a literal and as a `new RegExp` of constants of its file. */
-const linearPatterns = {
+export const linearPatterns = {
   meta: {
     type: "problem",
     schema: [],
@@ -67,6 +67,3 @@ function joined({ quasis, expressions }, scope, text) {
   const between = expressions.map((each) => textOf(each, scope));
   return between.includes(undefined) ? undefined : quasis.map((quasi, i) => text(quasi) + (between[i] ?? "")).join("");
 }
-
-/** The rules of this project. */
-export const own = { rules: { "linear-patterns": linearPatterns } };

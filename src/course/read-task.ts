@@ -22,7 +22,8 @@ export interface FieldFault {
 
 /** A task with the paths of unknown fields that were left out; or its faults. */
 export type ReadTask =
-  { readonly task: Task; readonly left: readonly string[] } | { readonly faults: readonly FieldFault[] };
+  | { readonly task: Task; readonly left: readonly string[] }
+  | { readonly faults: readonly FieldFault[] };
 
 /** A schema issue of one field. */
 interface SchemaIssue {
@@ -163,7 +164,8 @@ export function readTask(raw: unknown): ReadTask {
 
 /** A set with the paths of unknown fields that were left out; or its faults. */
 export type ReadSet =
-  { readonly set: TaskSet; readonly left: readonly string[] } | { readonly faults: readonly FieldFault[] };
+  | { readonly set: TaskSet; readonly left: readonly string[] }
+  | { readonly faults: readonly FieldFault[] };
 
 /** Reads a set: its own fields, and each of its tasks. Never throws on plain data. */
 export function readSet(raw: unknown): ReadSet {

@@ -8,7 +8,7 @@ export type SomeValues = Readonly<Record<string, number | "auto" | undefined>>;
  * condition is unknown, it has an effect.
  */
 export function hasNoEffect(
-  { reserved, condition: condition }: Pick<Param, "reserved" | "condition">,
+  { reserved, condition }: Pick<Param, "reserved" | "condition">,
   known: SomeValues,
 ): boolean {
   const decides = condition === null ? undefined : known[condition.q];

@@ -68,7 +68,7 @@ describe("an insert that is too low is refused", () => {
     const [found, ...more] = planned({ Q473: 1, Q463: 0.5 }, [box(0, -100, 22)]);
     expect(more).toEqual([]);
     expect(found).toMatchObject({ code: "threadMeets", at: "Q491", data: { place: "over", x: 44 } });
-    const { over, most } = found?.data as { over: number; most: number };
+    const { over, most } = (found?.data ?? {}) as { over: number; most: number };
     expect(over).toBeCloseTo(2, 6);
     expect(most).toBeCloseTo(1.5, 6);
   });
@@ -117,7 +117,7 @@ test("a run-in that begins in material is refused, with the shortest free one pr
   const [found, ...more] = planned({}, [shaft, collar]);
   expect(more).toEqual([]);
   expect(found).toMatchObject({ code: "runInBlocked", at: "Q460" });
-  const { nearest } = found?.data as { nearest: number };
+  const { nearest } = (found?.data ?? {}) as { nearest: number };
   // In steps that a setter would type.
   expect(nearest).toBe(16);
   expect(planned({ Q460: nearest }, [shaft, collar])).toEqual([]);

@@ -38,7 +38,7 @@ test("in a contour, the element that exceeds the limit most is reported, at its 
 
 test("an element that turns back under the part is measured from the edge that falls, not the other way round", () => {
   const [found] = told(along([-20, 37.5], [-20, 25], [-25, 10], [-30, 35]), [1, 2, 3]);
-  const { angle, max } = found?.data as { angle: number; max: number };
+  const { angle, max } = (found?.data ?? {}) as { angle: number; max: number };
   expect(angle).toBeCloseTo(-168.69, 2);
   expect(max).toBeLessThan(0);
   expect(max).toBeGreaterThan(-90);

@@ -1,4 +1,4 @@
-/* eslint-disable @typescript-eslint/consistent-type-imports -- An import would say each name three times. */
+/* oxlint-disable typescript/consistent-type-imports -- An import would say each name three times. */
 import type { Language } from "./languages.ts";
 import type { Shape } from "./shape.ts";
 

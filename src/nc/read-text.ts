@@ -79,7 +79,8 @@ export function readTextAssignment(scan: Scan): TextAssignment | null {
 /** A numeric function of texts: length, search, conversion, comparison. Null without one. */
 export function readNumberOfText(scan: Scan): Formula | null {
   const name = scan.take(NUMBER_OF_TEXT)?.[1]?.toUpperCase() as
-    Extract<Formula, { kind: "ofText" }>["name"] | undefined;
+    | Extract<Formula, { kind: "ofText" }>["name"]
+    | undefined;
   if (name === undefined || !scan.take(OPEN)) return null;
   const of = textIn(scan, SOURCE);
   const search = textIn(scan, SEARCHED);

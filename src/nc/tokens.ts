@@ -3,7 +3,16 @@ import { PARAMETER } from "./value.ts";
 
 /** The kind of a token, for colouring. */
 export type TokenKind =
-  "number" | "keyword" | "parameter" | "value" | "word" | "comment" | "structure" | "string" | "name" | "mark";
+  | "number"
+  | "keyword"
+  | "parameter"
+  | "value"
+  | "word"
+  | "comment"
+  | "structure"
+  | "string"
+  | "name"
+  | "mark";
 
 /** A token of one line, from and to in characters. */
 export interface Token {

@@ -28,7 +28,7 @@ const issuesWith = (change: Readonly<Record<string, string>>, tools = shippedToo
 test("a corner too sharp for the insert keeps its radius, and the tool that makes it is named", () => {
   const found = issuesWith({ Q500: "0.4" }).find(({ code }) => code === "cornerSmallerThanInsert");
   expect(found?.data).not.toHaveProperty("nearest");
-  const { otherTool } = found?.data as { otherTool?: number };
+  const { otherTool } = (found?.data ?? {}) as { otherTool?: number };
   const tool = shippedTools.find(({ T }) => T === otherTool);
   expect(tool?.RS).toBeLessThanOrEqual(0.4);
   expect(found?.text).toContain(`Tool ${otherTool} ${tool?.NAME} is suitable for this contour.`);

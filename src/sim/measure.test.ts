@@ -253,7 +253,7 @@ describe("the other side of the axis", () => {
   const flipped = (m: Move): Move =>
     ({ ...m, to: at(m.to.z, -m.to.r), ...(m.kind === "arc" && { centre: at(m.centre.z, -m.centre.r) }) }) as Move;
   const other = (TO: TipOrientation): TipOrientation =>
-    (({ 1: 7, 2: 6, 3: 5, 4: 4, 5: 3, 6: 2, 7: 1, 8: 8, 9: 9 }) as const)[TO];
+    ({ 1: 7, 2: 6, 3: 5, 4: 4, 5: 3, 6: 2, 7: 1, 8: 8, 9: 9 } as const)[TO];
   const moves = [
     rapid(-20, 27),
     rapid(-20, 33),

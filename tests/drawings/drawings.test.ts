@@ -76,19 +76,19 @@ describe("sections", () => {
     ["blind bore, inside", section, { side: "bore" }, "X16 Z0 | Z-30 | X0 Z-34"],
     [
       "half of a section, closed along the axis: the rear face is left out",
-      mm([polyline(true, [[0, 0], [0, 10], [-20, 10], [-20, 0]])]), // prettier-ignore
+      mm([polyline(true, [[0, 0], [0, 10], [-20, 10], [-20, 0]])]), // oxfmt-ignore
       {},
       "X0 Z0 | X20 | Z-20",
     ],
     [
       "a half drawn far from the origin, whose ends lie on its axis",
-      mm([polyline(false, [[500, 400], [500, 412], [518, 412], [518, 427], [546, 427], [546, 400]])]), // prettier-ignore
+      mm([polyline(false, [[500, 400], [500, 412], [518, 412], [518, 427], [546, 427], [546, 400]])]), // oxfmt-ignore
       {},
       "X0 Z0 | X54 | Z-28 | X24 | Z-46",
     ],
     [
       "open along its axis from the origin, whose face lies on the other axis",
-      mm([polyline(false, [[0, 0], [0, 12], [25, 12], [31, 18], [50, 18], [50, 0]])]), // prettier-ignore
+      mm([polyline(false, [[0, 0], [0, 12], [25, 12], [31, 18], [50, 18], [50, 0]])]), // oxfmt-ignore
       { mirrored: true, zero: 0 },
       "X0 Z0 | X24 | Z-25 | X36 Z-31 | Z-50",
     ],
@@ -115,7 +115,7 @@ const rings = (half: readonly (readonly [along: number, across: number])[], isUp
       ),
     ),
   );
-const RING = [[0, 11], [0, 20], [-30, 20], [-30, 11]] as const; // prettier-ignore
+const RING = [[0, 11], [0, 20], [-30, 20], [-30, 11]] as const; // oxfmt-ignore
 
 describe("a ring without a centre line, away from the origin", () => {
   test.each([
@@ -131,7 +131,7 @@ describe("a ring without a centre line, away from the origin", () => {
       "X22 Z0 | X40 | Z-9",
       "X22 Z0 | Z-9",
     ],
-    ["chamfered", [[0, 11], [0, 19], [-1, 20], [-29, 20], [-30, 19], [-30, 11]], "X22 Z0 | X38 | X40 Z-1 | Z-29 | X38 Z-30", "X22 Z0 | Z-30"], // prettier-ignore
+    ["chamfered", [[0, 11], [0, 19], [-1, 20], [-29, 20], [-30, 19], [-30, 11]], "X22 Z0 | X38 | X40 Z-1 | Z-29 | X38 Z-30", "X22 Z0 | Z-30"], // oxfmt-ignore
   ] as const)("%s: its axis is between its halves, not along one", async (_, half, outside, bore) => {
     for (const isUpright of [false, true]) {
       const bytes = rings(half, isUpright);
@@ -141,16 +141,16 @@ describe("a ring without a centre line, away from the origin", () => {
   });
 
   test("a spool keeps its axis: its edges cross the line between its halves", async () => {
-    const spool = [[0, 0], [0, 12], [-4, 12], [-4, 20], [-26, 20], [-26, 12], [-30, 12], [-30, 0]] as const; // prettier-ignore
+    const spool = [[0, 0], [0, 12], [-4, 12], [-4, 20], [-26, 20], [-26, 12], [-30, 12], [-30, 0]] as const; // oxfmt-ignore
     const lines = [1, -1].flatMap((s) =>
       spool.slice(1).map(([z, r], i) => line(80 + (spool[i]?.[0] ?? 0), 100 + s * (spool[i]?.[1] ?? 0), 80 + z, 100 + s * r)),
-    ); // prettier-ignore
+    ); // oxfmt-ignore
     expect(short((await taken(mm(lines))).made)).toBe("X0 Z0 | X24 | Z-4 | X40 | Z-26 | X24 | Z-30");
   });
 });
 
 describe("gaps", () => {
-  const broken = (gap: number) => mm([line(0, 12, -18 + gap, 12), arc(-18, 16, 4, 180, 270), line(-22, 16, -22, 27 - gap), line(-22, 27, -46, 27)]); // prettier-ignore
+  const broken = (gap: number) => mm([line(0, 12, -18 + gap, 12), arc(-18, 16, 4, 180, 270), line(-22, 16, -22, 27 - gap), line(-22, 27, -46, 27)]); // oxfmt-ignore
 
   test("are joined up to the tolerance, each with its width and place: lines give way to arcs, corners stay corners", async () => {
     const { drawing, choice, made } = await taken(broken(0.05));
@@ -159,7 +159,7 @@ describe("gaps", () => {
     expect([...drawing.notes, ...made.notes].map((n) => [n.code, n.values, n.at])).toEqual([
       ["gapJoined", { width: expect.closeTo(0.05, 6), x: 24, z: expect.closeTo(-17.975, 6) }, { z: expect.closeTo(-17.975, 6), r: 12 }],
       ["gapJoined", { width: expect.closeTo(0.05, 6), x: expect.closeTo(53.95, 6), z: -22 }, { z: -22, r: expect.closeTo(26.975, 6) }],
-    ]); // prettier-ignore
+    ]); // oxfmt-ignore
   });
 
   test("that are wider are named, and cut the contour", async () => {
@@ -225,7 +225,7 @@ describe("what cannot be taken is said", () => {
     ["an empty file", new Uint8Array(), "part.dxf", "unreadable"],
     ["no lines", mm(["TEXT 8 0 10 0 20 0 1 x"]), "part.dxf", "nothing"],
     ["too many lines", mm(Array.from({ length: 20_100 }, (_, i) => line(0, i, 1, i))), "part.dxf", "tooMany"],
-    ["a bomb of blocks", utf8(asText(dxfGroups({ entities: ["INSERT 8 0 2 B9 10 0 20 0"], blocks: Object.fromEntries(Array.from({ length: 10 }, (_, i) => [`B${i}`, i === 0 ? [line(0, 1, 1, 2)] : Array.from({ length: 10 }, () => `INSERT 8 0 2 B${i - 1} 10 0 20 0 70 9 71 9`)])) }))), "part.dxf", "tooMany"], // prettier-ignore
+    ["a bomb of blocks", utf8(asText(dxfGroups({ entities: ["INSERT 8 0 2 B9 10 0 20 0"], blocks: Object.fromEntries(Array.from({ length: 10 }, (_, i) => [`B${i}`, i === 0 ? [line(0, 1, 1, 2)] : Array.from({ length: 10 }, () => `INSERT 8 0 2 B${i - 1} 10 0 20 0 70 9 71 9`)])) }))), "part.dxf", "tooMany"], // oxfmt-ignore
   ])("%s", async (_, bytes, name, code) => {
     const drawing = await readDrawing({ name, bytes });
     expect(drawing.curves).toEqual([]);
@@ -247,7 +247,7 @@ describe("what cannot be taken is said", () => {
     ["a line down to the axis", 60, 0, [line(60, 12, 60, 0)], false],
     ["the other half", 60, 0, [line(60, -12, 40, -12)], false],
   ] as const)("the place of the axis: %s", async (_, right, up, more, told) => {
-    const half = [line(right, up + 12, right - 20, up + 12), line(right - 20, up + 12, right - 20, up + 18), line(right - 20, up + 18, right - 30, up + 18)]; // prettier-ignore
+    const half = [line(right, up + 12, right - 20, up + 12), line(right - 20, up + 12, right - 20, up + 18), line(right - 20, up + 18, right - 30, up + 18)]; // oxfmt-ignore
     const { made } = await taken(mm([...half, ...more]), { axis: "x", axisAt: 0 });
     const found = made.notes.filter(({ code }) => code === "axisUnmarked");
     expect(found).toMatchObject(!told ? [] : [{ severity: "warning", values: { x: 24 + 2 * up } }]);

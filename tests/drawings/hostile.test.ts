@@ -59,7 +59,7 @@ const code = fc.constantFrom(
   220,
   230,
 );
-const kind = fc.constantFrom("LINE", "ARC", "CIRCLE", "ELLIPSE", "SPLINE", "LWPOLYLINE", "POLYLINE", "VERTEX", "SEQEND", "INSERT 2 B", "TEXT", "DIMENSION", "ENDSEC", "ENDBLK", "TABLE"); // prettier-ignore
+const kind = fc.constantFrom("LINE", "ARC", "CIRCLE", "ELLIPSE", "SPLINE", "LWPOLYLINE", "POLYLINE", "VERTEX", "SEQEND", "INSERT 2 B", "TEXT", "DIMENSION", "ENDSEC", "ENDBLK", "TABLE"); // oxfmt-ignore
 const entity = fc
   .tuple(kind, fc.array(fc.tuple(code, value), { maxLength: 24 }))
   .map(([type, groups]): Group[] => [...groupsOf(type), ...groups]);
@@ -72,7 +72,7 @@ test("entities of any groups and numbers", async () => {
         ...entities.flat(),
         [0, "ENDSEC"],
         [0, "EOF"],
-      ]; // prettier-ignore
+      ]; // oxfmt-ignore
       await survived(binary ? asBinary(groups) : utf8(asText(groups)));
     }),
     { numRuns: 200 },
@@ -108,7 +108,7 @@ test("any bytes behind a true beginning", async () => {
 
 /** Lines in a net: every one crosses every other of the other direction. */
 const net = (count: number) =>
-  Array.from({ length: count }, (_, i) => [`LINE 8 0 10 0 20 ${i} 11 ${count} 21 ${i}`, `LINE 8 0 10 ${i} 20 0 11 ${i} 21 ${count}`]).flat(); // prettier-ignore
+  Array.from({ length: count }, (_, i) => [`LINE 8 0 10 0 20 ${i} 11 ${count} 21 ${i}`, `LINE 8 0 10 ${i} 20 0 11 ${i} 21 ${count}`]).flat(); // oxfmt-ignore
 const many = (count: number, make: (i: number) => string) => Array.from({ length: count }, (_, i) => make(i));
 
 test.each([
@@ -120,4 +120,4 @@ test.each([
   ["wild ellipses", many(40, (i) => `ELLIPSE 8 0 10 ${i} 20 9 11 ${1e6 + i} 21 3 40 0.000001 41 0 42 6.283`)],
 ] as const)("%s: bounded in time and curves", async (_, entities) => {
   await survived(utf8(asText(dxfGroups({ entities }))));
-}); // prettier-ignore
+}); // oxfmt-ignore

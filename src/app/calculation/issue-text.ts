@@ -19,10 +19,8 @@ export function issueText(texts: Texts, spoken: Spoken, found: AnyIssue, cycle: 
 }
 
 /** A place in the file of a called program, in words. */
-export const placeInFile = (
-  { findings: t }: Texts,
-  { file, block, line }: NonNullable<RunFinding["inFile"]>,
-): string => (block === null ? t.lineOf(String(line), file) : t.blockOf(String(block), file));
+export const placeInFile = ({ findings: t }: Texts, { file, block, line }: NonNullable<RunFinding["inFile"]>): string =>
+  block === null ? t.lineOf(String(line), file) : t.blockOf(String(block), file);
 
 /** The cycle whose parameters findings may belong to: that of the job, or of the open block. */
 export const CycleInWork = createContext<number | null>(null);

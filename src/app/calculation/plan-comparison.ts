@@ -11,7 +11,8 @@ import { planOfPart, requestOf, type PlanOrder } from "./part-plan.ts";
 
 /** How far a comparison is: operations tried by the planner, then differences tried in the learner's program. */
 export type ComparingProgress =
-  { readonly kind: "planning"; readonly tries: number } | { readonly kind: "trying"; readonly count: number };
+  | { readonly kind: "planning"; readonly tries: number }
+  | { readonly kind: "trying"; readonly count: number };
 
 /** "noPlan": the drawing states no part that can be planned; "stopped": another search ended this one. */
 export type ComparisonAnswer = PlanComparison | "noPlan" | "stopped";

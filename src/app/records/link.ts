@@ -47,7 +47,8 @@ export function linkOf(page: string, work: Work): string {
 
 /** Content of a link, or why there is none: too large, from a newer edition, or unreadable. */
 export type ReadLink =
-  { readonly kind: "work"; readonly work: Work } | { readonly kind: "tooLarge" | "newer" | "damaged" };
+  | { readonly kind: "work"; readonly work: Work }
+  | { readonly kind: "tooLarge" | "newer" | "damaged" };
 
 function workIn(mark: string, text: string): Work | null {
   if (mark === TEXT_MARK) return { name: fileNameOf(text), text, encoding: "utf-8" };

@@ -55,7 +55,7 @@ export function LessonBar({
       const step = run.steps[Math.min(position.step, run.steps.length - 1)];
       const line = (step && blocks[step.block]?.split("\n")[0]) ?? "";
       if (block.current && block.current.textContent !== line) block.current.textContent = line;
-      // eslint-disable-next-line react-hooks/exhaustive-deps -- `now` is new in each render and reads the same playback
+      // oxlint-disable-next-line react/exhaustive-deps -- `now` is new in each render and reads the same playback
     }, [playback, length, texts, lengths, language, duration, run, blocks]),
   );
   return (

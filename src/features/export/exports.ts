@@ -19,7 +19,9 @@ export type ExportLack = "noBlank" | "noTurning" | "nothingLeft" | "noCycle" | "
 
 /** A body to export; `isLeft`: no cycle defines it, so it is the stock that the moves leave. */
 export type OfferedBody =
-  (WrittenBody & { readonly isLeft?: true }) | { readonly block: Cuboid } | { readonly lack: ExportLack };
+  | (WrittenBody & { readonly isLeft?: true })
+  | { readonly block: Cuboid }
+  | { readonly lack: ExportLack };
 
 const offered = (rings: readonly Ring[], lack: ExportLack, threads: ThreadedStock | null = null): OfferedBody =>
   isBody(rings) ? { rings, threads } : { lack };

@@ -56,7 +56,7 @@ export function PlanHead({ words, stored, onPart }: Props) {
         changed: opened.isOpen,
       },
     // The sentences follow from the file and the language.
-    // eslint-disable-next-line react-hooks/exhaustive-deps
+    // oxlint-disable-next-line react/exhaustive-deps
     [opened, words],
   );
   return (

@@ -65,7 +65,7 @@ function OpenPart({ stored }: { readonly stored: StoredPart }) {
     resumePlan(stored);
     showClamping("first");
     // Once for each part that is opened.
-    // eslint-disable-next-line react-hooks/exhaustive-deps
+    // oxlint-disable-next-line react/exhaustive-deps
   }, [stored.id]);
   const onPart = (next: FinishedPart, place: string | null) => editPart((now) => ({ ...now, part: next }), place);
   const content: Readonly<Record<PlanSection, ReactNode>> = {

@@ -52,7 +52,7 @@ function usePreview(typed: HandValues | null, preview: Props["preview"]): Values
       previewStock(null);
     };
     // The preview of an operation changes with its plan only, which changes the values, too.
-    // eslint-disable-next-line react-hooks/exhaustive-deps
+    // oxlint-disable-next-line react/exhaustive-deps
   }, [typed]);
   return typed && known?.of === typed ? known.done : null;
 }

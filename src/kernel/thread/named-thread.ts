@@ -2,7 +2,15 @@ import { radians, rounded } from "../units.ts";
 
 /** The standards that name threads, one file each. */
 export type StandardId =
-  "metric" | "unified" | "pipe" | "taperPipe" | "npt" | "whitworth" | "trapezoidal" | "buttress" | "round";
+  | "metric"
+  | "unified"
+  | "pipe"
+  | "taperPipe"
+  | "npt"
+  | "whitworth"
+  | "trapezoidal"
+  | "buttress"
+  | "round";
 
 /** SizeLimits of a diameter, mm. */
 export type SizeLimits = readonly [least: number, greatest: number];

@@ -20,7 +20,15 @@ export type Spread =
 
 /** Why a word has no live picture in the guide. */
 export type Unseen =
-  "name" | "axis" | "milling" | "free" | "choice" | "together" | "compensation" | "functions" | "same";
+  | "name"
+  | "axis"
+  | "milling"
+  | "free"
+  | "choice"
+  | "together"
+  | "compensation"
+  | "functions"
+  | "same";
 
 /** The values of a field by entry kind; null where the field is empty. */
 export interface Typed {
@@ -82,7 +90,8 @@ export interface LineField<S, Name extends string = string> extends FieldFacts<N
 }
 
 export type Field<S, Name extends string = string> =
-  { [E in keyof Typed]: ValueField<S, E, Name> }[keyof Typed] | LineField<S, Name>;
+  | { [E in keyof Typed]: ValueField<S, E, Name> }[keyof Typed]
+  | LineField<S, Name>;
 
 /** One property of a statement: how it is read, printed, compared and typed. */
 export interface Word<Key extends string = string, T = unknown, Name extends string = string> {

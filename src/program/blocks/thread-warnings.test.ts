@@ -39,7 +39,7 @@ test("a thread at constant surface speed is reported at its call, with its range
   expect(more).toEqual([]);
   const call = codes(program.replace("VCONST:OFF S640", "VCONST:ON VC:120")).map((i) => i.block);
   expect(found).toMatchObject({ block: call[0], issue: { severity: "warning", data: { cuttingSpeed: 120 } } });
-  const { slow = 0, fast = 0 } = found?.issue.data as { slow?: number; fast?: number };
+  const { slow = 0, fast = 0 } = (found?.issue.data ?? {}) as { slow?: number; fast?: number };
   expect(slow).toBeGreaterThan(0);
   expect(fast).toBeGreaterThan(slow);
 });

@@ -51,14 +51,14 @@ describe("curves as arcs and lines", () => {
   });
 
   test("a rational quarter circle is one arc", () => {
-    const [spline] = splineOf(2, [0, 0, 0, 1, 1, 1], [[4, 0, 0], [4, 4, 0], [0, 4, 0]], [1, Math.SQRT1_2, 1]) ?? []; // prettier-ignore
+    const [spline] = splineOf(2, [0, 0, 0, 1, 1, 1], [[4, 0, 0], [4, 4, 0], [0, 4, 0]], [1, Math.SQRT1_2, 1]) ?? []; // oxfmt-ignore
     const made = spline ? plainCurve(spline).segments : [];
     expect(made).toHaveLength(1);
     expect(made[0]).toMatchObject({ kind: "arc", turn: "ccw" });
   });
 
   test("a corner within a spline stays a corner", () => {
-    const [spline] = splineOf(2, [0, 0, 0, 1, 1, 2, 2, 2], [[0, 0, 0], [5, 0, 0], [10, 0, 0], [10, 5, 0], [10, 10, 0]], []) ?? []; // prettier-ignore
+    const [spline] = splineOf(2, [0, 0, 0, 1, 1, 2, 2, 2], [[0, 0, 0], [5, 0, 0], [10, 0, 0], [10, 5, 0], [10, 10, 0]], []) ?? []; // oxfmt-ignore
     expect(spline && plainCurve(spline).segments).toEqual([
       part.line(at(0, 0), at(10, 0)),
       part.line(at(10, 0), at(10, 10)),
@@ -66,7 +66,7 @@ describe("curves as arcs and lines", () => {
   });
 
   test("fit points: the curve goes through each, closed ones without a seam", () => {
-    const through: V3[] = [[10, 0, 0], [0, 10, 0], [-10, 0, 0], [0, -10, 0]]; // prettier-ignore
+    const through: V3[] = [[10, 0, 0], [0, 10, 0], [-10, 0, 0], [0, -10, 0]]; // oxfmt-ignore
     for (const closed of [false, true]) {
       const made = (interpolated(through, closed) ?? []).flatMap((c) => plainCurve(c).segments);
       for (const [x, y] of through) expect(distance(made, at(x, y))).toBeLessThan(1e-6);

@@ -13,7 +13,8 @@ export type ContourReader = (choice: ContourChoice) => DrawnContour;
 
 /** Result of a tap: the changed choice, or why nothing is there. */
 export type Picked =
-  { readonly change: Partial<ContourChoice> } | { readonly refused: "notStraight" | "nothingHere" | "notOfContour" };
+  | { readonly change: Partial<ContourChoice> }
+  | { readonly refused: "notStraight" | "nothingHere" | "notOfContour" };
 /** Another axis: half, piece and zero point are proposed for it. Without a place the likeliest is taken. */
 function axisChosen(
   drawing: Drawing,

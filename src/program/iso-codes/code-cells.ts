@@ -25,7 +25,14 @@ export type CodeNote =
   | { readonly is: "rowAngle" | "rowEdge"; readonly row: number; readonly code: number }
   | {
       readonly is:
-        "inch" | "inchHolder" | "sizeUnsure" | "onlyCorner" | "endCutting" | "leftBar" | "headDrawn" | "special";
+        | "inch"
+        | "inchHolder"
+        | "sizeUnsure"
+        | "onlyCorner"
+        | "endCutting"
+        | "leftBar"
+        | "headDrawn"
+        | "special";
     }
   | MakerNote
   | { readonly is: "unsure"; readonly letter: string; readonly angle: number }

@@ -5,7 +5,14 @@
 
 /** Shape of an insert from above. */
 export type InsertForm =
-  "rhombic" | "parallelogram" | "rectangle" | "square" | "triangle" | "trigon" | "polygon" | "round";
+  | "rhombic"
+  | "parallelogram"
+  | "rectangle"
+  | "square"
+  | "triangle"
+  | "trigon"
+  | "polygon"
+  | "round";
 
 /** Shape by its letter: the included angle at the tip in degrees (0: round), and the form. */
 export const INSERT_SHAPES: Readonly<

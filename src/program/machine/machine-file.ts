@@ -80,7 +80,16 @@ export const machineSchema = z
 /** A problem of a machine file, and its path: `spindle.torque.2.speed`, empty for the whole file. */
 export interface MachineProblem {
   readonly kind:
-    "notJson" | "notMachine" | "newer" | "missing" | "unknown" | "low" | "high" | "wrong" | "order" | "alone";
+    | "notJson"
+    | "notMachine"
+    | "newer"
+    | "missing"
+    | "unknown"
+    | "low"
+    | "high"
+    | "wrong"
+    | "order"
+    | "alone";
   readonly at: string;
   /** The exceeded limit. */
   readonly limit?: number;
@@ -120,7 +129,8 @@ const isRecord = (raw: unknown): raw is Readonly<Record<string, unknown>> =>
 
 /** A machine file as read, or all of its problems. */
 export type ReadMachine =
-  { readonly machine: MachineFile } | { readonly problems: readonly [MachineProblem, ...MachineProblem[]] };
+  | { readonly machine: MachineFile }
+  | { readonly problems: readonly [MachineProblem, ...MachineProblem[]] };
 
 const refusal = (kind: MachineProblem["kind"]): ReadMachine => ({ problems: [{ kind, at: "" }] });
 

@@ -54,7 +54,8 @@ describe("a contour that a tool cuts away from where it mills", () => {
       .issues[0]?.issue;
     const middle = 4 * (1 - Math.SQRT1_2);
     expect(found?.code).toBe("toolRadiusTooLarge");
-    expect((found?.data as { x: number }).x).toBeCloseTo(middle, 9);
-    expect((found?.data as { y: number }).y).toBeCloseTo(50 - middle, 9);
+    const { x, y } = (found?.data ?? {}) as { x: number; y: number };
+    expect(x).toBeCloseTo(middle, 9);
+    expect(y).toBeCloseTo(50 - middle, 9);
   });
 });

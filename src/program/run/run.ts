@@ -150,7 +150,9 @@ const beginsTurning = (program: Program) => {
 
 /** Effect of each kind of block. "order": handled by the block order or by its M functions. */
 type Handler<K extends Statement["kind"]> =
-  ((machine: Machine, s: StatementOf<K>, index: number) => void) | "order" | "nothing";
+  | ((machine: Machine, s: StatementOf<K>, index: number) => void)
+  | "order"
+  | "nothing";
 const HANDLERS: { readonly [K in Statement["kind"]]: Handler<K> } = {
   begin: "order",
   end: "order",

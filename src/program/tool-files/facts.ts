@@ -8,7 +8,15 @@ import { IN_MM, type LengthUnit } from "../../kernel/units.ts";
 
 /** Kind of a tool that a file names. */
 export type FileToolKind =
-  "turning" | "grooving" | "parting" | "threading" | "drill" | "center" | "tap" | "reamer" | "mill";
+  | "turning"
+  | "grooving"
+  | "parting"
+  | "threading"
+  | "drill"
+  | "center"
+  | "tap"
+  | "reamer"
+  | "mill";
 /** Side that a tool works on. */
 export type WorkSide = "outside" | "inside" | "face";
 

@@ -3,7 +3,9 @@ import { inDegrees, radians } from "../../kernel/units.ts";
 
 /** Why a value has no number. */
 export type EvaluationError =
-  { readonly kind: "unset"; readonly name: string } | { readonly kind: "zero" } | { readonly kind: "notFinite" };
+  | { readonly kind: "unset"; readonly name: string }
+  | { readonly kind: "zero" }
+  | { readonly kind: "notFinite" };
 /** Q parameters while a program runs, by name. */
 export type Parameters = Pick<ReadonlyMap<string, number>, "get">;
 /** QS parameters while a program runs, by name. */

@@ -19,7 +19,16 @@ import { ringData, startData } from "../path.ts";
 
 /** What a line or an area of a drawn tool stands for; how it looks belongs to whoever paints it. */
 export type ToolRole =
-  "holder" | "seam" | "centre" | "pocket" | "rest" | "insert" | "guess" | "relief" | "screw" | "drive";
+  | "holder"
+  | "seam"
+  | "centre"
+  | "pocket"
+  | "rest"
+  | "insert"
+  | "guess"
+  | "relief"
+  | "screw"
+  | "drive";
 
 /** One shape of a tool: path data relative to the theoretical tip (x = z, y = r, mm). */
 export interface ToolShape {

@@ -6,7 +6,18 @@ import { headPlaces } from "../dimensions/strokes.ts";
 export type Fill = "part" | "cut" | "oversize" | "paper" | "arrow" | "tool" | "place";
 /** What a line stands for; form and colour belong to whoever paints it. */
 export type Line =
-  "contour" | "axis" | "edge" | "break" | "area" | "thin" | "pass" | "path" | "rapid" | "limit" | "element" | "frame";
+  | "contour"
+  | "axis"
+  | "edge"
+  | "break"
+  | "area"
+  | "thin"
+  | "pass"
+  | "path"
+  | "rapid"
+  | "limit"
+  | "element"
+  | "frame";
 
 interface Belongs {
   /** The parameter this mark explains; null for the drawing itself. */

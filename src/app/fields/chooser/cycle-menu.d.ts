@@ -1,4 +1,4 @@
-/* eslint-disable @typescript-eslint/consistent-type-imports -- A declared module cannot import from a file beside it. */
+/* oxlint-disable typescript/consistent-type-imports -- A declared module cannot import from a file beside it. */
 /** Generated from the catalogue and its texts (scripts/menu.ts), so that the first screen need not load them. */
 declare module "virtual:cycle-menu" {
   type MenuCycle = import("./menu.ts").MenuCycle;

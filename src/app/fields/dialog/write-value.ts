@@ -36,7 +36,15 @@ export const inScreenWriting = (language: Language, text: string): string =>
   /^[+-]?\d*(?:\.\d*)?$/.test(text.trim()) ? text.replace(".", decimalSign(language)) : text;
 
 type UnitName =
-  "diameter" | "radius" | "axial" | "degrees" | "perRevolution" | "perMinute" | "percent" | "revolutions" | "none";
+  | "diameter"
+  | "radius"
+  | "axial"
+  | "degrees"
+  | "perRevolution"
+  | "perMinute"
+  | "percent"
+  | "revolutions"
+  | "none";
 
 const units: Readonly<Record<Exclude<Kind, "feed">, UnitName>> = {
   choice: "none",

@@ -57,7 +57,7 @@ export function FindBar({ bar, of, version }: Props) {
   const input = useRef<HTMLInputElement>(null);
   const [shown, setShown] = useState(() => firstShown(bar, of));
   const [replaced, setReplaced] = useState<number | null>(null);
-  // eslint-disable-next-line react-hooks/exhaustive-deps -- The text is read when its version changes.
+  // oxlint-disable-next-line react/exhaustive-deps -- The text is read when its version changes.
   const matches = useMemo(() => matchesIn(of.text(), sought), [of, version, sought]);
   const at = shown ? matches.findIndex(({ from }) => from === shown.from) : -1;
 

@@ -1,4 +1,4 @@
-/* eslint-disable @typescript-eslint/consistent-type-imports -- A declared module cannot import from a file beside it. */
+/* oxlint-disable typescript/consistent-type-imports -- A declared module cannot import from a file beside it. */
 /**
  * Generated from the files of lessons and tasks (scripts/course-index.ts), so that the lesson list need not load them.
  */

@@ -1,4 +1,0 @@
-import type { ESLint } from "eslint";
-
-/** The rules of this project. */
-export declare const own: ESLint.Plugin;
