@@ -45,12 +45,13 @@ const ROWS = [
 describe("a tool with the data that are missing takes what is left", () => {
   test.each(ROWS)("%s without %j", (name, without, ...named) => {
     const request = requestWithout(name, without);
-    const lacking = wanting(planOf(request));
+    const before = planOf(request),
+      lacking = wanting(before);
     for (const tool of named)
       expect(lacking.map(({ missing }) => missing)).toContainEqual(expect.objectContaining(tool));
     const made = lacking.reduce((all, { missing }, i) => (missing ? withMissing(all, missing, 900 + i) : all), request);
     const after = planOf(made);
-    expect([after.judged.verdict, unprepared(after)]).toEqual(["proved", []]);
+    expect([after.judged.verdict, unprepared(before), unprepared(after)]).toEqual(["proved", [], []]);
     for (const { region, missing } of lacking) {
       const left = wanting(after);
       if (region) expect([missing, area(left, region) < LEAST_REGION]).toEqual([missing, true]);
