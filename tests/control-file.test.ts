@@ -99,7 +99,7 @@ describe("a control loads what the printer prints", () => {
           expect(refusedAsIso(programText(framed, { ...style, newLine }))).toEqual([]);
         },
       ),
-      { numRuns: 3000 },
+      { numRuns: 1200 },
     );
   });
 
@@ -214,7 +214,7 @@ describe("programs of the tests, the examples and the course", () => {
           expect(block === null || block >= 0).toBe(true);
         }
       }),
-      { numRuns: 1500 },
+      { numRuns: 600 },
     );
   });
 });

@@ -24,7 +24,7 @@ import { drawingOnSheet, partDrawing } from "../src/view/drawing/part-drawing.ts
 import { contourDrawing } from "../src/view/help/contour-drawing.ts";
 import { forSetter } from "../src/view/drawing/setter.ts";
 import { faultsOf } from "./drawing-faults.ts";
-import { cycles, drawn, exampleOf, flat, printedContour } from "./help/drawings.ts";
+import { cycles, exampleOf, flat, pictured } from "./help/drawings.ts";
 import { PART_NAMES, partOfTrade } from "./planning/parts.ts";
 
 beforeAll(async () => {
@@ -81,6 +81,7 @@ describe("help pictures", () => {
     );
     const { element, reserved, notToScale } = saidIn(first),
       words = [...element, reserved, notToScale];
+    const picture = pictured(cycle, exampleOf(cycle));
     for (const size of [
       { width: 300, height: 190 },
       { width: 420, height: 280 },
@@ -88,7 +89,7 @@ describe("help pictures", () => {
     ])
       for (const q of [null, ...Object.keys(cycle.params)]) {
         const lawful = (language: Language) => {
-          const drawing = drawn(cycle, exampleOf(cycle), q, size, printedContour, saidIn(language));
+          const drawing = picture?.(q, size, saidIn(language));
           expect(drawing && misplaced(drawing.labels, size), `${String(q)} ${language}`).toEqual([]);
           return flat(drawing?.marks ?? []).flatMap((mark) => (mark.kind === "text" ? [mark.text] : []));
         };

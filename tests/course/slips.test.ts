@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { describe, expect, test } from "vitest";
 import { answerOf } from "../../src/course/judge/answer.ts";
-import { judge } from "../../src/course/judge/judge.ts";
+import { judge, judgeUnplaced } from "../../src/course/judge/judge.ts";
 import type { Answer, Slip } from "../../src/course/judge/judgement.ts";
 import { BY_DIMENSIONS, findSlip, hasSlip, wantedSizes, withoutSlip, withSlip } from "../../src/course/judge/slips.ts";
 import { everySlip } from "../../src/course/judge/possible-slips.ts";
@@ -58,7 +58,7 @@ function planted(task: Task, kind: Slip["kind"]): Planted {
     ({ slip, text }) =>
       UNDONE[slip.kind] === kind &&
       isInSize(wanted, slip) &&
-      judge(asked, answerOf(text)).marks.some(({ passed, rule }) => !passed && BY_DIMENSIONS.has(rule)),
+      judgeUnplaced(asked, answerOf(text)).marks.some(({ passed, rule }) => !passed && BY_DIMENSIONS.has(rule)),
   );
   const named = found && { slip: reverse(found.slip), text: found.text };
   plantedIn.set(key, named);

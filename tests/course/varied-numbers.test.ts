@@ -2,6 +2,7 @@ import { readdirSync, readFileSync } from "node:fs";
 import { describe, expect, test } from "vitest";
 import { LESSON_LANGUAGES } from "../../src/i18n/languages.ts";
 import { answerOf } from "../../src/course/judge/answer.ts";
+import type { Answer } from "../../src/course/judge/judgement.ts";
 import { decidingBlock } from "../../src/course/judge/deciding-block.ts";
 import { isRight, truthOf, type Truth } from "../../src/course/judge/predicting.ts";
 import { answerKindOf } from "../../src/course/predicted-answers.ts";
@@ -15,10 +16,18 @@ const tasks = readdirSync(folder)
   .map((file) => taskSchema.parse(JSON.parse(readFileSync(new URL(file, folder), "utf8"))))
   .filter(({ kind }) => kind === "predict");
 const taskOf = (id: string): Task => tasks.find((task) => task.id === id) as Task;
-const runOf = (text: string) => Promise.resolve(answerOf(text));
+const answers = new Map<string, Answer>();
+/** The answer of a program; each is run once. */
+function runOnce(text: string): Answer {
+  const answer = answers.get(text) ?? answerOf(text);
+  answers.set(text, answer);
+  return answer;
+}
+const runOf = (text: string) => Promise.resolve(runOnce(text));
 const programOf = ({ start }: Task) => ("program" in start ? start.program : []);
+const answerTo = (task: Task) => runOnce(programOfLines(programOf(task)));
 const truthsOf = (task: Task): readonly Truth[] =>
-  (task.predict ?? []).map((each) => truthOf(each, task, answerOf(programOfLines(programOf(task)))));
+  (task.predict ?? []).map((each) => truthOf(each, task, answerTo(task)));
 const calculated = ({ predict = [] }: Task) =>
   predict.flatMap((each, i) => (["number", "place"].includes(answerKindOf(each)) ? [i] : []));
 
@@ -78,13 +87,11 @@ describe("every question of predictions has variants with other answers", () => 
     expect(variants).not.toEqual([]);
     const asked = [task, ...variants.map((_, i) => withNumbers(task, nextVariant(task, i + 1) ?? undefined))];
     expect(nextVariant(task, asked.length)).toBeNull();
-    const findings = new Set(
-      answerOf(programOfLines(programOf(task))).run.issues.map(({ issue }) => issue.code as string),
-    );
+    const findings = new Set(answerTo(task).run.issues.map(({ issue }) => issue.code as string));
     asked.slice(1).forEach((next, i) => {
       const before = asked[i] as Task;
       expect(programOf(next)).not.toEqual(programOf(before));
-      const answer = answerOf(programOfLines(programOf(next)));
+      const answer = answerTo(next);
       expect(answer.run.issues.flatMap(({ issue }) => (findings.has(issue.code) ? [] : [issue.code]))).toEqual([]);
       const known = truthsOf(before);
       truthsOf(next).forEach((truth, q) => {
@@ -125,6 +132,6 @@ test.each([
   ["l19-family-of-bushes", [18, 14, null]],
 ])("the block that decides the answer: %s", (id, blocks) => {
   const task = taskOf(id);
-  const answer = answerOf(programOfLines(programOf(task)));
+  const answer = answerTo(task);
   expect((task.predict ?? []).map((each) => decidingBlock(each, answer))).toEqual(blocks);
 });

@@ -31,40 +31,28 @@ export const printedContour: Given = {
 export const cycles: readonly Cycle[] = cuttingCycles;
 export const exampleOf = (cycle: Cycle): Numbers => firstValues(cycle);
 
-/** Draws a cycle with values; null when they make no contour. */
-export function drawn(
-  cycle: Cycle,
-  values: Numbers,
-  active: string | null,
-  size: Size,
-  given: Given = printedContour,
-  said: HelpWords = speech,
-): HelpDrawing | null {
+/** A picture of the same values, for any open prompt, size and lettering. */
+export type Pictured = (active: string | null, size: Size, speech?: HelpWords) => HelpDrawing;
+
+/** How a cycle with values is drawn; null when they make no contour. */
+export function pictured(cycle: Cycle, values: Numbers, given: Given = printedContour): Pictured | null {
   const read = values as Parameters<Cycle["outline"]>[0];
   const outline = cycle.outline(read, given);
   if (outline.contour.length === 0 || outline.issues.some((found) => found.severity === "error")) return null;
   const plan = pointPlan(cycle, read, outline, given);
-  return helpDrawing({ params: cycle.params, values, outline, plan, active, size, speech: said });
+  return (active, size, said = speech) =>
+    helpDrawing({ params: cycle.params, values, outline, plan, active, size, speech: said });
 }
 
-/** Draws a cycle while values are missing. */
-export function partlyDrawn(cycle: Cycle, typed: Numbers, active: string | null, size: Size): HelpDrawing | null {
+/** How a cycle is drawn while values are missing. */
+export function partlyPictured(cycle: Cycle, typed: Numbers): Pictured | null {
   const made = likelyCompletion(cycle, typed, printedContour);
   if (!made) return null;
   const plan = pointPlan(cycle, made.values, made.outline, printedContour);
-  const { values, outline } = made;
-  const isBorrowed = cycle.contour === "free";
-  return helpDrawing({
-    params: cycle.params,
-    values: values as Numbers,
-    typed,
-    isBorrowed,
-    outline,
-    plan,
-    active,
-    size,
-    speech,
-  });
+  const values = made.values as Numbers,
+    { outline } = made;
+  const known = { params: cycle.params, values, typed, isBorrowed: cycle.contour === "free", outline, plan };
+  return (active, size, said = speech) => helpDrawing({ ...known, active, size, speech: said });
 }
 
 /** All marks, including those inside a lens. */

@@ -162,9 +162,16 @@ const merged = (all: readonly number[]): number[] => {
 };
 const moved = (a: Spans, by: number) => a.map((n, i) => (i % 2 === 0 ? n - by : n + by));
 
-/** A field grown by one column on both sides and by `by` mm along the columns: its tolerance zone. */
-export const grown = (f: Field, by: number): Field =>
-  f.map((column, i) => merged(moved([...(f[i - 1] ?? []), ...column, ...(f[i + 1] ?? [])], by)));
+/** One column of a field that is grown by one column on both sides and by `by` mm along the columns. */
+const grownAt = (f: Field, i: number, by: number): Spans =>
+  merged(moved([...(f[i - 1] ?? []), ...(f[i] ?? []), ...(f[i + 1] ?? [])], by));
+
+/** A field grown so: its tolerance zone. */
+export const grown = (f: Field, by: number): Field => f.map((_, i) => grownAt(f, i, by));
+
+/** A field without another one and its tolerance zone, which is made only where the first stands out. */
+export const beyondGrown = (a: Field, b: Field, by: number): Field =>
+  a.map((column, i) => (without(column, b[i] ?? []).length === 0 ? [] : without(column, grownAt(b, i, by))));
 
 /**
  * A field shrunk likewise: the rest is certainly inside. The first and the last column have only one neighbour and are

@@ -11,8 +11,8 @@ export interface P {
   readonly r: number;
 }
 
-/** Points on a quarter of a nose: the error at a radius of 3 mm is a quarter of a micron. */
-const QUARTER = 64;
+/** Points on a quarter of a nose: the error at a radius of 3 mm is a micron, a sixth of what is judged. */
+const QUARTER = 32;
 /** Length of an edge, and of a recessing bar, whose CUTLENGTH is empty, mm. */
 const EDGE = 12;
 const BAR = 30;

@@ -125,14 +125,16 @@ export function judge(
     const gone = new Map<number, number[]>();
     for (const piece of swept(motion, insertFor(motion.tool)))
       crossed(grid, piece, (i, low, high) => {
-        if (high > low && (stock[i]?.length ?? 0) > 0) gone.set(i, [...(gone.get(i) ?? []), low, high]);
+        if (high <= low || (stock[i]?.length ?? 0) === 0) return;
+        const spans = gone.get(i);
+        if (spans) spans.push(low, high);
+        else gone.set(i, [low, high]);
       });
     let [gouge, rapid] = [0, 0];
     const next: [number, number[]][] = [];
     for (const [i, spans] of gone) {
       const here = stock[i] as Field[number];
-      let left: number[] = [...here];
-      for (let k = 0; k < spans.length; k += 2) left = without(left, spans.slice(k, k + 2));
+      const left = without(here, spans);
       const taken = lengthOf(here) - lengthOf(left);
       if (taken <= 0) continue;
       next.push([i, left]);

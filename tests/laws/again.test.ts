@@ -35,7 +35,7 @@ const holdsFor = (text: string, changes: readonly Edit[]): void => {
 
 test("a changed program with calls, jumps, shifts and parameters is run and proved as from scratch", () => {
   fc.assert(fc.property(movingPrograms, fc.array(edits, { minLength: 4, maxLength: 8 }), holdsFor), {
-    numRuns: Number(process.env["LAW_CASES"] ?? 10),
+    numRuns: Number(process.env["LAW_CASES"] ?? 6),
   });
 });
 

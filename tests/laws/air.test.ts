@@ -10,7 +10,7 @@ import { simulated, isStartInMaterial } from "./worked-plans.ts";
  * A traced blank: roughing without air cuts cuts the same stock as full roughing, in the blank and in the stock of an
  * earlier call, and its rapids stay free.
  */
-const CASES = Number(process.env["LAW_CASES"] ?? 8);
+const CASES = Number(process.env["LAW_CASES"] ?? 5);
 
 function roughed(cycle: Cycle, s: Situation, blank: readonly Ring[], skipsAirPasses: boolean) {
   const setting = {

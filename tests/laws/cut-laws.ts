@@ -5,7 +5,18 @@ import { difference, intersection, offset } from "../../src/kernel/area/clip.ts"
 import { areaOutside } from "../../src/kernel/area/real-area.ts";
 import { at, type Segment } from "../../src/kernel/geometry/point.ts";
 import { cutEnds } from "../../src/sim/work-holding.ts";
-import { areaOf, common, each, filled, grown, without, withoutCrumbs, type Field, type Grid } from "../judge/field.ts";
+import {
+  areaOf,
+  beyondGrown,
+  common,
+  each,
+  filled,
+  grown,
+  without,
+  withoutCrumbs,
+  type Field,
+  type Grid,
+} from "../judge/field.ts";
 import { connectedToRear } from "../judge/clamped.ts";
 import type { P } from "../judge/insert.ts";
 import { judge, sumOf, THIN, type Verdict } from "../judge/judge.ts";
@@ -28,7 +39,7 @@ export type CutLaw = (w: Worked) => Finding;
 const mm2 = (n: number) => `${n.toFixed(3)} mm²`;
 const most = (w: Worked, of: (v: Verdict) => number) => Math.max(...w.verdicts.map(of));
 /** The area of one field outside another and its tolerance zone, mm². */
-const beyond = (g: Grid, a: Field, b: Field) => areaOf(g, each(a, grown(b, THIN), without));
+const beyond = (g: Grid, a: Field, b: Field) => areaOf(g, beyondGrown(a, b, THIN));
 
 /** The finished part is never cut, from any start point. */
 const partStaysWhole: CutLaw = (w) => {

@@ -11,7 +11,7 @@ import { planOf } from "./worked-plans.ts";
  * A value that a cycle's file declares to be without effect must have none: plan and outline are the same for any
  * value.
  */
-const CASES = Number(process.env["LAW_CASES"] ?? 10);
+const CASES = Number(process.env["LAW_CASES"] ?? 6);
 
 /** Another allowed value, from a share of the range; feeds may be FAUTO. */
 function valueAt({ kind, range: [min, max], choices, decimals }: Param, share: number): number | "auto" {

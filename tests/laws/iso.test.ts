@@ -89,7 +89,7 @@ test("any statements come back from DIN/ISO, except names and labels of cycles",
         expect(back.issues).toEqual([]);
       },
     ),
-    { numRuns: 4000 },
+    { numRuns: 1500 },
   ));
 
 test("block numbers come back, and requested names", () =>
@@ -121,7 +121,7 @@ test("block numbers come back, and requested names", () =>
             ...s.parameters.map((p) => named.label(s.cycle, p.q)),
           ]);
     }),
-    { numRuns: 1000 },
+    { numRuns: 400 },
   ));
 
 /** Layout issues: DIN/ISO does not contain the layout, and the conversion back is well formed. */
@@ -238,7 +238,7 @@ test("no text makes the reader throw, every finding has its place, and what it r
       if (!/NaN|Infinity/.test(text)) expect(read.text).not.toMatch(/NaN|Infinity/);
       expect(isoProgramText(parse(read.text)).text).not.toContain("undefined");
     }),
-    { numRuns: 2000 },
+    { numRuns: 800 },
   ));
 
 test("untranslatable blocks are kept and reported, never dropped", () =>
@@ -249,7 +249,7 @@ test("untranslatable blocks are kept and reported, never dropped", () =>
       const said = new Set(read.issues.filter((i) => i.severity === "error").map((i) => i.line)).size;
       expect(said).toBe(unknown);
     }),
-    { numRuns: 1000 },
+    { numRuns: 400 },
   ));
 
 test("the page of DIN/ISO is what `npm run docs` writes", () => expect(projectFile("docs/din-iso.md")).toBe(isoPage()));

@@ -9,7 +9,7 @@ import { likelyCompletion } from "../../src/cycles/completions.ts";
 import type { Cycle } from "../../src/cycles/define.ts";
 import type { Params, Values } from "../../src/cycles/params.ts";
 
-const RUNS = 40;
+const RUNS = 20;
 
 describe.each(situations(0))("the known contour of cycle $cycle.number", ({ cycle, arbitrary }) => {
   const contourOf = (values: object, given: Parameters<Cycle["outline"]>[1]) => {

@@ -249,12 +249,12 @@ const inward = situation.map((s): Situation => ({
 /** A fixed selection: with a few of them the tool cuts into the contour, and another radius would not. */
 const SOME_CUT: [Situation][] = fc.sample(inward, { numRuns: RUNS, seed: 47 }).map((s) => [s]);
 /** Whether a contour crosses itself: the side of the material is then undefined. */
-const crosses = (elements: readonly Element[], side: string) =>
-  elements.some((e, i) =>
-    elements
-      .slice(i + 2)
-      .some((o) => samplesOf([e], side).some((p) => samplesOf([o], side).some((q) => far(p, q) < STEP))),
+function crosses(elements: readonly Element[], side: string): boolean {
+  const samples = elements.map((e) => samplesOf([e], side));
+  return samples.some((one, i) =>
+    samples.slice(i + 2).some((other) => one.some((p) => other.some((q) => far(p, q) < STEP))),
   );
+}
 
 /** Whether a contour reverses, as where two circles touch: rounding then decides the side of that corner. */
 const turnsBack = (elements: readonly Element[], side: string) =>
@@ -269,12 +269,13 @@ describe("the stock of programs with RL and RR", () => {
     fc.assert(
       fc.property(situation, (s) => {
         const { elements, done, standing } = worked(s),
-          low = done.plane.filter(isLow);
+          low = done.plane.filter(isLow),
+          said = text(s, elements);
         for (const p of points(elements, 2 * s.tool + s.away, 300)) {
           const gap = Math.min(...low.map((m) => fromMotion(p, m))) - s.tool;
           if (Math.abs(gap) < 0.02) continue;
           seen += 1;
-          expect(isIn(standing, p), text(s, elements)).toBe(gap > 0);
+          expect(isIn(standing, p), said).toBe(gap > 0);
         }
       }),
       { numRuns: RUNS },
@@ -290,13 +291,14 @@ describe("the stock of programs with RL and RR", () => {
         if (codes(done).length > 0 || crosses(elements, s.side) || turnsBack(elements, s.side)) return;
         free += 1;
         const centres = freeCentres(elements, s),
-          [own, leads] = waysOf(done);
+          [own, leads] = waysOf(done),
+          said = text(s, elements);
         for (const p of points(elements, 2 * s.tool, 300)) {
           const should = Math.min(...centres.map((c) => far(c, p))) - s.tool,
             does = Math.min(...own.map((m) => fromMotion(p, m))) - s.tool;
-          if (should < -LEAST) expect(does, text(s, elements)).toBeLessThan(LEAST);
+          if (should < -LEAST) expect(does, said).toBeLessThan(LEAST);
           if (should > LEAST && leads.every((m) => fromMotion(p, m) > s.tool))
-            expect(does, text(s, elements)).toBeGreaterThan(-LEAST);
+            expect(does, said).toBeGreaterThan(-LEAST);
         }
       }),
       { numRuns: RUNS },

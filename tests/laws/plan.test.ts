@@ -4,7 +4,7 @@ import { brokenByPlan } from "./plan-laws.ts";
 import { casesOf, situations } from "./situation.ts";
 
 /* Every drawn set-up is planned and checked against the laws of plan-laws.ts. Planning is fast, so there are many. */
-const CASES = 4 * Number(process.env["LAW_CASES"] ?? 10);
+const CASES = 4 * Number(process.env["LAW_CASES"] ?? 6);
 
 for (const operation of [0, 1, 2, 3])
   describe.each(situations(operation))(`cycle $cycle.number, Q215 = ${operation}`, ({ cycle, arbitrary }) => {

@@ -30,7 +30,7 @@ describe("a printed statement parses to itself", () => {
         expect(blocks[0]?.statement).toEqual(statement);
         expect(statementLines(statement, style).length).toBe(blocks[0]?.lines);
       }),
-      { numRuns: 3000 },
+      { numRuns: 1200 },
     ),
   );
 });
@@ -58,7 +58,7 @@ describe("other spellings mean the same, and are printed back byte for byte", ()
         const text = `${mark === "/" ? "/" : ""}${head}${mark === "behind" ? "/ " : ""}${bare}`;
         same(text, statement, Number(head.trim().replace(/^n/i, "")), mark !== "");
       }),
-      { numRuns: 2000 },
+      { numRuns: 800 },
     ));
   test("CYCLE DEF, CYCLDEF, and the point of an older cycle with blanks", () =>
     fc.assert(
@@ -72,7 +72,7 @@ describe("other spellings mean the same, and are printed back byte for byte", ()
           same(spaced, statement, 7, false);
         },
       ),
-      { numRuns: 1000 },
+      { numRuns: 400 },
     ));
   test("a coordinate without L", () =>
     fc.assert(

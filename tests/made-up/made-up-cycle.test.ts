@@ -11,7 +11,7 @@ import { exampleDraft, readDraft } from "../../src/program/job/read-draft.ts";
 import { run } from "../../src/program/run/run.ts";
 import { shippedTools } from "../../src/program/tools/shipped-tools.ts";
 import { verified } from "../../scripts/verify.ts";
-import { drawn, exampleOf } from "../help/drawings.ts";
+import { exampleOf, pictured } from "../help/drawings.ts";
 import { brokenBy } from "../laws/cut-laws.ts";
 import { drawnFrom } from "../laws/situation.ts";
 import { c899, setups899 } from "./c899.ts";
@@ -50,7 +50,7 @@ describe("a made-up cycle", () => {
 
   test("has a help picture that dimensions its prompts", () => {
     for (const q of Object.keys(c899.params)) {
-      const marks = drawn(cycle, exampleOf(cycle), q, { width: 460, height: 300 })?.marks ?? [];
+      const marks = pictured(cycle, exampleOf(cycle))?.(q, { width: 460, height: 300 }).marks ?? [];
       expect(marks.length).toBeGreaterThan(10);
       expect(JSON.stringify(marks)).not.toMatch(/NaN|null,null/);
     }

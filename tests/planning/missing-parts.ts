@@ -16,6 +16,34 @@ const FRONT = { x: 0, z: 0 };
 
 /** Parts for which the built-in tools lack one, by what they need. */
 export const MISSING_PARTS = {
+  "thread in a bore": barPart("THREADED SLEEVE", [FRONT, { x: 45 }, { z: -36 }], {
+    inside: [
+      { x: 24, z: 0 },
+      { x: 20, z: -2 },
+      { id: "bore", z: -36 },
+    ],
+    marks: { bore: { thread: "M20x1.5" } },
+  }),
+  "countersink of a bore": barPart("FITTING", [FRONT, { x: 30 }, { z: -36 }], {
+    inside: [
+      { x: 13, z: 0 },
+      { x: 12, z: -0.5 },
+      { id: "bore", z: -36 },
+    ],
+  }),
+  "thread to a relief": barPart(
+    "STUD",
+    [
+      FRONT,
+      { x: 16 },
+      { kind: "CHF", r: 1.5 },
+      { id: "thread", z: -24 },
+      { id: "relief", kind: "UDC" },
+      { x: 22 },
+      { z: -34 },
+    ],
+    { marks: { thread: { thread: "M16" }, relief: { undercut: "DIN 76-A" } } },
+  ),
   "narrow groove in a face": barPart("SEALED COVER", [
     FRONT,
     { x: 60 },
@@ -27,8 +55,12 @@ export const MISSING_PARTS = {
     },
     { z: -20 },
   ]),
-  "circlip groove in a bore": barPart("BUSH FOR A CIRCLIP", [FRONT, { x: 50 }, { z: -30 }], {
-    inside: [{ x: 30, z: 0 }, { z: -10 }, { x: 31.4 }, { z: -11.3 }, { x: 30 }, { id: "bore", z: -30 }],
+  "rounded groove in a bore": barPart("BUSH FOR A CIRCLIP", [FRONT, { x: 50 }, { z: -30 }], {
+    inside: [
+      { x: 30, z: 0 },
+      { id: "bore", z: -30 },
+      { kind: "GRV", form: "RADIAL", words: { CENTER: -10.65, BREADTH: 1.3, DEPTH: 0.7, R: 0.2 } },
+    ],
     marks: { bore: { tolerance: "H7", ra: 1.6 } },
   }),
   "deep bore of small diameter": barPart("GUIDE", [FRONT, { x: 24 }, { z: -50 }], {

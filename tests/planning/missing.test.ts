@@ -6,7 +6,7 @@ import { shippedTools } from "../../src/program/tools/shipped-tools.ts";
 import { MISSING_PARTS } from "./missing-parts.ts";
 import { withMissing } from "./missing-tool.ts";
 import { partOfTrade } from "./parts.ts";
-import { planOf, requestOf } from "./plan-laws.ts";
+import { planOf, requestOf, unprepared } from "./plan-laws.ts";
 
 /** What a plan leaves for want of a tool. */
 const wanting = ({ residue }: WorkingPlan): readonly Residue[] => residue.filter(({ missing }) => missing !== null);
@@ -26,31 +26,32 @@ const area = (residues: readonly Residue[], { box }: NonNullable<Residue["region
     .filter(({ region }) => region && region.box.low < box.high && region.box.high > box.low)
     .reduce((sum, { region }) => sum + (region?.area ?? 0), 0);
 
-/** A part, tools that are taken from the table, and what is said of one that is missing. */
+/** A part, tools that are taken from the table, and what is said of those that are missing. */
 const ROWS = [
-  ["bush", [], { form: "recessing", site: "inside" }],
-  ["npt-fitting", [], { form: "boring", mostDiameter: 11 }],
+  ["countersink of a bore", [], { form: "boring", mostDiameter: 12 }],
   ["face-groove", [8], { form: "recessing", site: "face" }],
-  ["sleeve", [], { form: "boring" }],
+  ["thread in a bore", [], { form: "boring", mostDiameter: 17.5 }, { form: "thread", thread: "M20x1.5" }],
   ["cone-pin", [1, 2, 3, 4, 7, 15], { form: "turning", hand: "right" }],
-  ["bolt", [12], { form: "thread" }],
+  ["thread to a relief", [12], { form: "thread", thread: "M16" }],
   // A blade as wide as the floor, not an insert whose point is as slender as the groove.
   ["pulley", [9, 10], { form: "recessing", mostWidth: 2.2, leastDepth: 11 }],
   ["narrow groove in a face", [], { form: "recessing", site: "face", mostWidth: 2.4 }],
-  ["circlip groove in a bore", [], { form: "recessing", site: "inside", mostWidth: 1.3 }],
+  ["rounded groove in a bore", [], { form: "recessing", site: "inside", mostWidth: 1, mostNose: 0.2 }],
   ["deep bore of small diameter", [], { form: "boring", mostDiameter: 5.8, leastReach: 51 }],
   ["undercut F behind a shoulder", [], { form: "turning", leastEdge: 98, descends: 15 }],
   ["valley with a steep rear flank", [4, 9, 10, 11], { form: "turning", rises: 80.5, descends: 45 }],
 ] as const;
 
 describe("a tool with the data that are missing takes what is left", () => {
-  test.each(ROWS)("%s without %j", (name, without, named) => {
+  test.each(ROWS)("%s without %j", (name, without, ...named) => {
     const request = requestWithout(name, without);
-    const lacking = wanting(planOf(request));
-    expect(lacking.map(({ missing }) => missing)).toContainEqual(expect.objectContaining(named));
+    const before = planOf(request),
+      lacking = wanting(before);
+    for (const tool of named)
+      expect(lacking.map(({ missing }) => missing)).toContainEqual(expect.objectContaining(tool));
     const made = lacking.reduce((all, { missing }, i) => (missing ? withMissing(all, missing, 900 + i) : all), request);
     const after = planOf(made);
-    expect(after.judged.verdict).toBe("proved");
+    expect([after.judged.verdict, unprepared(before), unprepared(after)]).toEqual(["proved", [], []]);
     for (const { region, missing } of lacking) {
       const left = wanting(after);
       if (region) expect([missing, area(left, region) < LEAST_REGION]).toEqual([missing, true]);

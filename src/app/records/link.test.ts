@@ -113,7 +113,7 @@ test("lost or changed letters never throw, and never give half a work", () => {
       if (cut) expect(read.kind).toBe("damaged");
       if (read.kind === "work") expect(plainWork(read.work)).toEqual(read.work);
     }),
-    { numRuns: 300 },
+    { numRuns: 150 },
   );
   for (const hash of ["", "#", "#h1=", "#h2=", "#h0=AA", "#h1=%%%", "#p=%%%", "#w=e30", "#q=1"])
     expect(readLink(hash)).toEqual({ kind: "damaged" });

@@ -31,7 +31,7 @@ const fromBase64Url = (text: string): Uint8Array =>
 
 /** Packs plain data for a link. */
 export const packedForLink = (value: unknown, dictionary = LINK_DICTIONARY): string =>
-  toBase64Url(deflateSync(strToU8(JSON.stringify(value)), { level: 9, mem: 12, dictionary }));
+  toBase64Url(deflateSync(strToU8(JSON.stringify(value)), { level: 9, dictionary }));
 
 /** Unpacks the text of `packedForLink` with the same dictionary; null if longer than `most`. Throws if invalid. */
 export const unpackedFromLink = (packed: string, most = LARGEST_PROGRAM, dictionary = LINK_DICTIONARY): string | null =>

@@ -148,11 +148,8 @@ const ordered = (marks: readonly TaskMark[]): TaskMark[] => {
   return marks.toSorted((a, b) => rank(a) - rank(b));
 };
 
-/**
- * Judges the answer to a task: its part against the target part, and the rules of the task. Any program that makes the
- * part within the rules passes, however it is written.
- */
-export function judge(task: Task, answer: Answer): TaskJudgement {
+/** What is wrong with an answer, as `judge` says it, without what shapes the contour there. */
+export function judgeUnplaced(task: Task, answer: Answer): TaskJudgement {
   const wanted = task.part ? targetPart(task.part) : null;
   const marks = ordered([
     ...errorMarks(answer, task.rules),
@@ -168,8 +165,17 @@ export function judge(task: Task, answer: Answer): TaskJudgement {
     task.kind === "drawing" && par && wanted
       ? scoreOf(par, wanted, task.rules.residue ?? RESIDUE, answer, marks)
       : undefined;
-  const placed = marks.map((mark) =>
+  return { passed: marks.every((m) => m.passed), marks, ...(score && { score }) };
+}
+
+/**
+ * Judges the answer to a task: its part against the target part, and the rules of the task. Any program that makes the
+ * part within the rules passes, however it is written.
+ */
+export function judge(task: Task, answer: Answer): TaskJudgement {
+  const unplaced = judgeUnplaced(task, answer);
+  const marks = unplaced.marks.map((mark) =>
     mark.passed || !SHAPED.has(mark.rule) ? mark : { ...mark, ...shapedBy(answer, mark) },
   );
-  return { passed: marks.every((m) => m.passed), marks: placed, ...(score && { score }) };
+  return { ...unplaced, marks };
 }

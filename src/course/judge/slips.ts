@@ -3,7 +3,7 @@ import { SAME } from "../../kernel/tolerance.ts";
 import { radius, toDiameter } from "../../kernel/units.ts";
 import { outlineOfLines, targetPart } from "../target-part.ts";
 import type { Task } from "../task.ts";
-import { judge } from "./judge.ts";
+import { judgeUnplaced } from "./judge.ts";
 import type { Answer, RuleName, Slip, TaskJudgement, TaskMark } from "./judgement.ts";
 import { toolsFor, toolSlips, type SlipTrial } from "./tool-slips.ts";
 import { everySlip, type Literal, type PossibleSlip } from "./possible-slips.ts";
@@ -152,7 +152,7 @@ async function findToolSlip(
   for (const trial of toolSlips(task, text).slice(0, MOST_TOOL_RUNS)) {
     const answer = await runOf(trial.text);
     if (!answer) continue;
-    const without = judge(task, answer),
+    const without = judgeUnplaced(task, answer),
       left = failedRules(without);
     if (!wrongness(without).any && left.size < failed.size && [...left].every((rule) => failed.has(rule)))
       return { slip: trial.slip, without };
@@ -183,7 +183,7 @@ export async function findSlip(
   for (const trial of slipTrials(task, text).slice(0, MOST_RUNS)) {
     const answer = await runOf(trial.text);
     if (!answer) continue;
-    const without = judge(task, answer),
+    const without = judgeUnplaced(task, answer),
       after = wrongness(without);
     if (!after.any) return { slip: trial.slip, without };
     if (trial.likely >= LIKELY.near || WHOLLY.has(trial.slip.kind)) continue;

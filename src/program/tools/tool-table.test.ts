@@ -79,7 +79,7 @@ describe("a row of the table", () => {
       fc.property(withHolder, (t) => {
         expect(readEntry(entryOf(t, "r")).tool).toEqual(t);
       }),
-      { numRuns: 800 },
+      { numRuns: 400 },
     ));
 
   test("every row that is read as a tool can be drawn", () =>
@@ -129,7 +129,7 @@ describe("a row of the table", () => {
           } else expect(read.issues.some((found) => found.severity === "error")).toBe(true);
         },
       ),
-      { numRuns: 1000 },
+      { numRuns: 400 },
     ));
 
   const { holder: _, ...bare } = shippedTools[0] as Tool;
@@ -289,7 +289,7 @@ describe("the control's column text", () => {
         const read = readTableText(writeTableText(tools));
         expect("rows" in read && toolsOf(read.rows)).toEqual(tools);
       }),
-      { numRuns: 1000 },
+      { numRuns: 400 },
     ));
 
   test("a name from another file begins no row and ends no table", () => {
@@ -402,7 +402,7 @@ describe("the control's column text", () => {
           if ("rows" in read) mergedTools(shippedList, read.rows).list.forEach((entry) => readEntry(entry));
         },
       ),
-      { numRuns: 1000 },
+      { numRuns: 400 },
     ));
 
   test("a mutated file is still read or refused", () => {
@@ -412,7 +412,7 @@ describe("the control's column text", () => {
         const read = readToolFile(text.slice(0, at) + put + text.slice(at + cut));
         if ("rows" in read) readList(mergedTools([], read.rows).list);
       }),
-      { numRuns: 1000 },
+      { numRuns: 400 },
     );
   });
 });

@@ -29,7 +29,7 @@ function radiusItem(tag: Tag, text: string, arc: Arc): HelpItem {
       const end = at === 1 ? moved(tip, ux, uy, 16) : tip;
       const middle = at === 1 ? moved(tip, ux, uy, 32) : moved(moved(arc.centre, ux, uy, arc.radius * at), -uy, ux, 12);
       return {
-        marks: [
+        marks: () => [
           stroke(tag, "thin", `M${arc.centre.x} ${arc.centre.y}L${end.x} ${end.y}`),
           filled(tag, "arrow", arrowHead(tip, ux, uy)),
           value(tag, middle, text),
@@ -63,7 +63,7 @@ function angleItem(tag: Tag, text: string, arc: Arc): HelpItem {
     [size + 16, size * 0.5, size + 26].map((k, i): Candidate => {
       const middle = ray(arc.from + arc.sweep * part, k);
       return {
-        marks: [...spokes, stroke(tag, "thin", drawn), head, value(tag, middle, text)],
+        marks: () => [...spokes, stroke(tag, "thin", drawn), head, value(tag, middle, text)],
         label: textBox(middle, text, 0),
         lines: [],
         cost: i + Math.abs(part - 0.35),

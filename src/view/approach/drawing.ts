@@ -131,6 +131,6 @@ export function approachDrawing(scene: ApproachScene): ApproachDrawing {
     points,
     labels: placed.map((p) => p.label),
     centre: result.arc && { at: result.arc.centre, place: onScreen(camera, result.arc.centre) },
-    marks: [...marks, ...placed.flatMap((p) => p.marks)],
+    marks: [...marks, ...placed.flatMap((p) => p.marks())],
   };
 }

@@ -101,7 +101,7 @@ export function planeNames(
       ...size,
       avoid: [...alongWays(approaches, camera), ...roundTools(own, camera)],
       kept,
-    }).map(({ item, marks }) => [item, marks]),
+    }).map(({ item, marks }) => [item, marks()]),
   );
   return points.map((point) => {
     const item = items.get(point);

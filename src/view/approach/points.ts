@@ -115,11 +115,14 @@ export function pointItem(
         underlined: false,
         role: "value",
       });
-      const marks: Mark[] = [text(0, name, SIZE.strong), ...(coordinates ? [text(1, where, SIZE.quiet)] : [])];
       const label = { x: centre.x - width / 2, y: centre.y - height / 2, width, height },
         led = ring > 0 ? leader(tag, p.place, label) : null;
       return {
-        marks: led ? [led.mark, ...marks] : marks,
+        marks: () => [
+          ...(led ? [led.mark] : []),
+          text(0, name, SIZE.strong),
+          ...(coordinates ? [text(1, where, SIZE.quiet)] : []),
+        ],
         label,
         lines: led ? [led.line] : [],
         cost: (1 - Math.cos(angle - out)) * 2 + (eighth % 2) * 0.3 + ring * 3,

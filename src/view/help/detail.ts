@@ -39,13 +39,14 @@ function lensPlace(
       const hidden =
         Math.abs(at.x - x) < text.width / 2 + 9 &&
         Math.abs(at.y - (y + radius + text.height / 2 + 2)) < text.height / 2 + 9;
+      const cheap =
+        gap / 7 + (gap < radius + 14 || hidden ? 60 : 0) + (kept.some((b) => labelsOverlap(b, lens)) ? 500 : 0);
+      if (cheap >= least) continue;
       const cost =
         placed.filter((p) => labelsOverlap(p.label, lens) || p.lines.some((l) => runsThrough(l, lens))).length * 6 +
         line.filter(over).length * 1.2 +
         blank.filter(over).length * 3 +
-        gap / 7 +
-        (gap < radius + 14 || hidden ? 60 : 0) +
-        (kept.some((b) => labelsOverlap(b, lens)) ? 500 : 0);
+        cheap;
       if (cost < least) [best, least] = [{ x, y }, cost];
     }
   return best;

@@ -27,13 +27,13 @@ export interface Lettering extends Tag {
 
 const candidate = (
   l: Lettering,
-  marks: readonly Mark[],
+  marks: () => readonly Mark[],
   middle: Place,
   turn: 0 | -90,
   lines: readonly StraightLine[],
   cost: number,
 ): Candidate => ({
-  marks: [...marks, value({ q: l.q, active: l.active }, middle, l.text, turn, l.underlined ?? false)],
+  marks: () => [...marks(), value({ q: l.q, active: l.active }, middle, l.text, turn, l.underlined ?? false)],
   label: textBox(middle, l.text, turn),
   lines,
   cost,
@@ -75,7 +75,7 @@ function horizontal(layout: Layout, l: Lettering, a: Place, b: Place): Candidate
           { x: a.x, y },
           { x: b.x, y },
         ];
-        const marks = [...extension(l, a, p), ...(point ? [] : extension(l, b, q)), ...between(l, p, q)];
+        const marks = () => [...extension(l, a, p), ...(point ? [] : extension(l, b, q)), ...between(l, p, q)];
         const lines: StraightLine[] = [[a, p], ...(point ? [] : [[b, q] as const, tailed(p, q)])];
         return candidate(l, marks, { x, y }, 0, lines, cost + i);
       }),
@@ -100,7 +100,7 @@ function diameter(layout: Layout, l: Lettering, at: Place): Candidate[] {
       const foot = { x, y: axisY },
         head = { x, y: at.y };
       const down = axisY >= at.y ? 1 : -1;
-      const line = [
+      const marks = () => [
         ...extension(l, at, head),
         stroke(l, "thin", polyline([head, ...(layout.broken ? zigzag(foot, head) : []), { x, y: axisY + 7 * down }])),
         filled(l, "arrow", arrowHead(head, 0, -down)),
@@ -112,13 +112,13 @@ function diameter(layout: Layout, l: Lettering, at: Place): Candidate[] {
       const upright =
         long > width(l) + 18
           ? [0.5, 0.62, 0.38].map((t, i) =>
-              candidate(l, line, { x, y: at.y + (axisY - at.y) * t }, -90, lines, cost + i),
+              candidate(l, marks, { x, y: at.y + (axisY - at.y) * t }, -90, lines, cost + i),
             )
           : [];
       const flat = [1, -1].map((side, i) =>
         candidate(
           l,
-          line,
+          marks,
           { x: x + side * (width(l) / 2 + 6), y: at.y + down * Math.min(12, long / 2) },
           0,
           lines,
@@ -158,7 +158,7 @@ function upright(layout: Layout, l: Lettering, a: Place, b: Place): Candidate[] 
         { x, y: a.y },
         { x, y: b.y },
       ];
-      const marks = [...extension(l, a, p), ...extension(l, b, q), ...between(l, p, q)];
+      const marks = () => [...extension(l, a, p), ...extension(l, b, q), ...between(l, p, q)];
       const lines: StraightLine[] = [[a, p], [b, q], tailed(p, q)];
       return [
         candidate(l, marks, { x: x + side * (width(l) / 2 + 7), y: (low + high) / 2 }, 0, lines, cost),
@@ -177,7 +177,14 @@ export function parallel(l: Lettering, a: Place, b: Place): Candidate[] {
     const [p, q] = [a, b].map((o) => ({ x: o.x + n.x * d, y: o.y + n.y * d })) as [Place, Place];
     const out = Math.sign(d) * (10 + (Math.abs(n.x) * width(l)) / 2);
     const middle = { x: (p.x + q.x) / 2 + n.x * out, y: (p.y + q.y) / 2 + n.y * out };
-    return candidate(l, [...extension(l, a, p), ...extension(l, b, q), ...between(l, p, q)], middle, 0, [[p, q]], i);
+    return candidate(
+      l,
+      () => [...extension(l, a, p), ...extension(l, b, q), ...between(l, p, q)],
+      middle,
+      0,
+      [[p, q]],
+      i,
+    );
   });
 }
 
@@ -194,7 +201,7 @@ function angle(l: Lettering, vertex: Place, from: Place, to: Place): Candidate[]
     const [begin, end] = [start - way * over, start + sweep + way * over];
     const head = (a: number, side: number) =>
       filled(l, "arrow", arrowHead(on(a, r), -Math.sin(a) * side, -Math.cos(a) * side, 7));
-    const marks = [
+    const marks = () => [
       stroke(l, "thin", polyline([vertex, on(start, r + 8)])),
       stroke(l, "thin", polyline([vertex, on(start + sweep, r + 8)])),
       stroke(l, "thin", arcPath(vertex, r, begin, end)),
@@ -238,7 +245,7 @@ export function leader(l: Lettering, at: Place, towards: Place): Candidate[] {
       const side = Math.cos(a) >= 0 ? 1 : -1;
       const shelf = { x: knee.x + side * 7, y: knee.y };
       const middle = { x: shelf.x + side * (width(l) / 2 + 3), y: shelf.y };
-      const marks = [
+      const marks = () => [
         stroke(l, "thin", polyline([at, knee, shelf])),
         filled(l, "arrow", arrowHead(at, at.x - knee.x, at.y - knee.y)),
       ];

@@ -244,10 +244,8 @@ function arranged(items: readonly HelpItem[], active: string | null, sheet: Shee
 /** A dimension with its text in another box; its lines stay. */
 function textMoved(c: Candidate, label: LabelBox): Candidate {
   const [dx, dy] = [label.x - c.label.x, label.y - c.label.y];
-  const marks = c.marks.map((m): Mark =>
-    m.kind === "text" ? { ...m, place: { x: m.place.x + dx, y: m.place.y + dy } } : m,
-  );
-  return { ...c, label, marks };
+  const moved = (m: Mark): Mark => (m.kind === "text" ? { ...m, place: { x: m.place.x + dx, y: m.place.y + dy } } : m);
+  return { ...c, label, marks: () => c.marks().map(moved) };
 }
 
 /** Moves the dimensions that the lens covers; all others stay. */
@@ -299,8 +297,8 @@ export function helpDrawing(request: HelpRequest): HelpDrawing {
     ...back(false),
     stroke({ q: null, active: false }, "contour", segmentPath(c.outline.contour, c.layout.camera)),
     ...back(true),
-    ...placed.filter((p) => p.q !== active).flatMap((p) => p.marks),
-    ...placed.filter((p) => p.q === active).flatMap((p) => p.marks),
+    ...placed.filter((p) => p.q !== active).flatMap((p) => p.marks()),
+    ...placed.filter((p) => p.q === active).flatMap((p) => p.marks()),
     ...(lens?.marks ?? []),
     ...row,
   ];

@@ -9,9 +9,9 @@ export interface Tag {
   readonly active: boolean;
 }
 
-/** A candidate place of a dimension, with its marks. */
+/** A candidate place of a dimension. Its marks are made where it is chosen: most candidates are not. */
 export interface Candidate extends Spot {
-  readonly marks: readonly Mark[];
+  readonly marks: () => readonly Mark[];
 }
 export type HelpItem = Item<Candidate>;
 export type PlacedHelp = Placed<Candidate>;
