@@ -3,8 +3,6 @@ import { expectAccessible, expectFineInBothThemes } from "./pages/layout-checks.
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test.use({ reducedMotion: "no-preference" });
-
 interface TaskFile {
   readonly words: Readonly<
     Record<"en" | "de", { readonly title: string; readonly hints: readonly string[]; readonly learned: string }>
@@ -28,6 +26,8 @@ async function begin(
 }
 
 test("a task by keyboard: a wrong try names place and step; hints, solution, passed, resumed", async ({ page }) => {
+  // What was made plays.
+  await page.emulateMedia({ reducedMotion: "no-preference" });
   const turnwise = await Turnwise.open(page);
   const { task, dialog, lathe } = turnwise;
   const { words } = task;

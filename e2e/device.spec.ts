@@ -162,8 +162,7 @@ test("a full disk and refused storage are reported, editing continues, and unsav
   await expect(elsewhere.dialog.line("Q493")).toContainText("51.25");
   await other.close();
 
-  const refused = await browser.newContext();
-  await refused.addInitScript(() => {
+  await page.addInitScript(() => {
     const refuse = () => {
       throw new DOMException("refused", "SecurityError");
     };
@@ -171,12 +170,11 @@ test("a full disk and refused storage are reported, editing continues, and unsav
     Object.defineProperty(window, "localStorage", { get: refuse });
     Object.defineProperty(window, "sessionStorage", { get: refuse });
   });
-  const without = await Turnwise.open(await refused.newPage());
+  const without = await Turnwise.open(page);
   await without.start.beginWithExample(812);
-  await expect(without.page.getByText(notice.notKept)).toBeVisible();
+  await expect(page.getByText(notice.notKept)).toBeVisible();
   await without.dialog.set("Q493", "52.5");
   await expect(without.dialog.line("Q493")).toContainText("52.5");
-  await refused.close();
 });
 
 test("an error of the page keeps the work, offers an export, and stores a local report", async ({ page, context }) => {

@@ -4,7 +4,8 @@ import { Turnwise } from "./pages/turnwise.ts";
 
 /* Few tests with many screens each: checking a screen takes less time than reaching it. */
 
-onDevices(["desktop", "tablet", "phone"], (expectFineHere) => {
+/* On a tablet these look as in a large window; start.spec.ts has the start in its sizes. */
+onDevices(["desktop", "phone"], (expectFineHere) => {
   test("the start, the settings and the files of a work pass axe, and fit", async ({ page }) => {
     const turnwise = await Turnwise.open(page);
     const { editor, settings, start } = turnwise;
@@ -22,7 +23,9 @@ onDevices(["desktop", "tablet", "phone"], (expectFineHere) => {
     await expect(editor.files.getByText("AWAY.H")).toBeVisible();
     await expectFineHere(page, "the files of a work");
   });
+});
 
+onDevices(["desktop", "tablet", "phone"], (expectFineHere) => {
   test("the panels and prompts of a workplace pass axe, and fit", async ({ page }) => {
     const turnwise = await Turnwise.open(page);
     const { dialog, effect, start, t } = turnwise;

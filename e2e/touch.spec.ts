@@ -185,21 +185,18 @@ const SCREENS = [
   "1280x800",
 ] as const;
 
-test("nothing overflows any screen sideways, with normal and large letters, in a language with long words", async ({
-  page,
-}) => {
+test("nothing overflows any screen sideways, with large letters, in a language with long words", async ({ page }) => {
   const turnwise = await Turnwise.open(page, { language: "fr" });
   const { settings } = turnwise;
+  // All widths grow with the letters, which are at least as large as the usual ones in every window.
+  await settings.open();
+  await settings.chooseLetters("presentation");
+  await page.keyboard.press("Escape");
   const fitEverywhere = async (what: string) => {
-    for (const letters of ["usual", "presentation"] as const) {
-      await settings.open();
-      await settings.chooseLetters(letters);
-      await page.keyboard.press("Escape");
-      for (const screen of SCREENS) {
-        const [width = 0, height = 0] = screen.split("x").map(Number);
-        await page.setViewportSize({ width, height });
-        await expectFits(page, `${what} at ${screen}, ${letters} letters`);
-      }
+    for (const screen of SCREENS) {
+      const [width = 0, height = 0] = screen.split("x").map(Number);
+      await page.setViewportSize({ width, height });
+      await expectFits(page, `${what} at ${screen}`);
     }
   };
   await fitEverywhere("the start");

@@ -36,6 +36,8 @@ export class Effect {
 
   /** Waits until the current program is verified. */
   async proved(): Promise<void> {
+    // As long as the cell is missing, an assertion would describe the whole page each time it looks.
+    await this.cell("proof").waitFor();
     await expect(this.cell("proof")).toHaveText(provedIn(this.context.t));
   }
 
