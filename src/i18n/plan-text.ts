@@ -106,11 +106,11 @@ export const regionPlaceText = (
 ): string => t.left.at(writer(language).signed(box.right), writer(language).signed(box.left));
 
 /** What is left: its area or its thread, with its place and the reason. */
-export function residueText(w: PlanWriter, { region, site, why, missing }: Residue): string {
+export function residueText(w: PlanWriter, { region, thread, site, why }: Residue): string {
   const { left } = w.t;
   const what = region
     ? `${left.region(writer(w.language).area(region.area), left.where[site])}, ${regionPlaceText(w, region.box)}`
-    : left.thread(missing?.thread ?? "");
+    : left.thread(thread);
   return `${what}: ${left.why[why]}`;
 }
 

@@ -8,7 +8,7 @@ import { missingFor, sideOf } from "./missing.ts";
 import { areaBeyond, LEAST_GOUGE } from "./apply-action.ts";
 import { LEAST_REGION, openRegions, type OpenRegion } from "./open-regions.ts";
 import { actionsIn, type PlanNode, type Searching } from "./plan-node.ts";
-import type { Action, ElementMark, PlanRequest } from "./types.ts";
+import type { Action, ElementMark, PlanRequest, TriedAction } from "./types.ts";
 import type { MissingTool, Residue } from "./working-plan.ts";
 
 /** Width of a blade to part off, mm. */
@@ -40,13 +40,13 @@ function placeReason(region: OpenRegion, request: PlanRequest): "rear" | "clampi
   return null;
 }
 
-/** Whether something that is excluded would take some of a region. Yields before every try. */
-function* isExcluded(region: OpenRegion, end: PlanNode, s: Searching): Generator<PlanNode, boolean> {
+/** Whether something that is excluded would do what is left to do. Yields before every try. */
+function* isExcluded(does: (action: Action) => boolean, end: PlanNode, s: Searching): Generator<PlanNode, boolean> {
   const { withoutCycles, withoutTools } = s.request;
   if (withoutCycles.length + withoutTools.length === 0) return false;
   const free: PlanRequest = { ...s.request, withoutCycles: [], withoutTools: [] };
   for (const action of s.sources.flatMap((source) => source.actions(end, free))) {
-    if (!meets(action, region)) continue;
+    if (!does(action)) continue;
     yield end;
     if (s.tries.of(action, end).works) return true;
   }
@@ -71,39 +71,46 @@ function threadBore(row: string, { part: { inside }, blank }: PlanRequest): Part
   return { mostDiameter: rounded(toDiameter(radius(least))), leastReach: rounded(boxAround(blank).right - rear) };
 }
 
-/** Threads that no step makes. */
-function threadsLeft({ done }: PlanNode, request: PlanRequest): readonly Residue[] {
-  const made = done.flatMap(({ action }) => action.threads);
-  const wanted = threadsOf(request);
-  return wanted
-    .filter(({ thread }, i) => {
-      const same = wanted.slice(0, i).filter((w) => w.thread === thread).length;
-      return made.filter((m) => m.includes(thread)).length <= same;
-    })
-    .map(({ thread, row, site }) => ({
-      region: null,
-      site,
-      rows: [row],
-      why: "tool",
-      missing: { form: "thread", site, thread, ...(site === "inside" && threadBore(row, request)) },
-    }));
+/** Threads that no step makes, and why. Yields before every try. */
+function* threadsLeft(end: PlanNode, s: Searching): Generator<PlanNode, readonly Residue[]> {
+  const made = end.done.flatMap(({ action }) => action.threads);
+  const wanted = threadsOf(s.request);
+  const left: Residue[] = [];
+  for (const [i, { thread, row, site }] of wanted.entries()) {
+    const same = wanted.slice(0, i).filter((w) => w.thread === thread).length;
+    const named = (ids: readonly string[]) => ids.filter((id) => id.includes(thread));
+    if (named(made).length > same) continue;
+    const why = yield* reasonFor(
+      (action) => named(action.threads).length > 0,
+      () => true,
+      end,
+      s,
+    );
+    const missing: MissingTool = { form: "thread", site, thread, ...(site === "inside" && threadBore(row, s.request)) };
+    left.push({ region: null, thread, site, rows: [row], why, missing: why === "tool" ? missing : null });
+  }
+  return left;
 }
 
 /**
- * Why a region is left that no place and no choice protects: a tool that would take it without damage to the part stops
- * with a fault, or there is none. Yields before every try.
+ * Why something is left that no place protects: what does it is excluded; a tool that `takes` it without damage to the
+ * part stops with a fault; or there is none. Asked before parting off, after which nothing is proposed. Yields before
+ * every try.
  */
-function* triedReason(
-  { rings }: OpenRegion,
-  ways: readonly Action[],
+function* reasonFor(
+  does: (action: Action) => boolean,
+  takes: (tried: TriedAction) => boolean,
   end: PlanNode,
-  { tries, most }: Searching,
-): Generator<PlanNode, "bound" | "fault" | "tool"> {
+  s: Searching,
+): Generator<PlanNode, "excluded" | "bound" | "fault" | "tool"> {
+  const open = end.tried?.action.kind === "partOff" && end.before ? end.before : end;
+  if (yield* isExcluded(does, open, s)) return "excluded";
+  const { tries, most } = s;
   if (tries.count >= most) return "bound";
-  for (const way of ways) {
-    yield end;
-    const { stock, gouge, faults } = tries.of(way, end);
-    if (faults.length > 0 && gouge < LEAST_GOUGE && areaBeyond(rings, stock) > LEAST_REGION) return "fault";
+  for (const way of actionsIn(open, s).filter(does)) {
+    yield open;
+    const tried = tries.of(way, open);
+    if (tried.faults.length > 0 && takes(tried)) return "fault";
   }
   return "tool";
 }
@@ -134,23 +141,22 @@ export function* residueOf(
   s: Searching,
 ): Generator<PlanNode, readonly Residue[]> {
   const { request } = s;
-  const failed = actionsIn(end, s);
   const left: Residue[] = [];
   for (const region of regionsLeft(stock, request)) {
     const { site, border } = sideOf(region, request.part);
     const chain = site === "inside" ? request.part.inside : request.part.outside;
     const rows = [...new Set(border.flatMap((i) => chain.marks[i]?.row ?? []))];
-    const ways = failed.filter((a) => meets(a, region));
-    const why =
-      placeReason(region, request) ??
-      ((yield* isExcluded(region, end, s)) ? "excluded" : yield* triedReason(region, ways, end, s));
+    const takes = ({ stock: rest, gouge }: TriedAction) =>
+      gouge < LEAST_GOUGE && areaBeyond(region.rings, rest) > LEAST_REGION;
+    const why = placeReason(region, request) ?? (yield* reasonFor((action) => meets(action, region), takes, end, s));
     left.push({
       region,
+      thread: null,
       site,
       rows,
       why,
       missing: why === "tool" || why === "fault" ? missingOf(region, end, request) : null,
     });
   }
-  return [...left, ...threadsLeft(end, request)];
+  return [...left, ...(yield* threadsLeft(end, s))];
 }

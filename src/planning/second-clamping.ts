@@ -86,8 +86,8 @@ export function withRear(
 ): readonly Residue[] {
   const turned = over(boxAround(part.rings).left);
   const threads = steps.flatMap(({ tried }) => tried.action.threads);
-  const isMade = ({ region, missing }: Residue): boolean => {
-    if (!region) return threads.some((id) => id.startsWith(`${missing?.thread ?? ""} `));
+  const isMade = ({ region, thread }: Residue): boolean => {
+    if (!region) return threads.some((id) => id.startsWith(`${thread} `));
     const rings = region.rings.map((ring) => ring.map(turned).reverse());
     return areaBeyond(rings, stock) > areaOf(rings) - LEAST_REGION;
   };

@@ -89,10 +89,10 @@ export interface MissingTool {
   readonly thread?: string;
 }
 
-/** Material, or a thread, that the plan does not make. */
-export interface Residue {
-  /** Null for a thread. */
-  readonly region: OpenRegion | null;
+/** What the plan does not make: material, or a thread by its designation. */
+export type Residue = ResidueFacts &
+  ({ readonly region: OpenRegion; readonly thread: null } | { readonly region: null; readonly thread: string });
+interface ResidueFacts {
   readonly site: Site;
   /** Rows of the elements that it lies on; see ElementMark. */
   readonly rows: readonly string[];

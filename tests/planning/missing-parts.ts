@@ -4,7 +4,7 @@ import { PART_FORMAT, readPart } from "../../src/planning/part/part-file.ts";
 type Row = Readonly<Record<string, unknown>>;
 
 /** A bar part as a part file states it, without what the drawings of all have in common. */
-const barPart = (name: string, outside: readonly Row[], more: Row = {}): FinishedPart => {
+export const barPart = (name: string, outside: readonly Row[], more: Row = {}): FinishedPart => {
   const { part, problems } = readPart(
     JSON.stringify({ format: PART_FORMAT, name, material: "c45", outside, partsOff: true, ...more }),
   );
@@ -31,18 +31,10 @@ export const MISSING_PARTS = {
       { id: "bore", z: -36 },
     ],
   }),
-  "thread to a relief": barPart(
+  "thread in front of a shallow relief": barPart(
     "STUD",
-    [
-      FRONT,
-      { x: 16 },
-      { kind: "CHF", r: 1.5 },
-      { id: "thread", z: -24 },
-      { id: "relief", kind: "UDC" },
-      { x: 22 },
-      { z: -34 },
-    ],
-    { marks: { thread: { thread: "M16" }, relief: { undercut: "DIN 76-A" } } },
+    [FRONT, { x: 16 }, { kind: "CHF", r: 1.5 }, { id: "thread", z: -24 }, { kind: "UDC" }, { x: 22 }, { z: -34 }],
+    { marks: { thread: { thread: "M16" } } },
   ),
   "narrow groove in a face": barPart("SEALED COVER", [
     FRONT,

@@ -32,7 +32,7 @@ const ROWS = [
   ["face-groove", [8], { form: "recessing", site: "face" }],
   ["thread in a bore", [], { form: "boring", mostDiameter: 17.5 }, { form: "thread", thread: "M20x1.5" }],
   ["cone-pin", [1, 2, 3, 4, 7, 15], { form: "turning", hand: "right" }],
-  ["thread to a relief", [12], { form: "thread", thread: "M16" }],
+  ["thread in front of a shallow relief", [12], { form: "thread", thread: "M16" }],
   // A blade as wide as the floor, not an insert whose point is as slender as the groove.
   ["pulley", [9, 10], { form: "recessing", mostWidth: 2.2, leastDepth: 11 }],
   ["narrow groove in a face", [], { form: "recessing", site: "face", mostWidth: 2.4 }],

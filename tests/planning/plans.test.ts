@@ -5,6 +5,7 @@ import { handValuesOf } from "../../src/planning/hand-values.ts";
 import type { PlanRequest } from "../../src/planning/types.ts";
 import type { WorkingPlan } from "../../src/planning/working-plan.ts";
 import { arbitraryParts } from "./arbitrary-part.ts";
+import { barPart } from "./missing-parts.ts";
 import { partOfTrade } from "./parts.ts";
 import { brokenByPart, keysOf, planOf, requestOf, unprepared, withOwnTools } from "./plan-laws.ts";
 
@@ -110,8 +111,13 @@ test("what is left says which tool is missing, or what is excluded", () => {
   const thread = of("bolt");
   const tools = thread.shop.tools.filter(({ TYPE }) => TYPE === "THREAD").map(({ T }) => T);
   expect(planOf({ ...thread, withoutTools: tools }).residue).toMatchObject([
-    { region: null, missing: { form: "thread", thread: "M16" } },
+    { region: null, thread: "M16", why: "excluded", missing: null },
   ]);
+  // Between two collars no insert for threads has room: another one is not what is missing.
+  const between = [{ x: 30 }, { z: -6 }, { x: 16 }, { id: "thread", z: -14 }, { x: 30 }, { z: -20 }];
+  const marks = { thread: { thread: "M16" } };
+  const collared = requestOf(barPart("COLLARED", [{ x: 0, z: 0 }, ...between], { marks }));
+  expect(collared && planOf(collared).residue).toMatchObject([{ thread: "M16", why: "fault", missing: null }]);
 });
 
 test("a search says how far it is at every try", () => {

@@ -45,7 +45,7 @@ function LeftList({ words, residue }: { readonly words: PlanWords; readonly resi
             <b>
               {each.region
                 ? left.region(areaWords(words, each.region.area), left.where[each.site])
-                : left.thread(each.missing?.thread ?? "")}
+                : left.thread(each.thread)}
             </b>
             {each.region && <span className="small soft number">{regionPlace(words, each.region.box)}</span>}
             <span>{left.why[each.why]}</span>

@@ -176,7 +176,6 @@ export function threadEnd(
   const crest = Math.max(...segments.slice(first, last + 1).flatMap(({ from, to }) => [high(from.r), high(to.r)]));
   const left = segments[last]?.to.z ?? 0;
   const behind = segments.slice(last + 1);
-  const shoulder = behind.find(({ to }) => high(to.r) > crest + SAME)?.to;
   const [rising, deepest] = [
     behind.findIndex((s) => high(s.to.r) > high(s.from.r) + SAME),
     behind.findIndex(({ to }) => high(to.r) <= high(root) + ROOT),
@@ -184,9 +183,17 @@ export function threadEnd(
   const isRelieved = deepest >= 0 && (rising < 0 || deepest < rising);
   const relief = behind.length === 0 ? left : isRelieved ? (behind[deepest]?.to.z ?? null) : null;
   const deep = relief ?? left;
-  const tooth = Math.min(cutLength(tool) ?? USUAL_TOOTH, shoulder ? high(shoulder.r) - high(root) : 0);
-  const half = Math.tan(radians(angle) / 2) * tooth + noseRadius(tool);
-  const end = shoulder ? Math.max(deep, shoulder.z + pitch + half) : deep;
+  const tooth = cutLength(tool) ?? USUAL_TOOTH;
+  const half = (r: number) => Math.tan(radians(angle) / 2) * Math.min(tooth, high(r) - high(root)) + noseRadius(tool);
+  // The flank of the tooth stays a pitch away from all of the shoulder, also where a rounding or a cone begins it.
+  const shoulder = part.flattenedChain(behind, CHORD).flatMap((to, i, all) => {
+    const from = all[i - 1];
+    if (!from || high(to.r) <= crest + SAME) return [];
+    const top = root + Math.sign(to.r - root) * tooth;
+    const share = (top - from.r) / (to.r - from.r);
+    return share > 0 && share < 1 ? [from, { z: from.z + share * (to.z - from.z), r: top }, to] : [from, to];
+  });
+  const end = Math.max(deep, ...shoulder.map(({ z, r }) => z + pitch + half(r)));
   const rise = relief !== null ? Math.max(0, end > deep ? left - end : 0) : RUN_OUT * pitch;
   return { end, rise };
 }
