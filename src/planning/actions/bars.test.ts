@@ -68,3 +68,21 @@ test("bars rough a bore behind a neck that their shank is clear of", () => {
   for (const action of actions)
     expect([action.key, applyAction(action, state, request).faults]).toEqual([action.key, []]);
 });
+
+test("bars that may touch a wall take no place of bars that are clear of it", () => {
+  const blank = { outside: "100", bore: "0", length: "80", allowance: "0" };
+  const bore = rows({ 0: 20.5, [-35.1]: 20.5, [-35.14]: 12.5, [-45]: 12.5 });
+  const part = { ...newPart("STEP"), outside: rows({ 0: 50, [-45]: 50 }), inside: bore, blank };
+  const request = requestOf(part);
+  if (!request) throw new Error("no part");
+  const hole = points({ 0: 20.1, [-34.83]: 20.1, [-34.84]: 12.843, [-35.943]: 11, [-47]: 11, [-53.6]: 0 });
+  const state = {
+    stock: [[...hole.toReversed(), at(0, 50), at(-80, 50), at(-80, 0)]],
+    done: [],
+    threads: new Set<string>(),
+  };
+  const tried = roughInside.actions(state, request).map((action) => applyAction(action, state, request));
+  const touching = tried.filter(({ faults }) => faults.some(({ kind }) => kind === "holderContact"));
+  expect(touching.length).toBeGreaterThan(0);
+  expect(tried.filter(({ works }) => works).length).toBeGreaterThan(0);
+});

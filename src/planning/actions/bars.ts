@@ -25,7 +25,7 @@ import { barDiameter } from "../values/cutting-values.ts";
 import { leastDepth } from "../values/turning-values.ts";
 import { clearRadius } from "./bore.ts";
 import { BESIDE, contourUpTo, freeInside, withinRear, type BoreWay } from "./bore-turning.ts";
-import { actionOf, fitsOf, fitted, toolsOf, type Better } from "./candidates.ts";
+import { actionOf, fitsOf, fitted, ranked, toolsOf, type Better, type Fitted } from "./candidates.ts";
 import type { CutRequest } from "./values-of-job.ts";
 
 /** How far an outline of a holder stands out towards the axis from the tip, mm. */
@@ -160,15 +160,15 @@ interface Bore {
 }
 
 /**
- * The Z of the tip at which a bar comes nearer to the wall of a bore than `room` mm, or stands in one that is narrower than
- * its row says; null where it stays clear all along. The path widens the bore as it goes.
+ * The Z of the tip at which a bar comes nearer to the wall of a bore than each of the `rooms`, mm, the largest first, or
+ * stands in one that is narrower than its row says: as many as it comes nearer than. The path widens the bore as it goes.
  */
 function blockedAt(
   moves: readonly Pick<Move, "kind" | "to">[],
   { across, beside, down, up, ahead, edge, tool, needs }: ReturnType<typeof bodyOf>["holder"],
   { front, wallAt }: Bore,
-  room: number,
-): number | null {
+  rooms: readonly number[],
+): readonly number[] {
   const stepOf = (z: number) => Math.floor((front - z) / STEP);
   const cut: number[] = [];
   /** The narrowest place in front of each step. */
@@ -187,9 +187,11 @@ function blockedAt(
       narrow[k] = least;
     }
   };
-  // A step holds the narrowest place up to its rear end.
-  const until = room < 0 ? STEP : 0;
-  const isMet = (z: number, r: number, least: number) => {
+  const isMet = (z: number, r: number, narrowest: number, room: number) => {
+    const least = narrowest - room;
+    if (narrowest >= needs && r + least >= down && r + up <= least) return false;
+    // A step holds the narrowest place up to its rear end.
+    const until = room < 0 ? STEP : 0;
     if (narrowAt(stepOf(z + needsBoreBehind(tool, r) + until)) < needs - SAME) return true;
     if (r + least < down && across.some((p) => r + narrowAt(stepOf(z + p.z)) - room < -p.r)) return true;
     for (const p of beside) {
@@ -198,6 +200,7 @@ function blockedAt(
     }
     return false;
   };
+  const met: number[] = [];
   let before = moves[0]?.to ?? at(front, 0);
   for (const { kind, to } of moves) {
     const from = before;
@@ -212,14 +215,17 @@ function blockedAt(
       for (let k = Math.min(last + 1, first); k <= Math.max(last - 1, end); k += 1) widen(k, r);
       last = first;
       if (z >= front) continue;
-      // Mostly the whole body is clear of the narrowest place.
       const narrowest = narrowAt(stepOf(z + ahead));
-      const least = narrowest - room;
-      if ((narrowest < needs || r + least < down || r + up > least) && isMet(z, r, least)) return z;
+      for (let room = rooms[met.length]; room !== undefined && isMet(z, r, narrowest, room); room = rooms[met.length])
+        met.push(z);
+      if (met.length === rooms.length) return met;
     }
   }
-  return null;
+  return met;
 }
+
+/** The rearmost Z of a path. */
+const rearOf = ({ moves }: Plan): number => Math.min(...moves.map(({ to }) => to.z));
 
 /** Whether a cycle plunges into valleys. */
 const PLUNGING = "Q487";
@@ -239,10 +245,8 @@ export interface BoreWork {
   readonly most: number;
 }
 
-/** A cut less deep is none, mm. */
-const SHORTEST = 1;
-/** Room in front of the place where a bar is blocked, mm. */
-const BACK = 0.2;
+/** A cut less deep is none; room in front of the place where a bar is blocked, mm. */
+const [SHORTEST, BACK] = [1, 0.2];
 /** Most ends in front of it that are tried, and most corners of the contour in front of it. */
 const [MOST_BACK, MOST_CORNERS] = [3, 2];
 
@@ -287,6 +291,8 @@ export function barActions(
     const made = Math.min(...wall);
     return made < Infinity && made > way.clear + leastDepth(tool) ? made : way.clear;
   };
+  /** Bars that may touch: they take no place of others. */
+  const near: (Fitted & Pick<OpenRegion, "box">)[] = [];
   /** Where bars that enter are blocked, and the rear end of their path; null where they have none. */
   const blocked = new Map<Tool, { readonly met: number; readonly rear: number } | null>();
   const fitOfBar = (tool: Tool, until = -Infinity) => {
@@ -308,12 +314,16 @@ export function barActions(
     const jobs = { job: jobOf(wanted), ...(other && { other: jobOf(other) }) };
     const fit = fitted({ cycle, ...jobs, cut: asked }, tool, request);
     if (fit && ((inOneCall && !fit.makesContour) || !cutsInto(fit.plan, tool, region))) return null;
-    const met = fit && blockedAt(fit.plan.moves, bodyOf(tool).holder, bore, isCut ? NEARLY : -NEARLY);
-    if (fit && met === null) return { ...fit, box };
-    blocked.set(tool, !fit || met === null ? null : { met, rear: Math.min(...fit.plan.moves.map(({ to }) => to.z)) });
+    // Whether a bar stays clear of a whole contour is known but for the error; an end is put where it surely does.
+    const rooms = isCut ? [NEARLY] : [0, -NEARLY];
+    const met = fit ? blockedAt(fit.plan.moves, bodyOf(tool).holder, bore, rooms) : [];
+    const [first] = met;
+    if (fit && first === undefined) return { ...fit, box };
+    blocked.set(tool, fit && first !== undefined ? { met: first, rear: rearOf(fit.plan) } : null);
+    if (fit && met.length < rooms.length) near.push({ ...fit, box });
     return null;
   };
-  const actionFrom = ({ tool, job, values, box }: NonNullable<ReturnType<typeof fitOfBar>>): Action => {
+  const actionFrom = ({ tool, job, values, box }: (typeof near)[number]): Action => {
     const variant = `X${job.start.x} Z${job.start.z}${plunges === false ? " over" : ""}${inOneCall ? " finish" : ""}`;
     const action = actionOf({ kind, site: "inside", cycle, box, variant }, tool, job, values);
     return inOneCall ? { ...action, inOneCall } : action;
@@ -339,7 +349,7 @@ export function barActions(
   const short = () => {
     const along = geometry.flattenedChain(chain, CHORD).map((to) => ({ kind: "feed", to }) as const);
     const limits = [...blocked].map(([tool, at]) => {
-      const limit = at?.met ?? blockedAt(along, bodyOf(tool).all, bore, NEARLY) ?? Infinity;
+      const limit = at?.met ?? blockedAt(along, bodyOf(tool).all, bore, [NEARLY])[0] ?? Infinity;
       return { tool, limit };
     });
     const deepestFirst = limits.toSorted((a, b) => a.limit - b.limit);
@@ -362,6 +372,6 @@ export function barActions(
   );
   // Bars that make their own room cut with their whole body in the hole, so that those that enter it go first.
   const others = tools.filter((tool) => !enters(tool) && !isMadeByOwn && (!isMade || isOwn(tool)));
-  const whole = [...entering, ...fitsWith(others)].map(actionFrom);
+  const whole = [...entering, ...fitsWith(others), ...ranked(near, better).slice(0, most)].map(actionFrom);
   return { whole, short };
 }

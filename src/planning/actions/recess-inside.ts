@@ -76,13 +76,14 @@ function recessing(region: OpenRegion, stock: readonly Ring[], request: PlanRequ
     });
 }
 
-/** Grooves and undercuts in a bore. */
+/** Grooves and undercuts in a bore: of those with more than finishing takes, else of all with something left in them. */
 export const recessInside: ActionSource = {
   kind: "recess",
   actions: (state, request) => {
     const thick = THICK * radiusOf(request.rules.allowance.diameter);
-    const rough = insideRegions(state.stock, request.part, thick);
-    const regions = rough.length > 0 ? rough : insideRegions(state.stock, request.part);
+    const inGroove = (region: OpenRegion) => grooveOf(request.part, region) !== null;
+    const rough = insideRegions(state.stock, request.part, thick).filter(inGroove);
+    const regions = rough.length > 0 ? rough : insideRegions(state.stock, request.part).filter(inGroove);
     const grooves = regions.slice(0, MOST_REGIONS).flatMap((region) => recessing(region, state.stock, request));
     const distinct = grooves.filter(({ key }, i) => grooves.findIndex((other) => other.key === key) === i);
     return notDone(distinct, state);
