@@ -1,14 +1,15 @@
 import { boxAround } from "../kernel/area/box.ts";
 import { difference, intersection } from "../kernel/area/clip.ts";
-import { at, type Ring } from "../kernel/geometry/point.ts";
+import { at, type Ring, type Segment } from "../kernel/geometry/point.ts";
 import { SAME } from "../kernel/tolerance.ts";
 import { radius, rounded, toDiameter } from "../kernel/units.ts";
 import { parting } from "./actions/part-off.ts";
+import { threadId, threadsOf } from "./actions/thread.ts";
 import { missingFor, sideOf } from "./missing.ts";
 import { areaBeyond, LEAST_GOUGE } from "./apply-action.ts";
 import { LEAST_REGION, openRegions, type OpenRegion } from "./open-regions.ts";
 import { actionsIn, type PlanNode, type Searching } from "./plan-node.ts";
-import type { Action, ElementMark, PlanRequest, TriedAction } from "./types.ts";
+import type { Action, PlanRequest, TriedAction } from "./types.ts";
 import type { MissingTool, Residue } from "./working-plan.ts";
 
 /** Width of a blade to part off, mm. */
@@ -53,19 +54,9 @@ function* isExcluded(does: (action: Action) => boolean, end: PlanNode, s: Search
   return false;
 }
 
-/** Designations of the threads of a part, each once for each cylinder or cone. */
-const threadsOf = ({ part: { outside, inside } }: PlanRequest) =>
-  ([outside, inside] as const).flatMap(({ marks }, i) =>
-    marks.flatMap((mark: ElementMark, at) =>
-      mark.thread !== undefined && marks[at - 1]?.row !== mark.row
-        ? [{ thread: mark.thread, row: mark.row, site: i === 0 ? ("outside" as const) : ("inside" as const) }]
-        : [],
-    ),
-  );
-
 /** The bore that a bar for an internal thread enters, and its length in it. */
-function threadBore(row: string, { part: { inside }, blank }: PlanRequest): Partial<MissingTool> {
-  const points = inside.segments.flatMap((s, i) => (inside.marks[i]?.row === row ? [s.from, s.to] : []));
+function threadBore(segments: readonly Segment[], { blank }: PlanRequest): Partial<MissingTool> {
+  const points = segments.flatMap((s) => [s.from, s.to]);
   const least = Math.min(...points.map(({ r }) => r));
   const rear = Math.min(...points.map(({ z }) => z));
   return { mostDiameter: rounded(toDiameter(radius(least))), leastReach: rounded(boxAround(blank).right - rear) };
@@ -73,21 +64,25 @@ function threadBore(row: string, { part: { inside }, blank }: PlanRequest): Part
 
 /** Threads that no step makes, and why. Yields before every try. */
 function* threadsLeft(end: PlanNode, s: Searching): Generator<PlanNode, readonly Residue[]> {
-  const made = end.done.flatMap(({ action }) => action.threads);
-  const wanted = threadsOf(s.request);
+  const { request } = s;
   const left: Residue[] = [];
-  for (const [i, { thread, row, site }] of wanted.entries()) {
-    const same = wanted.slice(0, i).filter((w) => w.thread === thread).length;
-    const named = (ids: readonly string[]) => ids.filter((id) => id.includes(thread));
-    if (named(made).length > same) continue;
-    const why = yield* reasonFor(
-      (action) => named(action.threads).length > 0,
-      () => true,
-      end,
-      s,
-    );
-    const missing: MissingTool = { form: "thread", site, thread, ...(site === "inside" && threadBore(row, s.request)) };
-    left.push({ region: null, thread, site, rows: [row], why, missing: why === "tool" ? missing : null });
+  for (const site of ["outside", "inside"] as const) {
+    const chain = request.part[site];
+    for (const place of threadsOf(chain)) {
+      const id = threadId(chain, place);
+      if (end.threads.has(id)) continue;
+      const why = yield* reasonFor(
+        ({ threads }) => threads.includes(id),
+        () => true,
+        end,
+        s,
+      );
+      const { first, last, designation: thread } = place;
+      const rows = [...new Set(chain.marks.slice(first, last + 1).map(({ row }) => row))];
+      const bore = site === "inside" ? threadBore(chain.segments.slice(first, last + 1), request) : {};
+      const missing: MissingTool | null = why === "tool" ? { form: "thread", site, thread, ...bore } : null;
+      left.push({ region: null, thread, site, rows, why, missing });
+    }
   }
   return left;
 }

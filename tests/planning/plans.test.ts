@@ -114,9 +114,10 @@ test("what is left says which tool is missing, or what is excluded", () => {
     { region: null, thread: "M16", why: "excluded", missing: null },
   ]);
   // Between two collars no insert for threads has room: another one is not what is missing.
-  const between = [{ x: 30 }, { z: -6 }, { x: 16 }, { id: "thread", z: -14 }, { x: 30 }, { z: -20 }];
-  const marks = { thread: { thread: "M16" } };
-  const collared = requestOf(barPart("COLLARED", [{ x: 0, z: 0 }, ...between], { marks }));
+  const fine = [{ x: 0, z: 0 }, { x: 16 }, { id: "fine", z: -14 }];
+  const between = [{ x: 30 }, { z: -20 }, { x: 16 }, { id: "thread", z: -28 }, { x: 30 }, { z: -34 }];
+  const marks = { fine: { thread: "M16x1.5" }, thread: { thread: "M16" } };
+  const collared = requestOf(barPart("COLLARED", [...fine, ...between], { marks }));
   expect(collared && planOf(collared).residue).toMatchObject([{ thread: "M16", why: "fault", missing: null }]);
 });
 
