@@ -18,16 +18,14 @@ export const timed = (steps: readonly Step[]): TimedSteps => ({
 const STILL: Spindle = { kind: "constant", speed: 0 };
 
 /** A motion with the time that it takes. */
-export const stepOf = (
-  { from, move, tool, block, operation, ...line }: Motion,
+export function stepOf(
+  { from, move, tool, block, operation, ...rare }: Motion,
   spindle: Spindle | null,
   rapid: RapidRate,
-): Step => ({
-  from,
-  move,
-  tool,
-  block,
-  operation,
-  seconds: secondsOf(from, move, spindle ?? STILL, rapid),
-  ...line,
-});
+): Step {
+  const seconds = secondsOf(from, move, spindle ?? STILL, rapid);
+  // A literal with a spread has room for one more property, which few steps of a long path have.
+  return Object.keys(rare).length === 0
+    ? { from, move, tool, block, operation, seconds }
+    : { from, move, tool, block, operation, seconds, ...rare };
+}
