@@ -13,7 +13,7 @@ const samples = Object.values(
 const line = (...axes: AxisWord[]): Statement => ({
   kind: "path",
   path: "L",
-  words: { axes, linear: [], functions: [], extra: [], feed: "max" },
+  words: { axes, functions: [], feed: "max" },
 });
 const x = (value: Value): AxisWord => ({ axis: "X", value, incremental: false });
 
@@ -82,7 +82,7 @@ const statements = fc.constantFrom<Statement[]>(
   { kind: "comment", text: " new" },
   {
     kind: "functions",
-    words: { axes: [], linear: [], functions: [3], extra: [] },
+    words: { axes: [], functions: [3] },
   },
 );
 

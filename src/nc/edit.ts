@@ -1,3 +1,4 @@
+import type { BlockIssue } from "./issue.ts";
 import { parse } from "./parse.ts";
 import { parameterValueText } from "./print-words.ts";
 import { statementLines } from "./print.ts";
@@ -50,7 +51,7 @@ function rewritten(block: Block, statement: Statement, style: Style): string {
     if (patched !== null) return patched + end;
   }
   const lines = statementLines(statement, style);
-  const comment = block.comment !== null && statement.kind !== "comment" ? commentOf(body) : "";
+  const comment = block.comment !== undefined && statement.kind !== "comment" ? commentOf(body) : "";
   const head = headOf(body);
   const gap = head !== "" && /\d$/.test(head) && lines[0] ? " " : "";
   return (
@@ -127,7 +128,7 @@ function withNumber(b: Block, number: number, letter: string): Block {
     ...b,
     number,
     raw: head + b.raw.slice(old.length),
-    issues: b.issues.map((x) => shifted(x, head.length - old.length)),
+    ...(b.issues && { issues: b.issues.map((x) => shifted(x, head.length - old.length)) }),
   };
 }
 
@@ -176,7 +177,7 @@ export function renumbered(program: Program, index: number): Program {
   return { blocks };
 }
 
-const shifted = <T extends Block["issues"][number]>(x: T, by: number): T => ({
+const shifted = <T extends BlockIssue>(x: T, by: number): T => ({
   ...x,
   offset: x.offset + by,
   ...(x.fix && { fix: { ...x.fix, offset: x.fix.offset + by } }),

@@ -176,7 +176,7 @@ describe("spellings", () => {
     "QC10 = QC1",
     "QC10 = ( QC1|QC2 ) \\ ( QC3 & ( QC4 ^ QC5 ) )",
     'CONTOUR DEF P1 = LBL 1 ~\n    I2 = "B.H" DEPTH+Q5 ~\n    V3 = LBL "C" ;the rest',
-  ])("%s is understood", (text) => expect(one(text)?.issues).toEqual([]));
+  ])("%s is understood", (text) => expect(parse(text).blocks.map(({ issues = [] }) => issues)).toEqual([[]]));
 });
 
 test.each([
@@ -254,7 +254,7 @@ test.each([
 
 test("a line of the longest length is read", () => {
   const { blocks } = parse(`1 L X+1 ;${"x".repeat(LONGEST_LINE - 9)}\n`);
-  expect(blocks.map(({ statement, issues }) => [statement.kind, issues])).toEqual([["path", []]]);
+  expect(blocks.map(({ statement, issues = [] }) => [statement.kind, issues])).toEqual([["path", []]]);
 });
 
 test("consecutive words that are not understood are one finding over their full length", () => {
@@ -263,4 +263,27 @@ test("consecutive words that are not understood are one finding over their full 
   expect(first).toMatchObject({ code: "wordNotUnderstood", offset: 4, length: 8, data: { text: "FOO  BAR" } });
   expect(second).toMatchObject({ code: "wordNotUnderstood", offset: 17, length: 3 });
   expect(issues).toHaveLength(2);
+});
+
+test("coordinates that are nearly equal, or of another axis, are read as they are", () => {
+  const lines = ["X+1.00001", "X+1.00002", "IX+1.00001", "Z+1.00001", "X-1.00001", "X+1.00001"];
+  const { blocks } = parse(lines.map((word) => `L ${word}\n`).join(""));
+  expect(blocks.map(({ statement: s }) => (s.kind === "path" ? s.words.axes : []))).toEqual(
+    [
+      ["X", 1.00001, false],
+      ["X", 1.00002, false],
+      ["X", 1.00001, true],
+      ["Z", 1.00001, false],
+      ["X", -1.00001, false],
+      ["X", 1.00001, false],
+    ].map(([axis, value, incremental]) => [{ axis, value, incremental }]),
+  );
+});
+
+test("a plain line of a long program keeps no more than it says, and equal coordinates once", () => {
+  const [first, second] = parse("1 L X+20 Z-5\n2 L X+20 Z-6\n").blocks;
+  expect(Object.keys(first ?? {}).toSorted()).toEqual(["lines", "number", "raw", "statement"]);
+  const words = [first, second].map((b) => (b?.statement.kind === "path" ? b.statement.words : null));
+  expect(Object.keys(words[0] ?? {}).toSorted()).toEqual(["axes", "functions"]);
+  expect(words[1]?.axes[0]).toBe(words[0]?.axes[0]);
 });

@@ -6,6 +6,7 @@ import { LONGEST_LINE } from "./longest-line.ts";
 import type { BlockLine } from "./read-cycle.ts";
 import { readLine } from "./read-line.ts";
 import { splitBlocks, splitLines, type Lines, type Slice } from "./split.ts";
+import type { Statement } from "./statement.ts";
 
 /** Where the comment of a line starts: the first `;` outside quotes, or -1. */
 function commentAt(text: string): number {
@@ -36,6 +37,24 @@ function blockLine(text: string, from: number, to: number, offset: number): Bloc
 
 const NONE: readonly BlockIssue[] = [];
 
+/** A block without the fields that most blocks lack: a long program has many. */
+function blockOf(
+  raw: string,
+  { first, last, number, skip }: Slice,
+  statement: Statement,
+  comment: string | null = null,
+  issues: readonly BlockIssue[] = NONE,
+): Block {
+  const block = { raw, lines: last - first + 1, number, statement };
+  if (!skip && comment === null && issues.length === 0) return block;
+  return {
+    ...block,
+    ...(skip && { skip }),
+    ...(comment !== null && { comment }),
+    ...(issues.length > 0 && { issues }),
+  };
+}
+
 /**
  * Cached blocks, by text and by whether an announced line is missing: each key press rereads a program with one changed
  * line. They are read from a detached copy of their text, so that they keep no other text in memory.
@@ -59,7 +78,7 @@ function tooLong({ starts, ends }: Lines, s: Slice, raw: string): Block | null {
   }
   if (issues.length === 0) return null;
   const statement = { kind: "unknown", text: raw.slice(s.body - s.from).trim() } as const;
-  return { raw, lines: s.last - s.first + 1, number: s.number, skip: s.skip, statement, comment: null, issues };
+  return blockOf(raw, s, statement, null, issues);
 }
 
 function readBlock(text: string, lines: Lines, s: Slice): Block {
@@ -67,7 +86,7 @@ function readBlock(text: string, lines: Lines, s: Slice): Block {
   const kept = raw.length > LONGEST_LINE ? tooLong(lines, s, raw) : null;
   if (kept) return kept;
   const line = s.first === s.last && !s.open ? readLine(text, s.body) : null;
-  if (line) return { raw, lines: 1, number: s.number, skip: s.skip, statement: line, comment: null, issues: NONE };
+  if (line) return blockOf(raw, s, line);
   const before = known[s.open ? 1 : 0];
   let read = before.get(raw);
   if (!read) {
@@ -126,19 +145,11 @@ function readWords(text: string, all: Lines, s: Slice): Block {
   ];
   const comment =
     read.statement.kind === "comment" || read.statement.kind === "cycle" ? null : (lines[0]?.comment ?? null);
-  return {
-    raw: text,
-    lines: s.last - s.first + 1,
-    number: s.number,
-    skip: s.skip,
-    statement: read.statement,
-    comment,
-    issues,
-  };
+  return blockOf(text, s, read.statement, comment, issues);
 }
 
 /** Reads any text. Never throws; text that is not understood is kept and reported. `print` returns the same text. */
 export function parse(text: string): Program {
   const lines = splitLines(text);
-  return { blocks: splitBlocks(text, lines).map((s) => readBlock(text, lines, s)) };
+  return { blocks: Array.from(splitBlocks(text, lines), (s) => readBlock(text, lines, s)) };
 }

@@ -39,13 +39,13 @@ export function wordsText(words: Words, style: Style, signs: Signs = { length: t
     r === 0 ? valueText(r, { ...style, plus: true }) : signs.radius ? valueText(r, style) : unsigned(r, style);
   if (words.radius !== undefined) add(`R${radius(words.radius)}`, parts.length === 0 ? 2 : 1);
   if (words.turn !== undefined) add(words.turn === "ccw" ? "DR+" : "DR-");
-  for (const w of words.linear) add(`LIN_${axisText(w, style)}`);
+  for (const w of words.linear ?? []) add(`LIN_${axisText(w, style)}`);
   if (words.compensation !== undefined) add(words.compensation);
   if (words.feed !== undefined) add(feedText(words.feed, style));
   for (const m of words.functions) add(`M${unsigned(m, style)}`, parts.length === 0 ? 1 : 2);
   if (words.retract !== undefined) add(`MB${words.retract === "max" ? " MAX" : valueText(words.retract, style)}`);
   if (words.functionFeed !== undefined) add(feedText(words.functionFeed, style));
-  for (const word of words.extra) add(word);
+  for (const word of words.extra ?? []) add(word);
   return parts.join("");
 }
 

@@ -10,12 +10,12 @@ export interface Block {
   readonly lines: number;
   /** As printed, null without one. */
   readonly number: number | null;
-  /** Marked with `/`: optional on the control. */
-  readonly skip: boolean;
+  /** Marked with `/`: optional on the control; absent, as comment and issues are, where there is none. */
+  readonly skip?: true;
   readonly statement: Statement;
   /** Comment behind the statement, without `;`. */
-  readonly comment: string | null;
-  readonly issues: readonly BlockIssue[];
+  readonly comment?: string;
+  readonly issues?: readonly BlockIssue[];
 }
 
 /** A program, as text and as statements. */
@@ -70,7 +70,10 @@ const ISO = /^\s*(?:%\S+\s+G7[01](?!\d)|(?:N\d+\s*)?G\d{1,3}(?!\d))/i;
 const inIso = ({ raw, statement }: Block): boolean => statement.kind === "unknown" && ISO.test(raw);
 
 /** A list over several lines without ` ~` between them. */
-export const hasListWithoutTilde = ({ issues }: Block): boolean => issues.some((i) => i.code === "listWithoutTilde");
+export const hasListWithoutTilde = ({ issues = [] }: Block): boolean =>
+  issues.some((i) => i.code === "listWithoutTilde");
+
+const NO_ISSUES: readonly BlockIssue[] = [];
 
 /** All findings of the reader in text order, including those between blocks. */
 export const issuesOf = (program: Program): NcIssue[] => [...eachIssue(program)];
@@ -108,7 +111,8 @@ export function* eachIssue({ blocks }: Program): Generator<NcIssue> {
     } else if (numbered && kind !== "empty" && kind !== "comment" && kind !== "unknown") {
       yield { code: "blockNumberMissing", ...at, data: { expected: expected ?? 0 } };
     }
-    const rising = b.issues.length > 1 ? b.issues.toSorted((a, c) => a.offset - c.offset) : b.issues;
+    const { issues = NO_ISSUES } = b;
+    const rising = issues.length > 1 ? issues.toSorted((a, c) => a.offset - c.offset) : issues;
     const at0 =
       rising.length > 0
         ? places(

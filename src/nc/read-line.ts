@@ -17,6 +17,18 @@ function number(text: string): number | null {
   return n === 0 ? 0 : Number.isFinite(n) ? n : null;
 }
 
+/** Recent coordinates: long programs repeat them, and equal ones are one object. */
+const RECENT_BITS = 12;
+const recent = new Array<AxisWord | undefined>(2 ** RECENT_BITS).fill(undefined);
+
+function axisWord(axis: AxisName, value: number, incremental: boolean): AxisWord {
+  // Coordinates have at most four decimals; the multiplier spreads them and their axes over the table.
+  const at = Math.imul(Math.round(value * 10_000) ^ axis.charCodeAt(0), 0x9e3779b1) >>> (32 - RECENT_BITS);
+  const known = recent[at];
+  if (known && known.value === value && known.axis === axis && known.incremental === incremental) return known;
+  return (recent[at] = { axis, value, incremental });
+}
+
 /** Shared empty list: most lines have none of these words. */
 const NONE: readonly never[] = [];
 
@@ -35,14 +47,12 @@ export function readLine(text: string, at: number): Statement | null {
     if (digits === undefined) continue;
     const value = number(digits);
     if (value === null) return null;
-    axes.push({ axis: AXES[i] ?? "X", value, incremental: m[2 * i + 1] === "I" });
+    axes.push(axisWord(AXES[i] ?? "X", value, m[2 * i + 1] === "I"));
   }
   // A copy has no room for more: that room would be a fifth of a long program.
   const words: { -readonly [K in keyof Words]: Words[K] } = {
     axes: axes.slice(),
-    linear: NONE,
     functions: NONE,
-    extra: NONE,
   };
   if (m[7] !== undefined) words.compensation = m[7] as Compensation;
   if (m[8] !== undefined) words.feed = m[8] === "MAX" ? "max" : "auto";

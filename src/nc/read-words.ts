@@ -35,7 +35,7 @@ export function readWords(scan: Scan, radiusFirst = false): Words {
   const linear: AxisWord[] = [];
   const functions: number[] = [];
   const extra: string[] = [];
-  const words: Building = { axes, linear, functions, extra };
+  const words: Building = { axes, functions };
   const put = <K extends keyof Words>(key: K, word: string, value: Words[K], length: number) => {
     if (words[key] !== undefined) scan.issue({ code: "wordTwice", severity: "warning", data: { word } }, length);
     words[key] = value;
@@ -59,6 +59,8 @@ export function readWords(scan: Scan, radiusFirst = false): Words {
       scan.issue({ code: "wordNotUnderstood", severity: "warning", data: { text: word.slice(0, 40) } }, word.length);
     }
   }
+  if (linear.length > 0) words.linear = linear;
+  if (extra.length > 0) words.extra = extra;
   return words;
 }
 

@@ -1,3 +1,4 @@
+import type { BlockIssue } from "./issue.ts";
 import type { Block, Program } from "./program.ts";
 
 /** The text before a block's number: blanks, a skip mark, the letter N. */
@@ -6,29 +7,34 @@ const SKIP = /^([ \t\u00a0\ufeff]*)\/[ \t]*/;
 const LINE_END = /(?:\r\n|\n|\r)$/;
 
 const lineEndOf = (raw: string): string => LINE_END.exec(raw)?.[0] ?? "";
-const shiftedBy = (block: Block, by: number): Block["issues"] =>
-  block.issues.map((found) => ({
-    ...found,
-    offset: found.offset + by,
-    ...(found.fix && { fix: { ...found.fix, offset: found.fix.offset + by } }),
-  })) as Block["issues"];
+const shiftedBy = ({ issues }: Block, by: number): Pick<Block, "issues"> =>
+  issues
+    ? {
+        issues: issues.map((found) => ({
+          ...found,
+          offset: found.offset + by,
+          ...(found.fix && { fix: { ...found.fix, offset: found.fix.offset + by } }),
+        })) as readonly BlockIssue[],
+      }
+    : {};
 
 /** A block with another number; a block without a number stays without. */
 export function withNumber(block: Block, number: number): Block {
   if (block.number === null || block.number === number) return block;
   const raw = block.raw.replace(NUMBER, `$1${number}`);
-  return { ...block, number, raw, issues: shiftedBy(block, raw.length - block.raw.length) };
+  return { ...block, number, raw, ...shiftedBy(block, raw.length - block.raw.length) };
 }
 
 /** A block with or without a skip mark; everything else stays unchanged. */
 export function withSkip(block: Block, skip: boolean): Block {
-  if (block.skip === skip) return block;
+  const { skip: was = false, ...unmarked } = block;
+  if (was === skip) return block;
   const raw = skip
     ? block.raw.replace(/^[ \t\u00a0\ufeff]*/, "$&/")
     : SKIP.test(block.raw)
       ? block.raw.replace(SKIP, "$1")
       : block.raw.replace("/", "");
-  return { ...block, skip, raw, issues: shiftedBy(block, raw.length - block.raw.length) };
+  return { ...unmarked, ...(skip && { skip }), raw, ...shiftedBy(block, raw.length - block.raw.length) };
 }
 
 /** The block number increment of the file. */

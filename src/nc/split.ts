@@ -60,8 +60,11 @@ const matchAt = (pattern: RegExp, text: string, at: number): RegExpExecArray | n
 /** A number with more digits than a block number can have is none. */
 const printed = (digits: string | undefined) => (digits !== undefined && digits.length <= 9 ? Number(digits) : null);
 
-/** The block structure of a text: joined lines, by `~` or, in the older layout, Q lines after their cycle. */
-export function splitBlocks(text: string, { starts, ends }: Lines): Slice[] {
+/**
+ * The block structure of a text, one block after the other: joined lines, by `~` or, in the older layout, Q lines after
+ * their cycle.
+ */
+export function* splitBlocks(text: string, { starts, ends }: Lines): Generator<Slice> {
   const count = starts.length;
   const blank = (i: number) => {
     for (let k = starts[i] ?? 0; k < (ends[i] ?? 0); k += 1) if (!isSpace(text.charCodeAt(k))) return false;
@@ -81,7 +84,6 @@ export function splitBlocks(text: string, { starts, ends }: Lines): Slice[] {
     return m && pattern.lastIndex <= (ends[i] ?? 0) ? m : null;
   };
 
-  const slices: Slice[] = [];
   let i = 0;
   while (i < count) {
     const first = i;
@@ -118,7 +120,7 @@ export function splitBlocks(text: string, { starts, ends }: Lines): Slice[] {
       tildes ||= open;
     }
     i = last + 1;
-    slices.push({
+    yield {
       from: starts[first] ?? 0,
       to: i < count ? (starts[i] ?? text.length) : text.length,
       first,
@@ -127,7 +129,6 @@ export function splitBlocks(text: string, { starts, ends }: Lines): Slice[] {
       skip: head?.[1] === "/" || head?.[3] === "/",
       body,
       open,
-    });
+    };
   }
-  return slices;
 }

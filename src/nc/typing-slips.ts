@@ -114,7 +114,7 @@ export function spellingFix({ code, offset, length }: NcIssue, raw: string, begi
   const [from, to] = [offset - begin, offset - begin + length];
   const text = correctedText(raw.slice(from, to), (spelt) => {
     const read = parse(raw.slice(0, from) + spelt + raw.slice(to)).blocks;
-    return read.length === 1 && !read[0]?.issues.some((each) => UNREAD.has(each.code));
+    return read.length === 1 && !read[0]?.issues?.some((each) => UNREAD.has(each.code));
   });
   return text === null ? null : { offset, length, text };
 }

@@ -38,7 +38,7 @@ export interface Words {
   /** DR+ is "ccw". */
   readonly turn?: "cw" | "ccw";
   /** LIN_Z and the like: a third axis moved along with an arc. */
-  readonly linear: readonly AxisWord[];
+  readonly linear?: readonly AxisWord[];
   readonly compensation?: Compensation;
   readonly feed?: FeedWord;
   /** M functions in their order. */
@@ -48,10 +48,10 @@ export interface Words {
   /** A feed behind M140 or M128: it belongs to that function, not to the path. */
   readonly functionFeed?: FeedWord;
   /** Words that are not understood but stored. */
-  readonly extra: readonly string[];
+  readonly extra?: readonly string[];
 }
 /** A block without words. */
-export const noWords: Words = { axes: [], linear: [], functions: [], extra: [] };
+export const noWords: Words = { axes: [], functions: [] };
 
 export const PATH_KINDS = ["L", "C", "CR", "CT", "CTP", "LP", "CP", "CC", "RND"] as const;
 export type PathKind = (typeof PATH_KINDS)[number];

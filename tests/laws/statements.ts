@@ -32,9 +32,7 @@ const tail = fc.tuple(
   functions.map((f) => ({ functions: f })),
 );
 const words = (...parts: fc.Arbitrary<object>[]): fc.Arbitrary<Words> =>
-  fc
-    .tuple(tail, ...parts)
-    .map(([common, ...own]) => Object.assign({ axes: [], linear: [], extra: [] }, ...common, ...own) as Words);
+  fc.tuple(tail, ...parts).map(([common, ...own]) => Object.assign({ axes: [] }, ...common, ...own) as Words);
 const withAxes = axes.map((a) => ({ axes: a }));
 const polar = fc.record({ value, incremental: fc.boolean() });
 const turn = fc.constantFrom("cw" as const, "ccw" as const);
@@ -406,7 +404,7 @@ export const statements: fc.Arbitrary<Statement> = fc.oneof<fc.Arbitrary<Stateme
     kind: fc.constant("free"),
     form: fc.constant("FSELECT"),
     given: fc.integer({ min: 0, max: 99 }).map((n) => [{ name: "FSELECT", value: n }]),
-    words: fc.constant<Words>({ axes: [], linear: [], functions: [], extra: [] }),
+    words: fc.constant<Words>({ axes: [], functions: [] }),
   }),
   fc.record({ kind: fc.constant("assignText"), declared: fc.boolean(), target: textParameter, text }),
   fc.record({

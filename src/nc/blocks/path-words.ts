@@ -175,13 +175,13 @@ export function comparePathWords(words: Words, said: ComparedWords): void {
   said.axes(words.axes).polar("PR", words.polarRadius).polar("PA", words.polarAngle);
   said.number("CCA", words.centreAngle).number("LEN", words.length).number("R", words.radius);
   if (words.turn) said.put("DR", words.turn === "ccw" ? "+" : "-");
-  said.axes(words.linear, "LIN_").put("", words.compensation);
+  said.axes(words.linear ?? [], "LIN_").put("", words.compensation);
   if (words.feed) said.feed("F", words.feed);
   if (words.functions.length > 0) said.put("M", words.functions.toSorted((a, b) => a - b).join(", "));
   if (words.retract === "max") said.put("MB", "MAX");
   else if (words.retract !== undefined) said.signed("MB", words.retract);
   if (words.functionFeed) said.put("M F", feedText(words.functionFeed, BARE));
-  for (const each of words.extra) said.text("", each);
+  for (const each of words.extra ?? []) said.text("", each);
 }
 
 /** The words of a path block up to its end. `fields`: those that a form asks for. */

@@ -50,9 +50,7 @@ const fieldsOf = (words: Words, { path }: { readonly path: PathKind }) => {
 
 /** A line with the letter of a path function but none of its words is something else. */
 const saysNothing = (words: Words) =>
-  words.extra.length > 0 &&
-  words.axes.length + words.functions.length + words.linear.length === 0 &&
-  Object.keys(words).length === 4;
+  words.extra !== undefined && words.axes.length + words.functions.length === 0 && Object.keys(words).length === 3;
 
 const BARE = new RegExp(VALUE, "iy");
 

@@ -49,7 +49,7 @@ function olderCycleAt(
   const lines: StatementOf<"cycleLine">[] = [head.statement];
   for (let b = blocks[index + 1]; b?.statement.kind === "cycleLine"; b = blocks[index + lines.length]) {
     const s = b.statement;
-    if (s.cycle !== cycle || s.line !== lines.length || b.skip !== head.skip || b.comment !== null) break;
+    if (s.cycle !== cycle || s.line !== lines.length || b.skip !== head.skip || b.comment !== undefined) break;
     lines.push(s);
   }
   const text = isoOfOlderCycle(cycle, lines);
@@ -82,7 +82,7 @@ export function isoProgramText(program: Program): IsoProgram {
       const silent = begins || (number === null && s.kind === "comment");
       const head = silent ? "" : ends ? `${isoWordFor({ kind: "block", block: "end" })} ` : `N${at} `;
       lines.push(
-        `${skip ? "/" : ""}${head}${word ?? keptText(s)}${comment === null ? "" : ` ;${comment}`} *`.replace(
+        `${skip ? "/" : ""}${head}${word ?? keptText(s)}${comment === undefined ? "" : ` ;${comment}`} *`.replace(
           /(?<! ) {2,}\*$/,
           " *",
         ),

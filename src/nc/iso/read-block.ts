@@ -140,7 +140,7 @@ function toolCall(tokens: readonly IsoToken[]): Statement[] | null {
     else if (letter === "M" && typeof value === "number") functions.push(value);
     else return null;
   }
-  const words = { axes: [], linear: [], functions, extra: [] };
+  const words = { axes: [], functions };
   return [call, ...(functions.length === 0 ? [] : [{ kind: "functions", words } as const])];
 }
 

@@ -37,7 +37,7 @@ const SPECIAL: ReadonlySet<IsoBlockName> = new Set(["chamfer", "rounding", "stop
 function sortWords(tokens: readonly IsoToken[], modal: IsoModal): SortedWords {
   const problems: IsoProblem[] = [];
   const functions: number[] = [];
-  const words: Building = { axes: [], linear: [], functions, extra: [] };
+  const words: Building = { axes: [], functions };
   let explicit: PathMeaning | null = null;
   let special: IsoBlockName | null = null;
   let pole = false;
@@ -169,7 +169,7 @@ export function readPathBlock(raw: string, tokens: readonly IsoToken[], before: 
   );
   const ends = coordinates.length > centre.length;
   const moves = explicit !== null || ends;
-  const none: Words = { axes: [], linear: [], functions: [], extra: [] };
+  const none: Words = { axes: [], functions: [] };
   if (centre.length > 0 || read.pole)
     statements.push({ kind: "path", path: "CC", words: { ...(moves ? none : words), axes: single(centre) } });
   else if (!moves && (words.feed !== undefined || words.compensation !== undefined))

@@ -36,7 +36,7 @@ export function meaningOf(block: Block): Meaning {
   const { pairKey: kind, nameKey, comparedWords: spoken } = klartext.compared(s, raw);
   // A block that is not fully understood is compared as text.
   const said =
-    issues.length > 0 && s.kind !== "cycle"
+    issues && s.kind !== "cycle"
       ? new ComparedWords().text("", bareText(block))
       : (spoken ?? new ComparedWords().text("", statementLines(s, BARE).join(" ")));
   if (skip) said.put("/", "/");

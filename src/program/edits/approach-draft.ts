@@ -106,9 +106,9 @@ export function approachStatement(
   const functions = typedFunctions(draft.M ?? "") ?? old.functions;
   const words: Words = {
     axes: [...axes, ...old.axes.filter((w) => !["X", "Y", "Z"].includes(w.axis))],
-    linear: old.linear,
     functions,
-    extra: old.extra,
+    ...(old.linear && { linear: old.linear }),
+    ...(old.extra && { extra: old.extra }),
     ...(polarRadius && { polarRadius }),
     ...(polarAngle && { polarAngle }),
     ...(centreAngle !== undefined && { centreAngle }),

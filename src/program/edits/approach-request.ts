@@ -78,7 +78,7 @@ export function namedPoint(
   const at = from ? { ...NOWHERE, ...coordinatesIn(plane, partPoint(from)) } : NOWHERE;
   const block = {
     path: isPolar(form) ? "LP" : "L",
-    words: { ...words, linear: [], functions: [], extra: [] },
+    words: { ...words, functions: [] },
   } as const;
   const to = endOf(plainReader(context.unit), block, { plane, at, pole: context.pole && partPoint(context.pole) });
   const point = to && pointIn(plane, to);

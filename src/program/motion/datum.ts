@@ -65,6 +65,6 @@ export function datumLine(machine: Machine, text: string, what: string, index: n
   if (row !== undefined) return tableDatum(machine, `${what} ${row}`, index);
   const scan = new Scan(text, 0);
   const { axes, extra } = readWords(scan);
-  if (extra.length > 0) machine.log.leaveUnproved(what, index);
+  if (extra) machine.log.leaveUnproved(what, index);
   shiftDatum(machine, axes, what, index);
 }

@@ -228,8 +228,8 @@ function handle<K extends Statement["kind"]>(machine: Machine, kind: K, s: State
 
 function block(machine: Machine, s: Statement, index: number): void {
   const words = wordsOf(s),
-    { comment = null } = machine.blocks[index] ?? {};
-  if (comment !== null) takeComment(machine, comment, index);
+    { comment } = machine.blocks[index] ?? {};
+  if (comment !== undefined) takeComment(machine, comment, index);
   before(machine, s, words);
   if (words) functions(machine, words, index);
   handle(machine, s.kind, s, index);
@@ -246,7 +246,7 @@ function block(machine: Machine, s: Statement, index: number): void {
 function functions(machine: Machine, words: Words, index: number): void {
   for (const m of words.functions) if (FEED_UNITS.includes(m)) machine.set({ perRevolution: m === 136 });
   applySpindleStart(machine, words, index);
-  if (words.extra.length > 0) machine.log.leaveUnproved(words.extra.join(" ").slice(0, 40), index);
+  if (words.extra) machine.log.leaveUnproved(words.extra.join(" ").slice(0, 40), index);
   if (retracts(words)) retract(machine, words, index);
 }
 

@@ -121,11 +121,7 @@ class FreeReader {
 
   /** True when every word of the block was read. */
   get isWhole(): boolean {
-    return (
-      this.s.given.every((w) => this.asked.has(w.name)) &&
-      this.s.words.extra.length === 0 &&
-      this.s.words.linear.length === 0
-    );
+    return this.s.given.every((w) => this.asked.has(w.name)) && !this.s.words.extra && !this.s.words.linear;
   }
 }
 

@@ -8,8 +8,8 @@ import type { Statement } from "../../nc/statement.ts";
  */
 export const INTENDED_CUT = "INTENDED CUT";
 
-const says = (comment: string | null): boolean =>
-  comment !== null && comment.trim().toUpperCase().startsWith(INTENDED_CUT);
+const says = (comment: string | undefined): boolean =>
+  comment !== undefined && comment.trim().toUpperCase().startsWith(INTENDED_CUT);
 
 /** Blocks that form a cut. */
 const CUTTING: ReadonlySet<Statement["kind"]> = new Set(["path", "free", "chamfer", "approach", "comment", "empty"]);
@@ -53,6 +53,6 @@ export function intentOf(
   { index, isMeant }: CutIntent,
   isCompensated: boolean,
 ): Pick<Step, "intent"> {
-  if (isMeant || says(blocks[index]?.comment ?? null)) return SAID;
+  if (isMeant || says(blocks[index]?.comment)) return SAID;
   return isCompensated ? COMPENSATED : NONE;
 }

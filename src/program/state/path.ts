@@ -179,7 +179,7 @@ const pick = (p: Position, a: keyof Position, b: keyof Position) => ({ [a]: p[a]
 
 /** End of a block, by its axes or about the pole; null where its pole is missing, which is reported already. */
 export function endOf(read: WordReader, { path, words }: PathBlock, { plane, at, pole }: Standing): Position | null {
-  const to = coordinates(read, [...words.axes, ...words.linear], at);
+  const to = coordinates(read, words.linear ? [...words.axes, ...words.linear] : words.axes, at);
   if (!isPolarPath(path)) return to;
   if (!pole) {
     read.fault("poleMissing");

@@ -17,7 +17,7 @@ let halfTypedBlock: number | null = null;
 function isWrongWith(program: Program, index: number, draft: Draft): boolean {
   const block = program.blocks[index],
     read = readingOfBlock(program, index, draft);
-  return (block !== undefined && block.issues.length > 0) || (read !== null && read.reading.values === null);
+  return block?.issues !== undefined || (read !== null && read.reading.values === null);
 }
 
 /** True if the text of a block cannot be run. */
