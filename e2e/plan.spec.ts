@@ -14,6 +14,18 @@ const ROWS = [
   ["", "-70"],
 ] as const;
 
+/** Its smaller end, mm, is in the jaws of the first clamping. */
+const STUD = {
+  format: "turnwise-part/1",
+  name: "STUD",
+  material: "brass",
+  blank: { outside: 40, bore: 0, length: 42, allowance: 1 },
+  clamping: { kind: "chuckOutside", words: { D: 40, LENGTH: 18, FACE: -23, SIZE: 160 } },
+  outside: [{ x: 0, z: 0 }, { x: 36 }, { z: -24 }, { x: 24 }, { z: -40 }],
+  inside: [],
+  marks: {},
+};
+
 const button = (page: Page, name: string | RegExp) => page.getByRole("button", { name, exact: true });
 const strip = (page: Page) => page.getByRole("region", { name: words.result.title, exact: true });
 const steps = (page: Page) => page.getByRole("list", { name: words.steps.title, exact: true }).getByRole("listitem");
@@ -155,8 +167,8 @@ test("a part is planned, changed and opened by keyboard alone", async ({ page })
 
 test("a dropped part file is planned in two clampings, and both can be changed", async ({ page }) => {
   const { editor } = await Turnwise.open(page);
-  await editor.drop({ "nozzle.json": await readFile("tests/planning/parts/nozzle.json", "utf8") });
-  await expect(page.getByRole("textbox", { name: words.part.name, exact: true })).toHaveValue("NOZZLE");
+  await editor.drop({ "stud.json": JSON.stringify(STUD) });
+  await expect(page.getByRole("textbox", { name: words.part.name, exact: true })).toHaveValue("STUD");
   await button(page, words.run.plan).click();
   await planned(page);
   await button(page, words.result.second).click();
@@ -183,11 +195,11 @@ test("a dropped part file is planned in two clampings, and both can be changed",
   await planned(page);
   await expect(infeed()).toHaveValue(before);
   await button(page, words.result.openSecond).click();
-  await expect(editor.text).toContainText("NOZZLE_2");
+  await expect(editor.text).toContainText("STUD_2");
 
   // The open program is a part again.
   await page.goBack();
   await button(page, words.part.more).click();
   await page.getByRole("menuitem", { name: words.part.fromProgram, exact: true }).click();
-  await expect(page.getByRole("textbox", { name: words.part.name, exact: true })).toHaveValue(/^NOZZLE_2/);
+  await expect(page.getByRole("textbox", { name: words.part.name, exact: true })).toHaveValue(/^STUD_2/);
 });

