@@ -1,4 +1,3 @@
-import { readFile } from "node:fs/promises";
 import type { Locator, Page } from "@playwright/test";
 import { plan as words } from "../src/i18n/en/plan.ts";
 import { provedIn } from "./pages/effect.ts";
