@@ -53,7 +53,7 @@ export const messages = {
     startLevelWithEnd: (d, w) =>
       `Der Startpunkt liegt auf ${d.axis} ${w.size(d.value)}, gleich dem Konturende: Dazwischen gibt es nichts zu zerspanen.`,
     diameterNegative: (d, w) =>
-      `${w.value(d.value)} ist ein Durchmesser jenseits der Drehachse, dort wird keine Kontur berechnet.${nearest(d.nearest, w.value)}`,
+      `${w.value(d.value)} ist ein Durchmesser jenseits der Drehachse.${nearest(d.nearest, w.value)}`,
     elementTooLong: (d, w) => `${w.size(d.size)} ist zu lang für das Element: max. ${w.size(d.max)}.`,
     cornersTooWide: (d, w) =>
       `Zwei Eckenradien von ${w.size(d.radius)} sind breiter als der Grund: max. ${w.size(d.max)}.`,

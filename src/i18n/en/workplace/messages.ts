@@ -53,8 +53,7 @@ export const messages = {
     startEqualsEnd: (d, w) => `Start and end are equal: ${d.other} is ${w.value(d.value)} too.`,
     startLevelWithEnd: (d, w) =>
       `The start point is at ${d.axis} ${w.size(d.value)}, the same as the contour end: there is nothing to cut in between.`,
-    diameterNegative: (d, w) =>
-      `${w.value(d.value)} is a diameter beyond the axis, where no contour is calculated.${nearest(d.nearest, w.value)}`,
+    diameterNegative: (d, w) => `${w.value(d.value)} is a diameter beyond the axis.${nearest(d.nearest, w.value)}`,
     elementTooLong: (d, w) => `${w.size(d.size)} is too long for the element: max. ${w.size(d.max)}.`,
     cornersTooWide: (d, w) =>
       `Two corner radii of ${w.size(d.radius)} are wider than the floor: max. ${w.size(d.max)}.`,

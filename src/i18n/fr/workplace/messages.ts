@@ -54,7 +54,7 @@ export const messages = {
     startLevelWithEnd: (d, w) =>
       `Le point de départ est à ${d.axis} ${w.size(d.value)}, comme la fin du contour : il n’y a rien à usiner entre les deux.`,
     diameterNegative: (d, w) =>
-      `${w.value(d.value)} est un diamètre au-delà de l’axe, où aucun contour n’est calculé.${nearest(d.nearest, w.value)}`,
+      `${w.value(d.value)} est un diamètre au-delà de l’axe de rotation.${nearest(d.nearest, w.value)}`,
     elementTooLong: (d, w) => `${w.size(d.size)} est trop long pour l’élément : max. ${w.size(d.max)}.`,
     cornersTooWide: (d, w) =>
       `Deux rayons de coin de ${w.size(d.radius)} dépassent la largeur du fond : max. ${w.size(d.max)}.` + ``,
