@@ -36,6 +36,9 @@ const CLAMPED = {
   limit: "the clamping limit",
 };
 
+/** Units of a feed. */
+const FEED = { "mm/min": "mm/min", "mm/rev": "mm/rev" };
+
 export const messages = {
   reasons,
   morePlaces: (place, more) => `${place} and ${more} more ${more === 1 ? "place" : "places"}`,
@@ -285,7 +288,7 @@ export const messages = {
     feedZero: (d, w) =>
       `${w.text(d.word)}: the cutting feed is 0 here. Enter a feed above 0; FAUTO uses F of TOOL CALL.`,
     feedUnlikely: (d, w) =>
-      `A feed of ${w.number(d.feed)} ${d.unit} is unlikely. Check M136: with M136, F is in mm per revolution.`,
+      `A feed of ${w.feed(d.feed, FEED[d.unit])} is unlikely. Check M136: with M136, F is per revolution.`,
     pointBeyondDepth: (d, w) =>
       `The bore is ${w.size(d.depth)} deep, but the point of the drill is ${w.size(d.point)} long: the bore does not reach its diameter.`,
     drillTooShort: (d, w) =>
