@@ -50,12 +50,8 @@ export function withChangedWords(written: string, before: string, after: string)
     old.at(-1 - behind)?.meaning === wanted.at(-1 - behind)?.meaning
   )
     behind += 1;
-  /** The same word of the written line: the first of that meaning, or the second if it is the second here. */
-  const unitAt = (index: number): Unit | undefined => {
-    const meaning = old[index]?.meaning;
-    const nth = old.slice(0, index).filter((each) => each.meaning === meaning).length;
-    return all.filter((each) => each.meaning === meaning)[nth];
-  };
+  /** The same word of the written line. */
+  const unitAt = (index: number): Unit | undefined => all.find((each) => each.meaning === old[index]?.meaning);
   const [first, last] = [wanted[front], wanted[wanted.length - 1 - behind]];
   const added = first && last && front < wanted.length - behind ? after.slice(first.from, last.to) : "";
   const removed: Unit[] = [];
