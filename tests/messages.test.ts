@@ -2,6 +2,7 @@ import fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import { texts } from "../src/i18n/index.ts";
 import { LANGUAGES } from "../src/i18n/languages.ts";
+import { lengthsIn } from "../src/i18n/lengths.ts";
 import { message } from "../src/i18n/message.ts";
 import type { AnyCode, AnyIssue } from "../src/i18n/message-texts.ts";
 import { formatFixed, formatNumber, formatPosition, formatSigned } from "../src/i18n/number.ts";
@@ -264,6 +265,13 @@ describe.each(LANGUAGES)("messages in %s", (language) => {
       data: { value: 10, min: -9.9999, max: 9.9999, nearest: 9.9999 },
     };
     expect(message(language, found, "axial")).toContain(formatNumber(language, 9.9999, 4));
+  });
+
+  test("no sentence of an inch program speaks of millimetres", () => {
+    const inch = lengthsIn(language, "inch", 25.4);
+    const perRevolution: AnyIssue = { code: "feedUnlikely", severity: "warning", data: { feed: 50.8, unit: "mm/rev" } };
+    for (const each of [...codes.map(found), perRevolution]) expect(message(inch, each)).not.toMatch(/\bmm\b|毫米/);
+    expect(message(inch, perRevolution)).toMatch(/\b2\u00a0inch\//);
   });
 
   test("a long quotation is cut short", () => {

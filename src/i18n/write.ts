@@ -9,6 +9,8 @@ export interface Write {
   /** A length, mm, in the program's unit; with that unit. */
   readonly size: (mm: number, decimals?: number) => string;
   readonly length: (mm: number) => string;
+  /** A feed in mm per minute or revolution, as `unit` says in the language; converted with its unit. */
+  readonly feed: (mm: number, unit: string) => string;
   /** A value of the field concerned: with ⌀ for a diameter, with ° for an angle. */
   readonly value: (value: number) => string;
   readonly diameter: (value: number) => string;
@@ -61,6 +63,7 @@ export function writer(spoken: Spoken, kind?: Kind): Write {
     number,
     size,
     length: (mm) => `${size(mm)}\u00a0${lengths.unit}`,
+    feed: (mm, unit) => `${size(mm)}\u00a0${lengths.words(unit)}`,
     value: isDiameter(kind) ? diameter : plain,
     diameter,
     signed,

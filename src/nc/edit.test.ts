@@ -1,5 +1,6 @@
 import * as fc from "fast-check";
 import { describe, expect, test } from "vitest";
+import { klartext } from "./blocks/klartext.ts";
 import { numberedFromZero, renumbered, withBlock, withInserted, withNumbers, withoutBlocks } from "./edit.ts";
 import { parse } from "./parse.ts";
 import { print } from "./program.ts";
@@ -55,6 +56,36 @@ describe("one block changes", () => {
     expect(print(withBlock(parse(wide), 1, line(x(12.5))))).toBe("7 L  X+75 Z-20\r\n8 L  X+12.5 FMAX ;here\r\n");
     const cam = "7 L X10 Y10,5 R0 F MAX\n8 L Z5 F MAX\n";
     expect(print(withBlock(parse(cam), 1, line(x(12.5))))).toBe("7 L X10 Y10,5 R0 F MAX\n8 L X12,5 F MAX\n");
+  });
+  test.each([
+    ["L  X+50.000   Z-3,5 R0 F0,2 M8", "X", 7.25, "L  X+7,25   Z-3,5 R0 F0,2 M8"],
+    ["L Z-3.50 X+50.0 R0 FMAX M08 ;d,h", "X", -1, "L Z-3.50 X-1 R0 FMAX M08 ;d,h"],
+    ["l x+50 z-3 fmax", "Z", null, "l x+50 fmax"],
+    ["L X+50.0  R0 F.2", "Z", -3, "L X+50.0 Z-3  R0 F.2"],
+    ["CALL LBL 7 REP 2/2", "label", "71", "CALL LBL 71 REP 2/2"],
+    ["CP IPA+360.0 IZ+5 DR+", "Z", 4, "CP IPA+360.0 IZ+4 DR+"],
+    ["FC DR+ R15.0 CCX+20 CCZ-5", "radius", 3, "FC DR+ R+3 CCX+20 CCZ-5"],
+    [
+      "BLK FORM CYLINDER Z D80.0 L100 DIST+0 DI20.00 ; ROH",
+      "length",
+      90,
+      "BLK FORM CYLINDER Z D80.0 L90 DIST+0 DI20.00 ; ROH",
+    ],
+    ["TOOL CALL 2 Z S 1200 F0.20 DL+0.05", "tool", 3, "TOOL CALL 3 Z S 1200 F0.20 DL+0.05"],
+  ])("%s: only the characters of %s", (text, id, value, expected) => {
+    const program = parse(`7 ${text}\r\n8 L Z+2\r\n`);
+    const s = program.blocks[0]?.statement;
+    const field = s && klartext.fields(s).find((each) => each.id === id);
+    if (!s || !field || !("put" in field)) throw new Error("no such word");
+    const put = field.put as (from: Statement, to: unknown) => Statement;
+    expect(print(withBlock(program, 0, put(s, value)))).toBe(`7 ${expected}\r\n8 L Z+2\r\n`);
+  });
+  test("the same words in another order of properties change nothing", () => {
+    const program = parse("7 APPR LT X+60.00 Z+2 LEN4.0 RL F0.2\n");
+    const s = program.blocks[0]?.statement;
+    if (!s) throw new Error("no block");
+    const turned = Object.fromEntries(Object.entries(s).toReversed()) as unknown as Statement;
+    expect(print(withBlock(program, 0, turned))).toBe(print(program));
   });
   test("skip mark and number stay as written", () =>
     expect(print(withBlock(parse("/ 7  L X+1\n"), 0, line(x(2))))).toBe("/ 7  L X+2 FMAX\n"));

@@ -1,3 +1,4 @@
+import { withChangedWords } from "./changed-words.ts";
 import type { BlockIssue } from "./issue.ts";
 import { parse } from "./parse.ts";
 import { parameterValueText } from "./print-words.ts";
@@ -13,6 +14,15 @@ const same = (a: unknown, b: unknown) => JSON.stringify(a) === JSON.stringify(b)
 const headOf = (raw: string) =>
   /^[ \t\u00a0\ufeff]*\/?[ \t]*(?:[Nn]?\d+(?![\d.,])[ \t\u00a0]*\/?)?[ \t\u00a0]*/.exec(raw)?.[0] ?? "";
 const lineEndOf = (raw: string) => /(?:\r\n|\n|\r)$/.exec(raw)?.[0] ?? "";
+
+/** Whether two statements are equal, in whatever order their properties were set. */
+function saysTheSame(a: unknown, b: unknown): boolean {
+  const sorted = (_: string, value: unknown) =>
+    value !== null && typeof value === "object" && !Array.isArray(value)
+      ? Object.fromEntries(Object.entries(value).toSorted(([x], [y]) => (x < y ? -1 : 1)))
+      : value;
+  return JSON.stringify(a, sorted) === JSON.stringify(b, sorted);
+}
 
 type CycleStatement = Extract<Statement, { kind: "cycle" }>;
 
@@ -53,6 +63,13 @@ function rewritten(block: Block, statement: Statement, style: Style): string {
   const lines = statementLines(statement, style);
   const comment = block.comment !== undefined && statement.kind !== "comment" ? commentOf(body) : "";
   const head = headOf(body);
+  const [before = "", ...more] = statementLines(block.statement, style);
+  if (statement.kind === block.statement.kind && more.length === 0 && lines.length === 1) {
+    const written = withChangedWords(body.slice(head.length, body.length - comment.length), before, lines[0] ?? "");
+    // Only if it reads as the wanted statement: a word may stand for more than it shows.
+    if (written !== null && saysTheSame(parse(written).blocks[0]?.statement, statement))
+      return head + written + comment + end;
+  }
   const gap = head !== "" && /\d$/.test(head) && lines[0] ? " " : "";
   return (
     head +

@@ -14,6 +14,7 @@ export const QUESTIONS: ReadonlySet<string> = new Set<Code>([
   "startInFront",
   "endsExchanged",
   "diameterOutside",
+  "diameterNegative",
 ]);
 
 /** Consequences of an operation without a tool path: the run has already reported the error of values, tool or plan. */
@@ -36,6 +37,7 @@ const FOLLOWS_QUESTION: ReadonlySet<string> = new Set<Code>([
   "holderContact",
   "deeperThanInfeed",
   "crestMissing",
+  "cameLoose",
 ]);
 
 /** Whether a finding follows from a dimension that is questioned at the same operation. */

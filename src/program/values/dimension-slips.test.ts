@@ -108,6 +108,32 @@ describe("a diameter larger than the blank is named as the cause", () => {
   });
 });
 
+describe("a minus sign on a diameter is named as the cause", () => {
+  test.each([
+    [811, "Q493", 50, "warning"],
+    [812, "Q491", 75, "error"],
+    [812, "Q493", 50, "error"],
+    [813, "Q493", 50, "error"],
+    [821, "Q493", 30, "warning"],
+    [822, "Q491", 75, "error"],
+    [822, "Q493", 30, "error"],
+    [823, "Q491", 75, "error"],
+    [841, "Q493", 50, "warning"],
+    [842, "Q491", 75, "error"],
+    [851, "Q493", 50, "warning"],
+    [852, "Q493", 50, "error"],
+    [861, "Q493", 50, "warning"],
+    [871, "Q493", 50, "warning"],
+  ])("%i, %s: not what follows from -%d", (cycle, at, size, severity) => {
+    expect(told({ cycle, change: { [at]: -size } })).toMatchObject([
+      { code: "diameterNegative", severity, at, data: { value: -size, nearest: size } },
+    ]);
+  });
+  test("a face may end beyond the axis", () => {
+    for (const cycle of [821, 823]) expect(codes({ cycle, change: { Q493: -1.6 } })).not.toContain("diameterNegative");
+  });
+});
+
 describe("an impossible order is questioned", () => {
   test.each([
     ["X", 812, { Q491: 50, Q493: 75 }, "Q491", { start: 50, end: 75, other: "Q493" }],

@@ -4,6 +4,7 @@ import { worksAcross } from "../../cycles/use.ts";
 import { beginsAtTip } from "../../cycles/shape-request.ts";
 import { boxAround } from "../../kernel/area/box.ts";
 import { issue, type Issue } from "../../kernel/plan/issue.ts";
+import { noseRadius } from "../../kernel/cutter/insert.ts";
 import { fixesFinding } from "../../kernel/plan/offer.ts";
 import type { PlanContext } from "../../kernel/plan/plan.ts";
 import { SAME } from "../../kernel/tolerance.ts";
@@ -15,6 +16,9 @@ import type { Judge } from "./tested-offers.ts";
 const AWAY: ReadonlySet<number> = new Set([3, 4, 5]);
 /** A contour may start this far in front of the blank, mm: its first cut begins in the air. */
 const AHEAD = 5;
+
+/** A face may end this far beyond the axis beside the nose of the insert, on the diameter, mm: no pip is left. */
+const PAST_AXIS = 2;
 
 /** Ends of the blank along Z, in program coordinates. */
 interface BlankExtent {
@@ -148,6 +152,15 @@ export function dimensionSlip<P extends Params>(asked: SlipCheckInput<P>): reado
     const after = judged({ [asked.at]: asked.data.nearest });
     if (fixesFinding(asked, found, after))
       return [{ ...asked, severity }, ...outlined.filter((each) => after.some((a) => isSame(a, each)))];
+  }
+  const past = severity === "error" ? 0 : PAST_AXIS + 2 * noseRadius(tool);
+  for (const at of endsAlong(plain, "diameter")) {
+    const value = numberOf(at);
+    if (value >= -past) continue;
+    const asked = issue("diameterNegative", severity, { value, nearest: -value }, at);
+    const after = judged({ [at]: -value });
+    if (fixesFinding(asked, found, after))
+      return [asked, ...outlined.filter((each) => each.at !== at && after.some((a) => isSame(a, each)))];
   }
   // With a tool for that direction, the order is intended.
   if (!box || severity === "warning") return null;

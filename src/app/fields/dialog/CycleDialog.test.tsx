@@ -119,6 +119,14 @@ test("minus toggles the sign wherever the caret is", async () => {
   expect(field().value).toBe("123");
 });
 
+test("a minus behind a negative number begins a sum", async () => {
+  const user = userEvent.setup();
+  goTo(axial);
+  await screen.findByDisplayValue(typed(axial) ?? "");
+  await user.keyboard("-55-2");
+  expect(field().value).toBe("-55-2");
+});
+
 test("a sign is no error while its number is typed, but when it was left so", async () => {
   const user = userEvent.setup();
   goTo(axial);

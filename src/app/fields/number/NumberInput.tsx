@@ -111,7 +111,8 @@ function useSignKey(of: string | undefined, text: string, onText: (text: string)
       const isMinus = event.key === "-" || event.key === "−";
       const isDigit = /^[\d.,]$/.test(event.key);
       const from = minuend.current;
-      minuend.current = isMinus ? minuendOf(entry) : null;
+      // A second minus takes the first one back.
+      minuend.current = isMinus && from === null ? minuendOf(entry) : null;
       const sum = isDigit && from !== null ? subtracted(entry, from, event.key) : null;
       const next = sum ?? (isMinus ? minus(entry) : entry.negative && isDigit ? insert(entry, event.key) : null);
       if (!next) return;

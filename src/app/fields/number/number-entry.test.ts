@@ -55,11 +55,13 @@ test.each([
 test.each([
   ["60|", "60-2"],
   ["3,5|", "3,5-2"],
+  ["-55|", "-55-2"],
+  ["+60|", "+60-2"],
 ])("minus and a digit behind %s make a sum", (before, after) => {
   const minuend = minuendOf(entry(before));
   expect(subtracted(minus(entry(before)), minuend ?? "", "2")?.text).toBe(after);
 });
-test.each(["6|0", "[60]", "-60|", "|", "60+3|"])("minus in %s begins no sum", (before) =>
+test.each(["6|0", "[60]", "[-60]", "-6|0", "|", "-|", "60+3|"])("minus in %s begins no sum", (before) =>
   expect(minuendOf(entry(before))).toBeNull(),
 );
 

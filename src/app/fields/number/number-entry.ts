@@ -43,17 +43,17 @@ export function minus(entry: EntryState): EntryState {
 }
 
 /**
- * A digit after a minus that changed the sign: a subtraction is typed, as 60-2. `minuend` is the text before the minus.
- * Null if the digit just continues the number.
+ * A digit after a minus that changed the sign: a subtraction is typed, as 60-2 or -55-2. `minuend` is the text before
+ * the minus. Null if the digit just continues the number.
  */
 export const subtracted = ({ text, from }: EntryState, minuend: string, digit: string): EntryState | null =>
-  text === `-${minuend}` && from === text.length
+  text === toggleSign(caretAt(minuend, minuend.length)).text && from === text.length
     ? caretAt(`${minuend}-${digit}`, minuend.length + 1 + digit.length)
     : null;
 
 /** The minuend for a minus at the end: typed digits with the caret behind them; else null. */
 export const minuendOf = ({ text, from, to }: EntryState): string | null =>
-  from === to && to === text.length && /^\d+(?:[.,]\d*)?$/.test(text) ? text : null;
+  from === to && to === text.length && /^[+-]?\d+(?:[.,]\d*)?$/.test(text) ? text : null;
 
 /** Replaces the selection by one or more characters. */
 export function insert(entry: EntryState, characters: string): EntryState {

@@ -34,6 +34,9 @@ const CLAMPED = {
   limit: "der Spanngrenze",
 };
 
+/** Units of a feed. */
+const FEED = { "mm/min": "mm/min", "mm/rev": "mm/U" };
+
 export const messages = {
   reasons,
   morePlaces: (place, more) => `${place} und ${more === 1 ? "einer weiteren Stelle" : `${more} weiteren Stellen`}`,
@@ -53,7 +56,7 @@ export const messages = {
     startLevelWithEnd: (d, w) =>
       `Der Startpunkt liegt auf ${d.axis} ${w.size(d.value)}, gleich dem Konturende: Dazwischen gibt es nichts zu zerspanen.`,
     diameterNegative: (d, w) =>
-      `${w.value(d.value)} ist ein Durchmesser jenseits der Drehachse, dort wird keine Kontur berechnet.${nearest(d.nearest, w.value)}`,
+      `${w.value(d.value)} ist ein Durchmesser jenseits der Drehachse.${nearest(d.nearest, w.value)}`,
     elementTooLong: (d, w) => `${w.size(d.size)} ist zu lang für das Element: max. ${w.size(d.max)}.`,
     cornersTooWide: (d, w) =>
       `Zwei Eckenradien von ${w.size(d.radius)} sind breiter als der Grund: max. ${w.size(d.max)}.`,
@@ -297,7 +300,7 @@ export const messages = {
     feedZero: (d, w) =>
       `${w.text(d.word)}: Der Schnittvorschub ist hier 0. Vorschub größer 0 eingeben; FAUTO übernimmt F aus TOOL CALL.`,
     feedUnlikely: (d, w) =>
-      `Ein Vorschub von ${w.number(d.feed)} ${d.unit} ist unwahrscheinlich. M136 prüfen: Mit M136 gilt F in mm pro Umdrehung.`,
+      `Ein Vorschub von ${w.feed(d.feed, FEED[d.unit])} ist unwahrscheinlich. M136 prüfen: Mit M136 gilt F pro Umdrehung.`,
     pointBeyondDepth: (d, w) =>
       `Die Bohrung ist ${w.size(d.depth)} tief, die Bohrerspitze ${w.size(d.point)} lang: Die Bohrung erreicht ihren Durchmesser nicht.`,
     drillTooShort: (d, w) =>

@@ -36,6 +36,9 @@ const CLAMPED = {
   limit: "the clamping limit",
 };
 
+/** Units of a feed. */
+const FEED = { "mm/min": "mm/min", "mm/rev": "mm/rev" };
+
 export const messages = {
   reasons,
   morePlaces: (place, more) => `${place} and ${more} more ${more === 1 ? "place" : "places"}`,
@@ -53,8 +56,7 @@ export const messages = {
     startEqualsEnd: (d, w) => `Start and end are equal: ${d.other} is ${w.value(d.value)} too.`,
     startLevelWithEnd: (d, w) =>
       `The start point is at ${d.axis} ${w.size(d.value)}, the same as the contour end: there is nothing to cut in between.`,
-    diameterNegative: (d, w) =>
-      `${w.value(d.value)} is a diameter beyond the axis, where no contour is calculated.${nearest(d.nearest, w.value)}`,
+    diameterNegative: (d, w) => `${w.value(d.value)} is a diameter beyond the axis.${nearest(d.nearest, w.value)}`,
     elementTooLong: (d, w) => `${w.size(d.size)} is too long for the element: max. ${w.size(d.max)}.`,
     cornersTooWide: (d, w) =>
       `Two corner radii of ${w.size(d.radius)} are wider than the floor: max. ${w.size(d.max)}.`,
@@ -286,7 +288,7 @@ export const messages = {
     feedZero: (d, w) =>
       `${w.text(d.word)}: the cutting feed is 0 here. Enter a feed above 0; FAUTO uses F of TOOL CALL.`,
     feedUnlikely: (d, w) =>
-      `A feed of ${w.number(d.feed)} ${d.unit} is unlikely. Check M136: with M136, F is in mm per revolution.`,
+      `A feed of ${w.feed(d.feed, FEED[d.unit])} is unlikely. Check M136: with M136, F is per revolution.`,
     pointBeyondDepth: (d, w) =>
       `The bore is ${w.size(d.depth)} deep, but the point of the drill is ${w.size(d.point)} long: the bore does not reach its diameter.`,
     drillTooShort: (d, w) =>

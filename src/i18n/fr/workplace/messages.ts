@@ -35,6 +35,9 @@ const CLAMPED = {
   limit: "la limite de serrage",
 };
 
+/** Units of a feed. */
+const FEED = { "mm/min": "mm/min", "mm/rev": "mm/tr" };
+
 export const messages = {
   reasons,
   morePlaces: (place, more) => `${place} et à ${more === 1 ? "un autre endroit" : `${more} autres endroits`}`,
@@ -54,7 +57,7 @@ export const messages = {
     startLevelWithEnd: (d, w) =>
       `Le point de départ est à ${d.axis} ${w.size(d.value)}, comme la fin du contour : il n’y a rien à usiner entre les deux.`,
     diameterNegative: (d, w) =>
-      `${w.value(d.value)} est un diamètre au-delà de l’axe, où aucun contour n’est calculé.${nearest(d.nearest, w.value)}`,
+      `${w.value(d.value)} est un diamètre au-delà de l’axe de rotation.${nearest(d.nearest, w.value)}`,
     elementTooLong: (d, w) => `${w.size(d.size)} est trop long pour l’élément : max. ${w.size(d.max)}.`,
     cornersTooWide: (d, w) =>
       `Deux rayons de coin de ${w.size(d.radius)} dépassent la largeur du fond : max. ${w.size(d.max)}.` + ``,
@@ -294,7 +297,7 @@ export const messages = {
     feedZero: (d, w) =>
       `${w.text(d.word)} : l’avance de coupe est de 0 ici. Indiquer une avance supérieure à 0 ; FAUTO reprend le F de TOOL CALL.`,
     feedUnlikely: (d, w) =>
-      `Une avance de ${w.number(d.feed)} ${d.unit} est peu vraisemblable. Vérifier M136 : avec M136, F est en mm par tour.`,
+      `Une avance de ${w.feed(d.feed, FEED[d.unit])} est peu vraisemblable. Vérifier M136 : avec M136, F est par tour.`,
     pointBeyondDepth: (d, w) =>
       `Le trou a ${w.size(d.depth)} de profondeur, la pointe du foret ${w.size(d.point)} : le trou n’atteint pas son diamètre.`,
     drillTooShort: (d, w) =>

@@ -33,6 +33,9 @@ const CLAMPED = {
   limit: "夹持极限",
 };
 
+/** Units of a feed. */
+const FEED = { "mm/min": "mm/min", "mm/rev": "mm/转" };
+
 export const messages = {
   reasons,
   morePlaces: (place, more) => `${place}（另有${more}处同类）`,
@@ -49,10 +52,10 @@ export const messages = {
     notAChoice: (d, w) => `${w.number(d.value)}不在可选值${d.choices.join("、")}中。${nearest(d.nearest, w.number)}`,
     startEqualsEnd: (d, w) => `起点与终点相同：${d.other}也是${w.value(d.value)}。`,
     startLevelWithEnd: (d, w) => `起点位于${d.axis} ${w.size(d.value)}，与轮廓终点相同：两者之间没有可加工的材料。`,
-    diameterNegative: (d, w) => `${w.value(d.value)}位于轴线另一侧，此处不计算轮廓。${nearest(d.nearest, w.value)}`,
+    diameterNegative: (d, w) => `${w.value(d.value)}：该直径位于旋转轴线的另一侧。${nearest(d.nearest, w.value)}`,
     elementTooLong: (d, w) => `${w.size(d.size)}大于该元素的长度，最大${w.size(d.max)}。`,
     cornersTooWide: (d, w) => `两个半径${w.size(d.radius)}的圆角宽于槽底，最大${w.size(d.max)}。`,
-    wallsMeet: (d, w) => `角度为${w.angle(d.angle)}时两侧壁在槽底上方相交，最大${w.angle(d.max)}。`,
+    wallsMeet: (d, w) => `角度为${w.angle(d.angle)}时两侧壁在槽底上方相交，须小于${w.angle(d.max)}。`,
     cornerSmallerThanInsert: (d, w) =>
       `角半径${w.size(d.radius)}小于刀尖半径${w.size(d.insert)}：该角保留${w.size(d.insert)}。`,
     recessNarrowerThanTool: (d, w) =>
@@ -218,7 +221,7 @@ export const messages = {
     notInTurnMode: () => "该循环只能在FUNCTION MODE TURN下执行：请在调用前编写该程序段。",
     compensationActive: (d) => `此处${d.side}仍有效，而数控系统要求R0：请在之前的定位程序段中编写R0。`,
     feedZero: (d, w) => `${w.text(d.word)}：此处切削进给为0。请给出大于0的进给；FAUTO采用TOOL CALL中的F。`,
-    feedUnlikely: (d, w) => `${w.number(d.feed)} ${d.unit}的进给不合理。请检查M136：编程M136时F为毫米/转。`,
+    feedUnlikely: (d, w) => `${w.feed(d.feed, FEED[d.unit])}的进给不合理。请检查M136：编程M136时F为每转进给。`,
     pointBeyondDepth: (d, w) => `孔深${w.size(d.depth)}，而钻尖长${w.size(d.point)}：孔达不到其直径。`,
     drillTooShort: (d, w) =>
       `孔深${w.size(d.depth)}，而钻头切削刃长度（LCUTS）为${w.size(d.edges)}：钻柄可能摩擦孔壁。`,

@@ -70,7 +70,7 @@ export const threads = {
     `${w.number(d.turns)} Spindelumdrehungen in allen Schnitten überschreiten das Maximum ${w.number(d.most)}.`,
   taperImpossible: (d, w) => `Mit dem Winkel ${w.angle(d.angle)} hat das Gewinde keinen Endpunkt.`,
   threadFeedOverLimit: (d, w) =>
-    `Drehzahl ${w.number(d.speed)} × Steigung = ${w.number(d.feed)} mm/min überschreitet den maximalen Achsvorschub ${w.number(d.most)}. Max. ${w.number(d.upTo)} 1/min.`,
+    `Drehzahl ${w.number(d.speed)} × Steigung = ${w.feed(d.feed, "mm/min")} überschreitet den maximalen Achsvorschub ${w.feed(d.most, "mm/min")}. Max. ${w.number(d.upTo)} 1/min.`,
   runInShort: (d, w) =>
     `Bei ${w.number(d.speed)} 1/min ist der Anlaufweg von ${w.size(d.runIn)} zu kurz für den Vorschub. Faustregel: Drehzahl × Steigung / 400 = ${w.length(d.needed)}.${nearest(d.nearest, w.size)}`,
 } satisfies Partial<MessagesTexts["of"]>;

@@ -70,7 +70,7 @@ export const threads = {
     `${w.number(d.turns)} spindle revolutions in all passes exceed the maximum of ${w.number(d.most)}.`,
   taperImpossible: (d, w) => `With an angle of ${w.angle(d.angle)} the thread has no end point.`,
   threadFeedOverLimit: (d, w) =>
-    `Speed ${w.number(d.speed)} × pitch = ${w.number(d.feed)} mm/min exceeds the maximum axis feed ${w.number(d.most)}. Max. ${w.number(d.upTo)} rpm.`,
+    `Speed ${w.number(d.speed)} × pitch = ${w.feed(d.feed, "mm/min")} exceeds the maximum axis feed ${w.feed(d.most, "mm/min")}. Max. ${w.number(d.upTo)} rpm.`,
   runInShort: (d, w) =>
     `At ${w.number(d.speed)} rpm the run-in of ${w.size(d.runIn)} is too short to reach the feed. Rule of thumb: speed × pitch / 400 = ${w.length(d.needed)}.${nearest(d.nearest, w.size)}`,
 } satisfies Partial<MessagesTexts["of"]>;

@@ -76,7 +76,7 @@ export const threads = {
     `${w.number(d.turns)} tours de broche pour toutes les passes dépassent le maximum de ${w.number(d.most)}.`,
   taperImpossible: (d, w) => `Avec un angle de ${w.angle(d.angle)}, le filetage n’a pas de point final.`,
   threadFeedOverLimit: (d, w) =>
-    `Vitesse ${w.number(d.speed)} × pas = ${w.number(d.feed)} mm/min dépasse l’avance maximale de l’axe ${w.number(d.most)}. Max. ${w.number(d.upTo)} tr/min.`,
+    `Vitesse ${w.number(d.speed)} × pas = ${w.feed(d.feed, "mm/min")} dépasse l’avance maximale de l’axe ${w.feed(d.most, "mm/min")}. Max. ${w.number(d.upTo)} tr/min.`,
   runInShort: (d, w) =>
     `À ${w.number(d.speed)} tr/min l’engagement de ${w.size(d.runIn)} est trop court pour atteindre l’avance. Règle empirique : vitesse × pas / 400 = ${w.length(d.needed)}.${nearest(d.nearest, w.size)}`,
 } satisfies Partial<MessagesTexts["of"]>;

@@ -21,7 +21,7 @@ export const threads = {
   toothAssumed: (d, w) =>
     `螺纹刀的CUTLENGTH为空：按牙高${w.length(d.height)}计算。请输入牙高，以便用实际刀片检查螺纹旁的台阶。`,
   threadOverInsert: (d, w) =>
-    `${w.length(d.depth)}超过刀片高度${w.length(d.most)}。请选用牙更高的螺纹刀（CUTLENGTH）。`,
+    `深度${w.length(d.depth)}超过刀片牙高${w.length(d.most)}。请选用牙更高的螺纹刀（CUTLENGTH）。`,
   threadTooSteep: (d, w) =>
     `螺纹以${w.angle(d.angle)}上升：刀片的齿侧要求小于${w.angle(d.most)}。请输入较平的锥度或更换螺纹轴。`,
   threadMeets: (d, w) =>
@@ -54,7 +54,7 @@ export const threads = {
   threadTooMany: (d, w) => `所有走刀共${w.number(d.turns)}转主轴，超过最大值${w.number(d.most)}。`,
   taperImpossible: (d, w) => `角度${w.angle(d.angle)}无法从螺纹起点到达终点。`,
   threadFeedOverLimit: (d, w) =>
-    `转速${w.number(d.speed)} × 螺距的进给为${w.number(d.feed)} mm/min，超过轴的最大进给${w.number(d.most)}。最高转速${w.number(d.upTo)} 转/分。`,
+    `转速${w.number(d.speed)} × 螺距的进给为${w.feed(d.feed, "mm/min")}，超过轴的最大进给${w.feed(d.most, "mm/min")}。最高转速${w.number(d.upTo)} 转/分。`,
   runInShort: (d, w) =>
-    `转速${w.number(d.speed)} 转/分时，导入段${w.size(d.runIn)}太短，达不到进给速率。经验法则：转速 × 螺距 / 400 = ${w.size(d.needed)} mm。${nearest(d.nearest, w.size)}`,
+    `转速${w.number(d.speed)} 转/分时，导入段${w.size(d.runIn)}太短，达不到进给速率。经验法则：转速 × 螺距 / 400 = ${w.length(d.needed)}。${nearest(d.nearest, w.size)}`,
 } satisfies Partial<MessagesTexts["of"]>;
