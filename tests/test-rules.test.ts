@@ -37,6 +37,10 @@ describe("rules for tests", () => {
     ]);
   });
 
+  test("none asks for an environment of its own, which would end the worker that the others share", () => {
+    expect(tests.filter(([, t]) => /@vitest-environment/.test(t)).map(([path]) => path)).toEqual([]);
+  });
+
   test("no law has a time limit, and a failing one shrinks its case only on request", () => {
     expect(
       tests

@@ -1,4 +1,4 @@
-import { act, render, screen } from "@testing-library/react";
+import { act, cleanup, render, screen } from "@testing-library/react";
 import { Suspense } from "react";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import {
@@ -21,6 +21,7 @@ beforeEach(() => {
   );
 });
 afterEach(() => {
+  cleanup();
   dismissMissing();
   vi.unstubAllGlobals();
 });

@@ -1,5 +1,4 @@
 import { undoStep, redoStep } from "../../document/history.ts";
-// @vitest-environment jsdom
 import { useNotices } from "../../base/notices.ts";
 import { beforeEach, expect, test, vi } from "vitest";
 import { shippedTools } from "../../../program/tools/shipped-tools.ts";
