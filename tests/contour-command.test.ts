@@ -54,7 +54,7 @@ test("the contour is a subprogram on standard output, what was not used is on st
   expect(await main([shaft()])).toBe(0);
   expect(out).toBe("LBL 1\nL X+24 Z+0\nL Z-18\nCR X+32 Z-22 R+4 DR-\nL X+54\nL Z-46\nLBL 0\n");
   expect(err).toBe("info: Not used: 1 × SOLID.\n");
-  expect(parse(out).blocks.flatMap((b) => b.issues)).toEqual([]);
+  expect(parse(out).blocks.flatMap((b) => b.issues ?? [])).toEqual([]);
 });
 
 test.each([

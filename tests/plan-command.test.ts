@@ -55,7 +55,7 @@ const drawn = () =>
 
 test("the program is on standard output, the plan with its reasons on standard error", async () => {
   expect(await main([pin(), "--language", "de"])).toBe(0);
-  expect(parse(out).blocks.flatMap((b) => b.issues)).toEqual([]);
+  expect(parse(out).blocks.flatMap((b) => b.issues ?? [])).toEqual([]);
   expect(out).toMatch(/^0 BEGIN PGM PIN MM\n1 BLK FORM CYLINDER Z D30 L60 DIST\+1\n/);
   expect(out.match(/\* - .*/g)).toEqual(["* - PLANEN", "* - AUSSEN SCHRUPPEN", "* - AUSSEN SCHLICHTEN"]);
   expect(err).toMatch(/^ 1\. Plandrehen: Zyklus \d+, T\d+ /);
