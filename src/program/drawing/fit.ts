@@ -57,19 +57,33 @@ function biarc(p: Pt, way: Pt, q: Pt, wayIn: Pt): Segment[] {
   return [arcInto(p, way, joint), part.reversed(back)];
 }
 
+const isFinitePoint = ({ z, r }: Pt): boolean => Number.isFinite(z) && Number.isFinite(r);
+
+/** The numbers from 1 to below an end, those far apart first: a misfit shows at one of the first. */
+function* coarseFirst(end: number): Generator<number> {
+  for (let step = 2 ** Math.floor(Math.log2(end)); step >= 1; step /= 2)
+    for (let i = step; i < end; i += 2 * step) yield i;
+}
+
 /** The lines or arcs of a range, or null where they are farther from it than the tolerance. */
 function tried(c: SmoothCurve, a: number, b: number, tolerance: number): Segment[] | null {
   const count = Math.min(400, 8 + Math.ceil((3 * c.detail * (b - a)) / (c.to - c.from)));
-  const points = Array.from({ length: count + 1 }, (_, i) => c.point(a + ((b - a) * i) / count));
-  const [first, last] = [points[0], points.at(-1)];
-  if (!first || !last || !points.every((p) => Number.isFinite(p.z) && Number.isFinite(p.r))) return [];
-  const fits = (made: readonly Segment[], within: number) =>
-    points.every((p) => made.some((s) => part.distanceTo(s, p) <= within));
-  const straight = [part.line(first, last)];
-  if (part.apart(first, last) > NOTHING && fits(straight, Math.min(SAME, tolerance))) return straight;
-  const made = biarc(first, heading(c, a, b), last, heading(c, b, a));
-  const isShort = made.every((s) => s.kind === "line" || part.sweepOf(s) < 1.1 * Math.PI);
-  return isShort && fits(made, tolerance) ? made : null;
+  const [first, last] = [c.point(a), c.point(b)];
+  if (!isFinitePoint(first) || !isFinitePoint(last)) return [];
+  const straight = [part.line(first, last)],
+    arcs = biarc(first, heading(c, a, b), last, heading(c, b, a));
+  let isStraight = part.apart(first, last) > NOTHING,
+    isArcs = arcs.every((s) => s.kind === "line" || part.sweepOf(s) < 1.1 * Math.PI);
+  const reaches = (made: readonly Segment[], p: Pt, within: number) =>
+    made.some((s) => part.distanceTo(s, p) <= within);
+  for (const i of coarseFirst(count)) {
+    const p = c.point(a + ((b - a) * i) / count);
+    if (!isFinitePoint(p)) return [];
+    isStraight &&= reaches(straight, p, Math.min(SAME, tolerance));
+    isArcs &&= reaches(arcs, p, tolerance);
+    if (!isStraight && !isArcs) return null;
+  }
+  return isStraight ? straight : arcs;
 }
 
 /** Joins consecutive arcs of one circle. */
