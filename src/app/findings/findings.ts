@@ -8,6 +8,7 @@ import { triedDraft, type JobRunner } from "../../report/tried-draft.ts";
 import { followsQuestion, QUESTIONS } from "../../sim/causes.ts";
 import { stockIssues } from "../../sim/issues.ts";
 import { rapidOf } from "../calculation/request.ts";
+import { rememberingLast } from "../base/once.ts";
 import { contourProblems } from "../document/contour-problems.ts";
 import { printedText } from "../document/printed.ts";
 import type { Outcome } from "../calculation/outcome.ts";
@@ -35,8 +36,8 @@ const runner = (tools: JobReading["tools"]): JobRunner => ({
   shop: (job) => ({ tools, rapid: rapidOf(job) }),
 });
 
-/** Findings of the prompts and the contour table, before anything is calculated. */
-function typed(read: JobReading): readonly Found[] {
+/** Findings of the prompts and the contour table, before anything is calculated; cached, as offers are tried for them. */
+const typed = rememberingLast((read: JobReading): readonly Found[] => {
   const { setup, cycle, job, reading, tools } = read;
   const asked = setup ? setupQuestions({ setup, cycle, job, partial: reading.partial, tools }) : [];
   // What is only proposed is proposed anew for another value.
@@ -50,7 +51,7 @@ function typed(read: JobReading): readonly Found[] {
     contourIssue("contourMissing", read.reading.values ? "error" : "info", { label: "" }, "contour");
   const table = contour.length === 0 ? [missing()] : contourProblems(contour);
   return [...prompts, ...table.map((issue): Found => ({ ...NO_PLACE, issue, at: "contour" }))];
-}
+});
 
 /** The first operation of a call of an unknown tool: a suitable tool is reported there. */
 function operationOfCall(

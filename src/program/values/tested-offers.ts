@@ -46,7 +46,7 @@ type Kept = Readonly<Record<string, number | "auto">>;
 type Works = (value: number) => boolean | null;
 
 /** Limit of planned moves in the search for one value. */
-const MOST_MOVES = 5000;
+const MOST_MOVES = 1500;
 /** Growth of the distance between probes and the offered value. */
 const STRIDE = 4;
 /** Bisections from a found value to the grid. */
