@@ -176,6 +176,7 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   blankImpossible: {},
   endInFront: { value: 55.5, nearest: -55.5 },
   diameterOutside: { value: 96.5, blank: 60.5 },
+  diameterInSolid: { value: 20.5 },
   startInFront: { value: 55.5, nearest: -55.5 },
   endsExchanged: { axis: "X", start: 50.5, end: 75.5, other: "Q493" },
   blankAgainstContour: { place: "outside", contour: 75.5, blank: 60, nearest: 75.5 },

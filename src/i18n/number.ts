@@ -22,6 +22,14 @@ export function formatNumber(language: Language, value: number, decimals = 3): s
 export const formatFixed = (language: Language, value: number, decimals: number): string =>
   sign(language, fixed(value, decimals));
 
+/** Typed text with the decimal sign of the screen; sums, Q parameters and words stay as they are. */
+export const inScreenWriting = (language: Language, text: string): string =>
+  /^[+-]?\d*(?:\.\d*)?$/.test(text.trim()) ? sign(language, text) : text;
+
+/** A text with its numbers in the writing of the screen: "Q493 50.5" as "Q493 50,5". */
+export const numbersInScreenWriting = (language: Language, text: string): string =>
+  text.replace(/(?<=\d)\.(?=\d)/g, decimalSign(language));
+
 /** The same text with a minus sign as wide as a plus, for print. */
 export const withPrintedMinus = (text: string): string => text.replace(/^-/, "−");
 

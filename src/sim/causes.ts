@@ -14,6 +14,7 @@ export const QUESTIONS: ReadonlySet<string> = new Set<Code>([
   "startInFront",
   "endsExchanged",
   "diameterOutside",
+  "diameterInSolid",
   "diameterNegative",
 ]);
 

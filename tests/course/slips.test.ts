@@ -277,6 +277,6 @@ test("a tool of the solution is refused for its values, not for itself", () => {
   const family = taskOf("l19-another-size");
   const answer = answerOf(programOfLines(family.solution ?? []).replace(/Q2 =\+35\.4/, "Q2 =+354"));
   const [first] = withoutSlip(family, answer, judge(family, answer)).marks;
-  expect(first).toMatchObject({ issue: { code: "toolUnfit" } });
+  expect(first).toMatchObject({ issue: { code: "diameterOutside" } });
   expect(first?.isByTool).toBeUndefined();
 });

@@ -7,12 +7,19 @@ const MOST_VALUES = 2;
 export const joinedWords = (changes: readonly string[], t: HistoryTexts): string =>
   changes.length <= MOST_VALUES ? changes.join(", ") : t.more(changes[0] ?? "", changes.length - 1);
 
-/** A value before and after, as typed. */
-export const valueWords = (of: string, from: unknown, to: unknown, t: HistoryTexts): string => {
-  const shown = (value: unknown) =>
-    typeof value === "number" || (typeof value === "string" && value !== "") ? String(value) : t.empty;
-  return t.value(of, shown(from), shown(to));
-};
+const shownText = (value: unknown, t: HistoryTexts): string =>
+  typeof value === "number" || (typeof value === "string" && value !== "") ? String(value) : t.empty;
+
+/** A name before and after. */
+export const nameWords = (of: string, from: unknown, to: unknown, t: HistoryTexts): string =>
+  t.value(of, shownText(from, t), shownText(to, t));
+
+/** A value before and after: a number as the screen writes it, anything else as typed. */
+export const valueWords = (of: string, from: unknown, to: unknown, t: HistoryTexts): string =>
+  t.value(of, t.number(shownText(from, t)), t.number(shownText(to, t)));
+
+/** Cells with a text that may look like a number. */
+const NAMES: ReadonlySet<string> = new Set(["name", "NAME", "DOC"]);
 
 type Cells = Readonly<Record<string, unknown>>;
 const isText = (value: unknown) => value === undefined || typeof value === "string" || typeof value === "number";
@@ -30,7 +37,8 @@ export function cellWords(
   const named = changed.map((cell) => {
     const name = nameOf(cell);
     const canShow = name !== null && isText(before[cell]) && isText(after[cell]);
-    return canShow ? valueWords(name, before[cell], after[cell], t) : null;
+    const words = NAMES.has(cell) ? nameWords : valueWords;
+    return canShow ? words(name, before[cell], after[cell], t) : null;
   });
   return named.every((each) => each !== null) ? named : null;
 }

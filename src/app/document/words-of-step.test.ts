@@ -95,6 +95,20 @@ test.each<[string, () => unknown]>([
   expect(words()).toBe(expected);
 });
 
+test("numbers are written as on the screen, names as they are", () => {
+  setPrompts({ Q463: "5.5", Q478: "0.7" });
+  expect(wordsOfStep(newest(), "past", de)).toBe("Q463 3 → 5,5, Q478 0,3 → 0,7");
+  expect(wordsOfStep(newest(), "past", fr)).toBe("Q463 3 → 5,5, Q478 0,3 → 0,7");
+  setPrompt("Q478", "Q5 + 0.1");
+  expect(wordsOfStep(newest(), "past", de)).toBe("Q478 0,7 → Q5 + 0.1");
+  setName("2.1");
+  expect(wordsOfStep(newest(), "past", de)).toBe(`Name ${job.name} → 2.1`);
+  row("r3", { NAME: "1.5" });
+  expect(wordsOfStep(newest(), "past", de)).toContain("→ 1.5");
+  const blank = "BLK FORM CYLINDER Z D100 L50\n";
+  expect(programWords(parse(blank), parse(blank.replace("D100", "D90.5")), de)).toMatch(/D 100 → 90,5$/);
+});
+
 test("a step of a contour names its element", () => {
   const example = exampleJob(contourCycle),
     { contour } = example;

@@ -9,7 +9,7 @@ import { ownRecord } from "./own-store.ts";
 import type { HistoryStep, Way } from "./steps.ts";
 import { useEditor } from "./store.ts";
 import { toolRecord } from "./tool-store.ts";
-import { cellWords, joinedWords, listWords, valueWords } from "./words-of-list.ts";
+import { cellWords, joinedWords, listWords, nameWords, valueWords } from "./words-of-list.ts";
 import { programWords } from "./words-of-program.ts";
 import { workWords } from "./words-of-work.ts";
 import type { Work } from "./work.ts";
@@ -69,7 +69,7 @@ function worksWords([before, after]: States, t: HistoryTexts): string | null {
       many: t.works,
       whole: t.places.works,
       added: t.added,
-      cells: (a, b) => [valueWords("", a.name, b.name, t)],
+      cells: (a, b) => [nameWords("", a.name, b.name, t)],
     },
     t,
   );

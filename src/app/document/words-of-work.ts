@@ -2,7 +2,7 @@ import type { HistoryTexts } from "../../i18n/en/history.ts";
 import { parse } from "../../nc/parse.ts";
 import type { Job } from "../../program/job/job.ts";
 import { fileKey } from "../../program/state/program-files.ts";
-import { cellWords, listWords, valueWords } from "./words-of-list.ts";
+import { cellWords, listWords, nameWords, valueWords } from "./words-of-list.ts";
 import { programWords } from "./words-of-program.ts";
 import { filesOf, isProgram, type ProgramWork, type Work, type WorkFile } from "./work.ts";
 
@@ -63,7 +63,7 @@ function jobWords(before: Job, after: Job, t: HistoryTexts): readonly string[] {
 
 function filesWords(before: ProgramWork, after: ProgramWork, t: HistoryTexts): readonly string[] {
   if (fileKey(before.name) !== fileKey(after.name) && filesOf(after).some(({ name }) => name === before.name))
-    return [valueWords(t.fields.mainProgram, before.name, after.name, t)];
+    return [nameWords(t.fields.mainProgram, before.name, after.name, t)];
   const text = (a: WorkFile, b: WorkFile) => (a.text === b.text ? null : programWords(parse(a.text), parse(b.text), t));
   const main = text(before, after);
   const files =
@@ -118,7 +118,7 @@ export function workWords(before: Work, after: Work, t: HistoryTexts): readonly 
   const isMain = isProgram(before) && isProgram(after) && filesOf(after).some(({ name }) => name === before.name);
   return [
     ...own,
-    ...(before.name === after.name || isMain ? [] : [valueWords(t.fields.name, before.name, after.name, t)]),
+    ...(before.name === after.name || isMain ? [] : [nameWords(t.fields.name, before.name, after.name, t)]),
     ...(skips === (is["skipMarked"] === true) ? [] : [skips ? t.off(t.fields.skipMarked) : t.on(t.fields.skipMarked)]),
     ...NAMED.filter((name) => was[name] !== is[name]).map((name) => t.fieldChanged(t.fields[name])),
   ];

@@ -1,10 +1,16 @@
 import { issue as contourIssue } from "../../kernel/plan/issue.ts";
 import type { AnyIssue } from "../../i18n/message-texts.ts";
+import type { Job } from "../../program/job/job.ts";
+import { withPlace } from "../../program/job/setup-place.ts";
 import { setupQuestions } from "../../program/job/setup-questions.ts";
 import { joinPlaces, operationKey } from "../../report/places.ts";
+import { triedDraft, type JobRunner } from "../../report/tried-draft.ts";
 import { followsQuestion, QUESTIONS } from "../../sim/causes.ts";
 import { stockIssues } from "../../sim/issues.ts";
+import { rapidOf } from "../calculation/request.ts";
+import { rememberingLast } from "../base/once.ts";
 import { contourProblems } from "../document/contour-problems.ts";
+import { printedText } from "../document/printed.ts";
 import type { Outcome } from "../calculation/outcome.ts";
 import type { JobReading } from "../document/reading.ts";
 import { withoutConsequences } from "./consequences.ts";
@@ -24,11 +30,20 @@ const NO_PLACE = {
 } as const;
 const atOf = (issue: AnyIssue): string | null => ("at" in issue ? (issue.at ?? null) : null);
 
-/** Findings of the prompts and the contour table, before anything is calculated. */
-function typed(read: JobReading): readonly Found[] {
+/** How a job is run to try what its prompts offer. */
+const runner = (tools: JobReading["tools"]): JobRunner => ({
+  print: (job) => printedText(job, tools),
+  shop: (job) => ({ tools, rapid: rapidOf(job) }),
+});
+
+/** Findings of the prompts and the contour table, before anything is calculated; cached, as offers are tried for them. */
+const typed = rememberingLast((read: JobReading): readonly Found[] => {
   const { setup, cycle, job, reading, tools } = read;
   const asked = setup ? setupQuestions({ setup, cycle, job, partial: reading.partial, tools }) : [];
-  const prompts = [...reading.issues, ...asked].map((issue): Found => ({ ...NO_PLACE, issue, at: issue.at ?? null }));
+  // What is only proposed is proposed anew for another value.
+  const set = () => [...(setup?.proposed ?? [])].reduce<Job>((each, place) => withPlace(each, place, ""), job);
+  const found = setup ? triedDraft(set(), runner(tools), reading.issues, asked) : reading.issues;
+  const prompts = found.map((issue): Found => ({ ...NO_PLACE, issue, at: issue.at ?? null }));
   if (read.cycle.contour !== "free") return prompts;
   const { contour } = read.job;
   // While prompts are open, a contour not begun is no error, only not done yet.
@@ -36,7 +51,7 @@ function typed(read: JobReading): readonly Found[] {
     contourIssue("contourMissing", read.reading.values ? "error" : "info", { label: "" }, "contour");
   const table = contour.length === 0 ? [missing()] : contourProblems(contour);
   return [...prompts, ...table.map((issue): Found => ({ ...NO_PLACE, issue, at: "contour" }))];
-}
+});
 
 /** The first operation of a call of an unknown tool: a suitable tool is reported there. */
 function operationOfCall(

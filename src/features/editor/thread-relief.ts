@@ -21,6 +21,7 @@ import { editProgram } from "../../app/fields/blocks/session.ts";
 import type { ProgramWork } from "../../app/document/work.ts";
 import type { FindingEntry } from "../../app/findings/entry.ts";
 import type { Trial } from "../../app/findings/host.ts";
+import { numbersInScreenWriting } from "../../i18n/number.ts";
 import type { FindingsTexts } from "../../i18n/en/workplace/findings.ts";
 import { spindleLike, stateBefore } from "./operations/stock-before.ts";
 
@@ -77,7 +78,10 @@ export function reliefTrials(
       return {
         // Where the contour of the part can have the undercut, that one is offered.
         group: "relief",
-        name: [t.reliefBefore(name), ...(end === null ? [] : [t.endThread(`Z${end}`)])].join(" · "),
+        name: [
+          t.reliefBefore(name),
+          ...(end === null ? [] : [t.endThread(numbersInScreenWriting(language, `Z${end}`))]),
+        ].join(" · "),
         work: async () => {
           const tool = await toolFor(relief);
           if (!tool) return null;

@@ -1,4 +1,5 @@
 import { useMemo } from "react";
+import { numbersInScreenWriting } from "../../i18n/number.ts";
 import { writeTyped } from "../../app/fields/dialog/write-value.ts";
 import { useOutcome, type Outcome } from "../../app/calculation/outcome.ts";
 import { retryImport } from "../../app/base/parts.ts";
@@ -72,17 +73,19 @@ export function useProgramHost(): FindingsHost {
     const { program } = reading;
     const isShown = (entry: FindingEntry) =>
       isIn({ inFile: fileOfEntry(entry) === null ? undefined : entry.inFile }, beside);
-    const nameOf = ({ kind, text, block }: Repair): string => {
-      if (kind === "take")
-        return t.dialog.takeNearest(typeof text === "number" ? writeTyped(language, text, DECIMALS) : text);
-      if (kind === "runOut") return t.findings.runOut(String(text));
-      if (kind === "endThread") return t.findings.endThread(String(text));
+    const nameOf = ({ kind, text: given, block }: Repair): string => {
+      const text =
+        typeof given === "number" ? writeTyped(language, given, DECIMALS) : numbersInScreenWriting(language, given);
+      // Blocks and words are named as the program writes them, values as the screen does.
+      if (kind === "take") return t.dialog.takeNearest(text);
+      if (kind === "runOut") return t.findings.runOut(text);
+      if (kind === "endThread") return t.findings.endThread(text);
       if (kind === "relief")
-        return text === "" ? t.findings.relief : `${t.findings.relief} · ${t.findings.endThread(String(text))}`;
+        return text === "" ? t.findings.relief : `${t.findings.relief} · ${t.findings.endThread(text)}`;
       if (kind === "tie") return t.page.text.tie;
       if (kind === "meant") return t.findings.meant;
-      if (kind === "write") return t.findings.write(String(text), block);
-      return kind === "insert" ? t.findings.insert(String(text)) : t.findings.remove(String(text));
+      if (kind === "write") return t.findings.write(String(given), block);
+      return kind === "insert" ? t.findings.insert(String(given)) : t.findings.remove(String(given));
     };
     const fixWith = (repair: Repair): Fix => ({
       name: nameOf(repair),

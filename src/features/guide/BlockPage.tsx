@@ -1,7 +1,7 @@
+import { inScreenWriting } from "../../i18n/number.ts";
 import type { GuideBlocksTexts } from "../../i18n/en/guide-blocks.ts";
 import type { Texts } from "../../i18n/index.ts";
 import type { Statement } from "../../nc/statement.ts";
-import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
 import { fieldsOf, statementLine } from "../../app/fields/blocks/block-fields.ts";
 import { letterOf, wordOfField } from "../../app/fields/blocks/block-guide.ts";
 import type { BlockKind } from "../../nc/blocks/names.ts";

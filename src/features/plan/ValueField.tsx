@@ -1,7 +1,7 @@
+import { inScreenWriting } from "../../i18n/number.ts";
 import { useState } from "react";
 import { anyNumber, readText } from "../../program/values/field.ts";
 import { LabelledInput } from "../../app/fields/number/LabelledInput.tsx";
-import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
 import { Message } from "../../app/base/Message.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { closeStep } from "../../app/document/steps.ts";

@@ -1,9 +1,8 @@
-import { formatNumber } from "../../i18n/number.ts";
+import { formatNumber, inScreenWriting } from "../../i18n/number.ts";
 import type { ToolCodeTexts } from "../../i18n/tool-code-text.ts";
 import { isHolderFilling, type CodeNote, type Filling } from "../../program/iso-codes/code-cells.ts";
 import type { CodePart, CodeMeaning } from "../../program/iso-codes/code-part.ts";
 import type { HolderCell } from "../../program/tools/tool-columns.ts";
-import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
 import { Message } from "../../app/base/Message.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";

@@ -1,3 +1,4 @@
+import { inScreenWriting } from "../../i18n/number.ts";
 import type { LengthUnit } from "../../kernel/units.ts";
 import { HOLDER_CELLS, type CellName } from "../../program/tools/tool-columns.ts";
 import { readEntry, type ToolEntry } from "../../program/tools/tool-entry.ts";
@@ -5,7 +6,6 @@ import type { CellOrigin, ForeignTool } from "../../program/tool-files/foreign-t
 import { Icon } from "../../app/base/Icon.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts, useTextsOrNull } from "../../app/base/settings/use-texts.ts";
-import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
 import { useToolName } from "../../app/document/tool-name.ts";
 import type { ToolForeignTexts } from "../../i18n/tool-foreign-text.ts";
 import type { ForeignImport } from "./tool-files.ts";

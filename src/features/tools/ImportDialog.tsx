@@ -1,9 +1,9 @@
+import { inScreenWriting } from "../../i18n/number.ts";
 import { useMemo } from "react";
 import type { ToolFileTexts } from "../../i18n/tool-file-text.ts";
 import { HOLDER_CELLS, type HolderCell } from "../../program/tools/tool-columns.ts";
 import type { ToolEntry } from "../../program/tools/tool-entry.ts";
 import { planImport, type ImportChange } from "../../program/tools/tool-import.ts";
-import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";

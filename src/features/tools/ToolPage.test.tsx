@@ -82,7 +82,7 @@ test("an invalid cell is marked at its column, refused for programs, and its las
     ?.split(" ")
     .map((id) => document.getElementById(id)?.textContent ?? "")
     .join(" ");
-  expect(described).toContain("It must be less than 85.");
+  expect(described).toContain("The value must be less than 85.");
   expect(within(screen.getByRole("figure")).getByText(/Last valid insert/)).toBeTruthy();
   expect([...toolTable().refused.keys()]).toEqual([1]);
   expect(screen.getByText("1 with an error")).toBeTruthy();

@@ -1,9 +1,11 @@
+import { inScreenWriting } from "../number.ts";
 import type { HistoryTexts } from "../en/history.ts";
 
 export const history: HistoryTexts = {
   step: (way, change) => `${way}: ${change}`,
   /** What became of a step: it can be redone, or undone. */
   taken: { future: "Rückgängig gemacht", past: "Wiederhergestellt" },
+  number: (text: string) => inScreenWriting("de", text),
   value: (of, from, to) => `${of} ${from} → ${to}`.trim(),
   within: (of, change) => `${of}: ${change}`,
   empty: "–",

@@ -6,6 +6,8 @@ export const history = {
   step: (way: string, change: string) => `${way}: ${change}`,
   /** What became of a step: it can be redone, or undone. */
   taken: { future: "Undone", past: "Redone" },
+  /** A typed or programmed number in the writing of the screen. */
+  number: (text: string) => text,
   value: (of: string, from: string, to: string) => `${of} ${from} → ${to}`.trim(),
   within: (of: string, change: string) => `${of}: ${change}`,
   empty: "–",

@@ -1,3 +1,4 @@
+import { inScreenWriting } from "../number.ts";
 import type { HistoryTexts } from "../en/history.ts";
 
 /** "de" before a field, elided before a vowel. */
@@ -12,6 +13,7 @@ export const history: HistoryTexts = {
   step: (way, change) => `${way} : ${change}`,
   /** What became of a step: it can be redone, or undone. */
   taken: { future: "Annulé", past: "Rétabli" },
+  number: (text: string) => inScreenWriting("fr", text),
   value: (name, from, to) => `${name} ${from} → ${to}`.trim(),
   within: (thing, change) => `${thing} : ${change}`,
   empty: "–",

@@ -4,6 +4,7 @@ export const history: HistoryTexts = {
   step: (way, change) => `${way}：${change}`,
   /** What became of a step: it can be redone, or undone. */
   taken: { future: "已撤销", past: "已重做" },
+  number: (text: string) => text,
   value: (of, from, to) => `${of} ${from} → ${to}`.trim(),
   within: (of, change) => `${of}：${change}`,
   empty: "–",

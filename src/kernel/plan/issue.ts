@@ -53,6 +53,8 @@ interface Data {
   startInFront: { value: number; nearest: number };
   /** A diameter of the drawing larger than that of the blank: with it, the cycle turns a bore, or cuts the air. */
   diameterOutside: { value: number; blank: number };
+  /** The contour begins inside a blank without a bore. */
+  diameterInSolid: { value: number };
   /**
    * Start and end of a contour, ⌀ or Z, are exchanged: in this order there is no material between them, in the other
    * there is.

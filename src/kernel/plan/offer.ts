@@ -20,14 +20,26 @@ interface ComparedFinding extends Pick<Issue, "severity"> {
 
 const keyOf = ({ code, at, data }: ComparedFinding) => `${code} ${at ?? ""} ${"element" in data ? data.element : ""}`;
 
-/** Whether a change fixes a finding: the finding is gone, and there is no new error. */
+const offersAt = (each: ComparedFinding, at: string | undefined): boolean =>
+  at !== undefined && each.at === at && "nearest" in each.data && typeof each.data.nearest === "number";
+
+/**
+ * Whether a change fixes a finding: the finding is gone, there is no new error, and no new finding offers another value
+ * at the same place.
+ */
 export function fixesFinding(
   found: ComparedFinding,
   before: readonly ComparedFinding[],
   after: readonly ComparedFinding[],
 ): boolean {
-  const known = new Set(before.filter((each) => each.severity === "error").map(keyOf));
-  return !after.some((each) => keyOf(each) === keyOf(found) || (each.severity === "error" && !known.has(keyOf(each))));
+  const errors = new Set(before.filter((each) => each.severity === "error").map(keyOf)),
+    known = new Set(before.map(keyOf));
+  return !after.some(
+    (each) =>
+      keyOf(each) === keyOf(found) ||
+      (each.severity === "error" && !errors.has(keyOf(each))) ||
+      (offersAt(each, found.at) && !known.has(keyOf(each))),
+  );
 }
 
 /** The largest working size from `offer` down to 0, on a grid of 0.001 mm; null if none works. */

@@ -106,16 +106,16 @@ function answer(
   const outlined = values && plan !== nothing ? cycle.outline(values, given).issues : [];
   // A program is not blamed for issues of a fallback tool.
   const planned = called ? plan.issues : [];
-  const turning = threadWarnings(cycle, plan, spindle, machine.clock.rapid);
+  const turningOf = (made: Plan) => threadWarnings(cycle, made, spindle, machine.clock.rapid);
   const own = issues.filter((i) => i.code !== "missing" || !defined.unknownParameters.has(i.at ?? ""));
-  const judge = judgeOf(cycle, called ? setting : null, given);
+  const judge = judgeOf(cycle, called ? setting : null, given, turningOf);
   // An impossible sign or order is the cause of all other issues of tool and path.
   const tried = called ? [tool] : machine.shop.tools.filter((each) => isUsualTool(cycle.group, each));
   const slip =
     values && own.length === 0
       ? slipOf({ cycle, values, given, setting, outlined, planned: plan.issues }, tried)
       : null;
-  const found = slip ?? unique([...own, ...outlined, ...planned, ...turning]);
+  const found = slip ?? unique([...own, ...outlined, ...planned, ...turningOf(plan)]);
   const news = found.filter((i) => i.at !== "contour" || (reportedCodes !== null && !reportedCodes.includes(i.code)));
   const offered = slip ?? testedOffers(cycle.params, partial, news, judge, start);
   const feeds =

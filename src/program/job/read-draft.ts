@@ -6,7 +6,6 @@ import type { Issue } from "../../kernel/plan/issue.ts";
 import type { KnownParameters } from "../values/expression.ts";
 import { valueFromInches } from "../blocks/cycle-values.ts";
 import { anyNumber, checkNumber, type Field, type FieldReading, readText, rejectedReading } from "../values/field.ts";
-import { testedOffers } from "../values/tested-offers.ts";
 
 /** Typed text of the prompts of one cycle, by Q number; a missing key is an empty field. */
 export type Draft = Readonly<Record<string, string>>;
@@ -58,11 +57,11 @@ const valueOf = (param: Param, { written, value, empty }: FieldReading): number 
 
 /**
  * The only conversion from typed text to the values of a cycle. Empty stays missing and never becomes 0, unless the
- * parameter is optional or has no effect with the other values (decision 0013). An offered value fits the other values,
- * as far as the contour shows.
+ * parameter is optional or has no effect with the other values (decision 0013). Offered values are not tried yet
+ * (`triedDraft`).
  */
 export function readDraft<P extends Params>(
-  cycle: Pick<Cycle<P>, "params"> & Partial<Pick<Cycle<P>, "contour" | "outline">>,
+  cycle: Pick<Cycle<P>, "params">,
   draft: Draft,
   known: KnownParameters = {},
   inches: DraftInches | null = null,
@@ -81,17 +80,7 @@ export function readDraft<P extends Params>(
     perField[q] = { ...field, issue: null };
     partial[q] = neutralValueOf(param);
   }
-  const { contour, outline } = cycle;
-  const judge =
-    contour === "own" && outline
-      ? (values: Values<P>) => ({
-          issues: outline(values, { contour: null, start: null }).issues,
-          moves: 0,
-          passes: null,
-        })
-      : null;
-  const found = Object.values(perField).flatMap((field) => field.issue ?? []);
-  const issues = found.map((each) => testedOffers(cycle.params, partial, [each], judge)[0] ?? each);
+  const issues = Object.values(perField).flatMap((field) => field.issue ?? []);
   const values = issues.length === 0 ? (partial as Values<P>) : null;
   return { values, partial: partial as Partial<Values<P>>, perField, issues };
 }

@@ -108,6 +108,36 @@ describe("a diameter larger than the blank is named as the cause", () => {
   });
 });
 
+describe("a diameter far outside the blank is named as the cause", () => {
+  test.each([
+    [812, "Q493", 161],
+    [811, "Q493", 161],
+  ])("%i, %s=%d: the value, not the tool", (cycle, at, value) => {
+    expect(told({ cycle, change: { [at]: value } })).toMatchObject([
+      { code: "diameterOutside", severity: "error", at, data: { value, blank: 75 } },
+    ]);
+  });
+});
+
+describe("a start inside a solid blank is named as the cause, where no bore lets a tool in", () => {
+  test.each([
+    [812, 0],
+    [812, 40],
+    [813, 0],
+    [814, 0],
+    [822, 0],
+  ])("%i from ⌀%d: not the tool, nor what its contour lacks", (cycle, value) => {
+    expect(told({ cycle, change: { Q491: value } })).toMatchObject([
+      { code: "diameterInSolid", severity: "error", at: "Q491", data: { value } },
+    ]);
+  });
+  test("but not in a bored one, nor where another start mends nothing", () => {
+    const bored = { blank: "D75 L100 DIST+0 DI30" };
+    expect(codes({ cycle: 812, change: { Q491: 40 }, ...bored })).not.toContain("diameterInSolid");
+    expect(codes({ cycle: 812, change: { Q491: 0, Q500: 500 } })).not.toContain("diameterInSolid");
+  });
+});
+
 describe("a minus sign on a diameter is named as the cause", () => {
   test.each([
     [811, "Q493", 50, "warning"],

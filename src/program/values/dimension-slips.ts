@@ -124,7 +124,7 @@ export interface SlipCheckInput<P extends Params> {
 
 /**
  * Finds a dimension whose sign or order is impossible for tool and blank. Reported only where the other sign brings no
- * new error, or the other order none at all. It explains all findings of tool and path; contour faults that remain
+ * new error, or the other order, or a value in the blank none at all. It explains all findings of tool and path; contour faults that remain
  * either way follow it. Null where the values may be intended.
  */
 export function dimensionSlip<P extends Params>(asked: SlipCheckInput<P>): readonly Issue[] | null {
@@ -176,8 +176,9 @@ export function dimensionSlip<P extends Params>(asked: SlipCheckInput<P>): reado
       return null;
     return issue("endsExchanged", "error", { axis, start: first, end: last, other: b }, a);
   };
-  const outside = diameterOutside(plain, typed, toDiameter(radius(box.high)));
-  if (outside && !isRefused(judged({ [outside.at]: outside.data.value / 2 }))) return [outside];
+  const surface = toDiameter(radius(box.high)),
+    outside = diameterOutside(plain, typed, surface);
+  if (outside && !isRefused(judged({ [outside.at]: surface / 2 }))) return [outside];
   const x = endsOf(plain, "X"),
     bore = toDiameter(radius(box.low));
   const isSolid =
@@ -192,5 +193,11 @@ export function dimensionSlip<P extends Params>(asked: SlipCheckInput<P>): reado
           last > first && (start.z >= last - SAME || (last >= box.right - SAME && first < box.right - SAME)),
       )) ||
     (x && exchanged("X", x, (first, last) => (first < last ? isSolid : bore > SAME && last <= bore + SAME)));
-  return order ? [order] : null;
+  if (order) return [order];
+  const [first, last] = x ?? [];
+  // From inside a solid blank no tool gets to a larger diameter.
+  if (first === undefined || !isSolid || !(numberOf(first) < numberOf(last ?? ""))) return null;
+  return isRefused(judged({ [first]: surface }))
+    ? null
+    : [issue("diameterInSolid", "error", { value: numberOf(first) }, first)];
 }

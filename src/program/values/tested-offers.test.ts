@@ -4,7 +4,6 @@ import { cycleByNumber } from "../../cycles/index.ts";
 import type { Issue } from "../../kernel/plan/issue.ts";
 import { offerOf } from "../../kernel/plan/offer.ts";
 import { parse } from "../../nc/parse.ts";
-import { exampleDraft, readDraft } from "../job/read-draft.ts";
 import { run } from "../run/run.ts";
 import { shippedTools } from "../tools/shipped-tools.ts";
 
@@ -107,13 +106,15 @@ describe("an offered value", () => {
   });
 
   test("is the other sign of a dimension whose sign is impossible", () => {
-    const offered = (q: string, value: string) =>
-      readDraft(cycleByNumber(812) as never, { ...exampleDraft(cycleByNumber(812) as never), [q]: value }).issues;
-    expect(offered("Q500", "-2")).toMatchObject([{ code: "outOfRange", data: { nearest: 2 } }]);
-    expect(offered("Q502", "500").map((each) => offerOf(each))).toEqual([]);
-    expect(offered("Q500", "5000").map((each) => offerOf(each))).toEqual([null]);
-    expect(offered("Q501", "7").map((each) => offerOf(each))).toEqual([null]);
-    expect(offered("Q506", "7").map((each) => offerOf(each))).toEqual([2]);
+    const offered = (q: string, value: number) =>
+      issuesOf(812, { ...example(812), [q]: value }, 1, [75, 2])
+        .filter(({ code, at: q2 }) => q2 === q && (code === "outOfRange" || code === "notAChoice"))
+        .map((each) => offerOf(each));
+    expect(offered("Q500", -2)).toEqual([2]);
+    expect(offered("Q502", 500)).toEqual([]);
+    expect(offered("Q500", 5000)).toEqual([null]);
+    expect(offered("Q501", 7)).toEqual([null]);
+    expect(offered("Q506", 7)).toEqual([2]);
     const negative = issuesOf(831, { ...example(831), Q475: 1, Q476: 1, Q491: -100 }, 12, [110, 10]);
     expect(negative.map((each) => [each.code, each.at, each.data])).toContainEqual([
       "diameterNegative",
@@ -137,7 +138,8 @@ describe("an offered value", () => {
   });
 
   test("is only the usual infeed where no path could be tried", () => {
-    const prompts = readDraft(cycleByNumber(812) as never, { ...exampleDraft(cycleByNumber(812) as never), Q463: "0" });
-    expect(prompts.issues.map((each) => [each.code, offerOf(each)])).toEqual([["outOfRange", 3]]);
+    const { Q494: _, ...incomplete } = example(812);
+    const found = at(issuesOf(812, { ...incomplete, Q463: 0 }, 1, [75, 2]), "outOfRange", "Q463");
+    expect(found && offerOf(found)).toBe(3);
   });
 });

@@ -2,7 +2,7 @@ import type { Cycle, Given } from "../../cycles/define.ts";
 import type { Param, Params, Values } from "../../cycles/params.ts";
 import type { Issue } from "../../kernel/plan/issue.ts";
 import { fixesFinding, offerOf, withOffer } from "../../kernel/plan/offer.ts";
-import type { PlanContext } from "../../kernel/plan/plan.ts";
+import type { Plan, PlanContext } from "../../kernel/plan/plan.ts";
 import type { Pt } from "../../kernel/geometry/point.ts";
 import { axial, diameter, toRadius } from "../../kernel/units.ts";
 import { checkNumber } from "./field.ts";
@@ -23,16 +23,21 @@ export type Judge<P extends Params> = (values: Values<P>, start?: Pt) => Judgeme
 
 /**
  * Evaluates values of a cycle: its outline and, with a setting, its plan; an impossible contour is reported without a
- * path. Null where a contour of a subprogram is missing.
+ * path. `besides`: other issues of a plan. Null where a contour of a subprogram is missing.
  */
-export function judgeOf<P extends Params>(cycle: Cycle<P>, setting: PlanContext | null, given: Given): Judge<P> | null {
+export function judgeOf<P extends Params>(
+  cycle: Cycle<P>,
+  setting: PlanContext | null,
+  given: Given,
+  besides: (plan: Plan) => readonly Issue[] = () => [],
+): Judge<P> | null {
   if (cycle.contour === "free" && given.contour === null) return null;
   return (values, start) => {
     const from = start ? { ...given, start } : given;
     const { issues } = cycle.outline(values, from);
     if (!setting || issues.some((each) => each.severity === "error")) return { issues, moves: 0, passes: null };
     const plan = cycle.plan(values, start ? { ...setting, start } : setting, from);
-    return { issues: [...issues, ...plan.issues], moves: plan.moves.length, passes: plan.passes };
+    return { issues: [...issues, ...plan.issues, ...besides(plan)], moves: plan.moves.length, passes: plan.passes };
   };
 }
 
@@ -41,7 +46,7 @@ type Kept = Readonly<Record<string, number | "auto">>;
 type Works = (value: number) => boolean | null;
 
 /** Limit of planned moves in the search for one value. */
-const MOST_MOVES = 5000;
+const MOST_MOVES = 1500;
 /** Growth of the distance between probes and the offered value. */
 const STRIDE = 4;
 /** Bisections from a found value to the grid. */

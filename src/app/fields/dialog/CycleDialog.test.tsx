@@ -1,3 +1,4 @@
+import { setPlace } from "../../document/setup-edits.ts";
 import { undoStep, redoStep } from "../../document/history.ts";
 import { cleanup, render, screen, waitFor, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
@@ -249,9 +250,10 @@ test("prompts are asked in the language of the screen, with its decimal sign", a
 });
 
 test("a fault without a path is shown first at the prompt that shapes the contour", async () => {
-  const end = prompts.findLast((q) => cycle.params[q]?.kind === "diameter") ?? "";
-  goTo(end);
-  setPrompt(end, "213.7");
+  const wide = prompts.find((q) => cycle.params[q]?.kind === "diameter") ?? "";
+  goTo(wide);
+  setPlace("tool", "12");
+  setPlace("blank.outside", "60");
   const { job } = useEditor.getState();
   const text = job ? printedText(job) : "",
     made = run(parse(text), { tools: shippedTools, rapid: 10_000 });
@@ -260,7 +262,7 @@ test("a fault without a path is shown first at the prompt that shapes the contou
   const said = () =>
     [...within(active()).getByRole("status", { name: "Findings" }).children].map((each) => each.textContent ?? "");
   await waitFor(() => expect(said()).toHaveLength(2));
-  expect(said()[0]).toMatch(/^Error: T Tool: A ROUGH tool/);
+  expect(said()[0]).toMatch(/^Error: T Tool: A THREAD tool/);
   expect(said()[1]).toMatch(/^Warning: D Outside diameter: The contour/);
   // Roughing or finishing has nothing to do with it.
   goTo(prompts[0] ?? null);

@@ -1,3 +1,4 @@
+import { inScreenWriting } from "../../../i18n/number.ts";
 import { useId, useLayoutEffect, useRef, type RefObject } from "react";
 import { isError, isOpen, type FindingEntry } from "../../findings/entry.ts";
 import { useMedia } from "../../base/use-media.ts";
@@ -15,7 +16,7 @@ import { onPromptKey, onPromptTab } from "./prompt-keys.ts";
 import { commandsOf, suggestionFor, type Prompt, type PromptSession } from "./session.ts";
 import { PromptSteps } from "./PromptSteps.tsx";
 import { ValueInput } from "./ValueInput.tsx";
-import { inScreenWriting, writeTyped } from "./write-value.ts";
+import { writeTyped } from "./write-value.ts";
 
 interface Props {
   readonly session: PromptSession;

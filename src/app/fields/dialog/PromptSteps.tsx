@@ -1,10 +1,10 @@
+import { inScreenWriting } from "../../../i18n/number.ts";
 import { useEffectEvent, useLayoutEffect, useRef } from "react";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { OtherProposal } from "../setup/OtherProposal.tsx";
 import { commandsOf, suggestionFor, type Prompt, type PromptSession } from "./session.ts";
 import { isSetupPlace } from "./setup-prompts.ts";
-import { inScreenWriting } from "./write-value.ts";
 
 interface Props {
   readonly session: PromptSession;

@@ -1,9 +1,9 @@
+import { inScreenWriting } from "../../../i18n/number.ts";
 import { useEffectEvent, useLayoutEffect, type RefObject } from "react";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTyping } from "../../base/typing.ts";
 import { NumberInput } from "../number/NumberInput.tsx";
 import { commandsOf, type Prompt, type PromptSession } from "./session.ts";
-import { inScreenWriting } from "./write-value.ts";
 
 interface Props {
   readonly session: PromptSession;

@@ -1,3 +1,4 @@
+import { inScreenWriting } from "../../../i18n/number.ts";
 import { readText, type Field, type FieldReading, emptyReading } from "../../../program/values/field.ts";
 import { knownParameters } from "../../../program/job/job-parameters.ts";
 import { SETUP_FIELDS } from "../../../program/job/setup-fields.ts";
@@ -9,7 +10,6 @@ import type { Tool } from "../../../kernel/plan/tool.ts";
 import { goToField } from "../../place/place.ts";
 import type { JobReading } from "../../document/reading.ts";
 import { promptOf, type Prompt } from "./session.ts";
-import { inScreenWriting } from "./write-value.ts";
 
 /** Set-up prompts in the order of a setter's work, each with the control's word. */
 const PLACES = [

@@ -1,7 +1,7 @@
 import { hasNoEffect } from "../../../cycles/effect.ts";
 import type { Param } from "../../../cycles/params.ts";
 import type { ParamTextId } from "../../../cycles/index.ts";
-import { formatNumber } from "../../../i18n/number.ts";
+import { formatNumber, inScreenWriting } from "../../../i18n/number.ts";
 import { decimalsInInches, valueInProgram } from "../../../program/blocks/cycle-values.ts";
 import { anyNumber, readText } from "../../../program/values/field.ts";
 import type { SetupPlace } from "../../../program/job/setup-places.ts";
@@ -84,6 +84,7 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
     const { prompt, label, explanation, ...words } = t.params[param.text as ParamTextId];
     const meanings: Readonly<Record<number, string>> = "choices" in words ? words.choices : {};
     const idle = hasNoEffect(param, reading.partial);
+    const conditionOf = (other: string) => inScreenWriting(language, String(reading.partial[other]));
     const usual = param.optional ? null : suggestedValue(cycle, q, context);
     const suggested = block?.sizes?.[q] ?? (usual === null ? null : inProgram(param, usual));
     return promptOf(
@@ -99,7 +100,7 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
           ...(param.optional ? [t.dialog.optional] : []),
           ...(param.reserved ? [t.dialog.reserved] : []),
           ...(idle && param.condition
-            ? [t.dialog.withoutEffect(`${param.condition.q} = ${String(reading.partial[param.condition.q])}`)]
+            ? [t.dialog.withoutEffect(`${param.condition.q} = ${conditionOf(param.condition.q)}`)]
             : []),
         ],
         choices: param.choices?.map((n) => ({ value: String(n), meaning: meanings[n] ?? "" })) ?? null,

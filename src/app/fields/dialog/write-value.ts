@@ -1,6 +1,6 @@
 import type { Kind, Param } from "../../../cycles/params.ts";
 import type { Language } from "../../../i18n/languages.ts";
-import { decimalSign, formatFixed, formatNumber, formatPosition } from "../../../i18n/number.ts";
+import { formatFixed, formatNumber, formatPosition } from "../../../i18n/number.ts";
 import type { FieldReading } from "../../../program/values/field.ts";
 import { valueAsTyped } from "../../../program/values/typed-value.ts";
 
@@ -30,10 +30,6 @@ export function writeValue(
 /** A value as one types it. */
 export const writeTyped = (language: Language, value: number, decimals: number): string =>
   formatNumber(language, value, decimals);
-
-/** Typed text with the decimal sign of the screen; sums and Q parameters stay as they are. */
-export const inScreenWriting = (language: Language, text: string): string =>
-  /^[+-]?\d*(?:\.\d*)?$/.test(text.trim()) ? text.replace(".", decimalSign(language)) : text;
 
 type UnitName =
   | "diameter"

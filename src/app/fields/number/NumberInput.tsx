@@ -1,7 +1,7 @@
+import { inScreenWriting } from "../../../i18n/number.ts";
 import { useLayoutEffect, useRef, type ComponentProps, type KeyboardEvent } from "react";
 import { sumOf } from "../../../program/values/field.ts";
 import { useSettings } from "../../base/settings/settings.ts";
-import { inScreenWriting } from "../dialog/write-value.ts";
 import type { NumberLetters } from "../keypad/field-typing.ts";
 import { insert, minuendOf, minus, subtracted, type EntryState } from "./number-entry.ts";
 

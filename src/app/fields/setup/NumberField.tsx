@@ -1,6 +1,6 @@
+import { inScreenWriting } from "../../../i18n/number.ts";
 import { useEffect, useRef } from "react";
 import { readText, type Field } from "../../../program/values/field.ts";
-import { inScreenWriting } from "../dialog/write-value.ts";
 import { FieldMessage } from "../number/FieldMessage.tsx";
 import { LabelledInput } from "../number/LabelledInput.tsx";
 import { Message } from "../../base/Message.tsx";

@@ -1,3 +1,4 @@
+import { inScreenWriting } from "../../../i18n/number.ts";
 import { useMemo } from "react";
 import type { SetupPlace } from "../../../program/job/setup-places.ts";
 import { otherProposal } from "../../../program/job/setup.ts";
@@ -6,7 +7,6 @@ import { useToolList } from "../../document/work-tools.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { useDeferredUntilPaint } from "../../base/typing.ts";
-import { inScreenWriting } from "../dialog/write-value.ts";
 
 interface Props {
   readonly place: SetupPlace;

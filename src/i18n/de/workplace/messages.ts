@@ -71,7 +71,7 @@ export const messages = {
     angleNotFollowed: (d, w) =>
       `${d.element === undefined ? "" : `Element ${d.element}: `}Das Werkzeug kann ${w.angle(d.angle)} nicht folgen: ` +
       (d.edge === "behindContour"
-        ? "Er führt hinter die Kontur, wo dieser Zyklus mit keinem Werkzeug schneidet"
+        ? "Der Winkel führt hinter die Kontur, wo dieser Zyklus mit keinem Werkzeug schneidet"
         : `Die ${reasons[d.edge]} lässt ${w.angle(d.max)} zu`) +
       ", Restmaterial bleibt.",
     tooManyPasses: (d, w) => `${d.passes} Schnitte überschreiten das Maximum ${d.most}.${nearest(d.nearest, w.size)}`,
@@ -358,6 +358,8 @@ export const messages = {
         : `Von Z${w.signed(d.start)} nach Z${w.signed(d.end)} schneidet der Zyklus vom Futter weg. Start und Ende (${d.other}) vertauscht?`,
     endInFront: (d, w) => `Z${w.signed(d.value)} liegt vor dem Werkstück. ${w.signed(d.nearest)}?`,
     startInFront: (d, w) => `Z${w.signed(d.value)} liegt vor dem Werkstück. ${w.signed(d.nearest)}?`,
+    diameterInSolid: (d, w) =>
+      `${w.diameter(d.value)} liegt im vollen Rohteil: Es gibt keine Bohrung, in der das Werkzeug beginnen könnte.`,
     diameterOutside: (d, w) => `${w.diameter(d.value)} ist größer als das Rohteil, ${w.diameter(d.blank)}.`,
     blankAgainstContour: (d, w) =>
       ({

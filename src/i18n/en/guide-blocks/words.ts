@@ -133,11 +133,11 @@ export const blockWords = {
   "CC.Y": { about: "Y of the centre or pole.", mistakes: ["Left empty: the last value applies."] },
   "CC.Z": { about: "Z of the centre or pole.", mistakes: ["The minus sign is missing."] },
   "C.X": {
-    about: "X of the end point. It must be on the circle about CC.",
+    about: "X of the end point. That point must be on the circle about CC.",
     mistakes: ["The value is rounded: the point is not on the circle."],
   },
   "C.Z": {
-    about: "Z of the end point. It must be on the circle about CC.",
+    about: "Z of the end point. That point must be on the circle about CC.",
     mistakes: ["The value is rounded: the point is not on the circle."],
   },
   "datum.X": { about: "Datum shift in X; a ⌀ in turning.", mistakes: ["A radius is entered."] },

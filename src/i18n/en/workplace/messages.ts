@@ -68,7 +68,7 @@ export const messages = {
     angleNotFollowed: (d, w) =>
       `${d.element === undefined ? "The" : `Element ${d.element}: the`} tool cannot follow ${w.angle(d.angle)}: ` +
       (d.edge === "behindContour"
-        ? "it leads behind the contour, where this cycle does not go with any tool"
+        ? "the angle leads behind the contour, where this cycle does not go with any tool"
         : `the ${reasons[d.edge]} allows ${w.angle(d.max)}`) +
       "; residual material remains.",
     tooManyPasses: (d, w) => `${d.passes} passes exceed the maximum of ${d.most}.${nearest(d.nearest, w.size)}`,
@@ -97,8 +97,8 @@ export const messages = {
           : `${d.column} ${w.value(d.value)} is not possible.`;
       if (d.min !== undefined && d.max !== undefined) return `${what} Allowed: ${w.value(d.min)} to ${w.value(d.max)}.`;
       if (d.min !== undefined)
-        return `${what} It must be ${d.column === "CUTWIDTH" ? "more than" : "at least"} ${w.value(d.min)}.`;
-      return d.max === undefined ? what : `${what} It must be less than ${w.value(d.max)}.`;
+        return `${what} The value must be ${d.column === "CUTWIDTH" ? "more than" : "at least"} ${w.value(d.min)}.`;
+      return d.max === undefined ? what : `${what} The value must be less than ${w.value(d.max)}.`;
     },
     toolNumberTwice: (d) => `Tool ${d.number} is already in the table.${nearest(d.nearest, String)}`,
     toolName: (d, w) =>
@@ -342,6 +342,8 @@ export const messages = {
         : `From Z${w.signed(d.start)} to Z${w.signed(d.end)} the cycle cuts away from the chuck. Start and end (${d.other}) swapped?`,
     endInFront: (d, w) => `Z${w.signed(d.value)} is in front of the workpiece. ${w.signed(d.nearest)}?`,
     startInFront: (d, w) => `Z${w.signed(d.value)} is in front of the workpiece. ${w.signed(d.nearest)}?`,
+    diameterInSolid: (d, w) =>
+      `${w.diameter(d.value)} is inside the solid blank: there is no bore in which the tool could begin.`,
     diameterOutside: (d, w) => `${w.diameter(d.value)} is larger than the blank, ${w.diameter(d.blank)}.`,
     blankAgainstContour: (d, w) =>
       ({

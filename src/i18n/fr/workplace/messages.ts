@@ -70,7 +70,7 @@ export const messages = {
     angleNotFollowed: (d, w) =>
       `${d.element === undefined ? "L’" : `Élément ${d.element} : l’`}outil ne peut pas suivre ${w.angle(d.angle)} : ` +
       (d.edge === "behindContour"
-        ? "cela passe derrière le contour, hors d’atteinte de ce cycle avec tout outil"
+        ? "l’angle mène derrière le contour, hors d’atteinte de ce cycle avec tout outil"
         : `${d.edge === "toolWidth" ? "la " : "l’"}${reasons[d.edge]} permet ${w.angle(d.max)}`) +
       " ; il reste de la matière résiduelle.",
     tooManyPasses: (d, w) => `${d.passes} passes dépassent le maximum de ${d.most}.${nearest(d.nearest, w.size)}`,
@@ -355,6 +355,8 @@ export const messages = {
         : `De Z${w.signed(d.start)} à Z${w.signed(d.end)}, le cycle usine en s’éloignant du mandrin. Départ et fin (${d.other}) intervertis ?`,
     endInFront: (d, w) => `Z${w.signed(d.value)} est devant la pièce. ${w.signed(d.nearest)} ?`,
     startInFront: (d, w) => `Z${w.signed(d.value)} est devant la pièce. ${w.signed(d.nearest)} ?`,
+    diameterInSolid: (d, w) =>
+      `${w.diameter(d.value)} est à l’intérieur de la pièce brute pleine : l’outil n’a pas d’alésage où commencer.`,
     diameterOutside: (d, w) => `${w.diameter(d.value)} dépasse la pièce brute, ${w.diameter(d.blank)}.`,
     blankAgainstContour: (d, w) =>
       ({

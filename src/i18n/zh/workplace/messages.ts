@@ -63,7 +63,7 @@ export const messages = {
     angleNotFollowed: (d, w) =>
       `${d.element === undefined ? "" : `元素${d.element}：`}刀具无法跟随${w.angle(d.angle)}：${
         d.edge === "behindContour"
-          ? "该处在轮廓背后，本循环用任何刀具都切不到"
+          ? "该角度通向轮廓背后，本循环用任何刀具都切不到"
           : `${reasons[d.edge]}允许${w.angle(d.max)}`
       }，有残余材料。`,
     tooManyPasses: (d, w) => `${d.passes} 次走刀超过 ${d.most} 次。${nearest(d.nearest, w.size)}`,
@@ -267,6 +267,7 @@ export const messages = {
         : `从Z${w.signed(d.start)}到Z${w.signed(d.end)}循环背离卡盘切削。起点与终点（${d.other}）是否颠倒？`,
     endInFront: (d, w) => `Z${w.signed(d.value)} 在工件前方。是否为 ${w.signed(d.nearest)}？`,
     startInFront: (d, w) => `Z${w.signed(d.value)} 在工件前方。是否为 ${w.signed(d.nearest)}？`,
+    diameterInSolid: (d, w) => `${w.diameter(d.value)} 位于实心毛坯内部：没有可供刀具开始加工的孔。`,
     diameterOutside: (d, w) => `${w.diameter(d.value)} 大于毛坯 ${w.diameter(d.blank)}。`,
     blankAgainstContour: (d, w) =>
       ({
