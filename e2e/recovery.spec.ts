@@ -20,8 +20,8 @@ test("invalid input says what is wrong and which value works, and the picture st
 
   await dialog.type("2000");
   await expect(dialog.messages).toContainText("999.999");
-  // The limit is shown, but the usual value is offered: nobody would type the limit.
-  await expect(dialog.messages.getByRole("button")).toHaveText(/ 3$/);
+  // The limit is shown, but the largest usual infeed is offered, as in a program: nobody would type the limit.
+  await expect(dialog.messages.getByRole("button")).toHaveText(/ 5$/);
   await dialog.type("2.5");
   await expect(dialog.value).toHaveAttribute("aria-invalid", "false");
 
