@@ -181,7 +181,9 @@ async function main() {
     const needed = [...new Set(chosen.flatMap((m) => m.tests))];
     await Promise.all(
       copies.map(async (copy, i) => {
-        const clean = await copy.firstFailure(needed.filter((_, n) => n % copies.length === i));
+        const own = needed.filter((_, n) => n % copies.length === i);
+        // Without names of files Vitest would run all of them.
+        const clean = own.length > 0 ? await copy.firstFailure(own) : null;
         if (clean) throw new Error(`the tests fail without a fault: ${clean.file}: ${clean.test}`);
       }),
     );
